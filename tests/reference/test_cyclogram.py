@@ -1,0 +1,221 @@
+"""Oracle tests: the cyclogram against exact switching angles in mpmath.
+
+The cyclogram may treat phases closer than some 1e-11 rad as one, and drop intervals that
+narrow; everything here allows angles 1e-11 rad of the wave, times the range where rounding
+grows with it, and no more.
+"""
+
+import math
+import random
+
+import pytest
+from mpmath import mp, mpf
+
+from core.cyclogram import Mechanism, cyclogram
+from tests.reference.oracle_crank_planetary import (
+    cosines,
+    driving_count,
+    driving_intervals,
+    largest_gap,
+    phases,
+    wave_angle,
+)
+
+MERGED = 1e-11
+"""Phases (rad) that the program may take for one: 1e-12 turns, rounded up."""
+
+
+def random_mechanism(seed: int) -> tuple[Mechanism, float]:
+    """A mechanism and a number of revolutions, with the awkward cases well represented."""
+    r = random.Random(seed)
+    pins = r.choice([1, 2, 3, 4, 5, 6, 7, 12, 13, 40])
+    satellites = r.randint(1, 6)
+    kind = r.choice(["random", "even", "coincident", "near", "degrees"])
+    if kind == "even":
+        angles = [j * 2 * math.pi / satellites for j in range(satellites)]
+    elif kind == "coincident":
+        angles = [r.choice([0.0, 1.0, math.pi, 2 * math.pi, -1.0]) for _ in range(satellites)]
+    elif kind == "near":
+        base = r.uniform(-7, 7)
+        angles = [base + r.choice([-1, 1]) * 10 ** r.uniform(-13, -3) for _ in range(satellites)]
+    elif kind == "degrees":
+        angles = [math.radians(r.randrange(-360, 720, 15)) for _ in range(satellites)]
+    else:
+        angles = [r.uniform(-10, 10) for _ in range(satellites)]
+    mechanism = Mechanism(
+        pins=pins,
+        crank_angles=tuple(angles),
+        ratio=r.choice([20.0, 1.0, 0.05, 39.5, 10 ** r.uniform(-2, 4)]),
+        initial_crank_angle=r.choice([0.0, math.pi, -math.pi / 2, r.uniform(-9, 9)]),
+    )
+    return mechanism, r.choice([1.0, 0.01, 0.25, 2.0, 7.3])
+
+
+@pytest.mark.parametrize("seed", range(120))
+def test_driving_intervals_are_the_exact_ones(seed: int) -> None:
+    mechanism, revolutions = random_mechanism(seed)
+    result = cyclogram(mechanism=mechanism, revolutions=revolutions)
+    end = 2 * mp.pi * mpf(revolutions)
+    speed = float(1 + 1 / mpf(mechanism.ratio))
+    allowed = (MERGED + 1e-14 * revolutions * 2 * math.pi * speed) / speed
+    exact_phases = phases(mechanism.pins, mechanism.crank_angles)
+    assert [(p.satellite, p.pin) for p in result.pairs] == [
+        (j + 1, n + 1) for j in range(mechanism.satellites) for n in range(mechanism.pins)
+    ]
+    for pair in result.pairs:
+        theta = exact_phases[pair.satellite - 1][pair.pin - 1]
+        exact = driving_intervals(theta, mechanism.ratio, mechanism.initial_crank_angle, end)
+        found = list(pair.driving)
+        # an interval cut to nothing at an end of the range may be kept or dropped
+        exact = [i for i in exact if i[1] - i[0] > 2 * allowed]
+        found = [i for i in found if i[1] - i[0] > 2 * allowed]
+        assert len(found) == len(exact)
+        for (start, stop), (exact_start, exact_stop) in zip(found, exact, strict=True):
+            assert abs(start - exact_start) <= allowed
+            assert abs(stop - exact_stop) <= allowed
+
+
+@pytest.mark.parametrize("seed", range(120))
+def test_driving_count_is_exact_inside_every_interval(seed: int) -> None:
+    mechanism, revolutions = random_mechanism(seed)
+    result = cyclogram(mechanism=mechanism, revolutions=revolutions)
+    speed = float(1 + 1 / mpf(mechanism.ratio))
+    waves = revolutions * speed
+    sliver = MERGED * max(1.0, waves) / speed
+    counts = result.driving_count
+    assert counts[0].start == 0.0
+    assert counts[-1].end == pytest.approx(revolutions * 2 * math.pi, rel=1e-15)
+    for before, after in zip(counts, counts[1:], strict=False):
+        assert before.end == after.start
+        assert before.pairs != after.pairs
+    for interval in counts[:: max(1, len(counts) // 40)]:
+        assert interval.end > interval.start
+        for part in (0.11, 0.5, 0.83):
+            phi = interval.start + part * (interval.end - interval.start)
+            psi = wave_angle(phi, mechanism.ratio, mechanism.initial_crank_angle)
+            rows = cosines(mechanism.pins, mechanism.crank_angles, psi)
+            if min(abs(c) for row in rows for c in row) < 10 * sliver * speed:
+                continue  # on a switching angle, within what may be merged
+            exact = driving_count(mechanism.pins, mechanism.crank_angles, psi)
+            assert interval.pairs == exact
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_extremes_and_mean_are_those_of_the_whole_turn(seed: int) -> None:
+    mechanism, _ = random_mechanism(seed)
+    result = cyclogram(mechanism=mechanism)
+    theta = [t for row in phases(mechanism.pins, mechanism.crank_angles) for t in row]
+    edges = sorted((s - t) % (2 * mp.pi) for t in theta for s in (mpf(0), mp.pi))
+    edges.append(edges[0] + 2 * mp.pi)
+    pieces = [
+        (b - a, driving_count(mechanism.pins, mechanism.crank_angles, (a + b) / 2))
+        for a, b in zip(edges, edges[1:], strict=False)
+        if b - a > MERGED
+    ]
+    assert result.min_driving == min(count for _, count in pieces)
+    assert result.max_driving == max(count for _, count in pieces)
+    mean = sum(width * count for width, count in pieces) / (2 * mp.pi)
+    assert result.mean_driving == pytest.approx(float(mean), abs=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_pattern_period_repeats_the_counts_and_nothing_shorter_does(seed: int) -> None:
+    mechanism, _ = random_mechanism(seed)
+    result = cyclogram(mechanism=mechanism)
+    speed = 1 + 1 / mpf(mechanism.ratio)
+    assert result.period == pytest.approx(float(2 * mp.pi / speed), rel=1e-15)
+    assert result.working_phase == pytest.approx(float(mp.pi / speed), rel=1e-15)
+    wave = mpf(result.pattern_period) * speed
+    theta = [t for row in phases(mechanism.pins, mechanism.crank_angles) for t in row]
+
+    def is_symmetry(shift: mpf) -> bool:
+        """Whether the phases shifted are the phases again, one by one."""
+        turn = 2 * mp.pi
+        left = list(theta)
+        for t in theta:
+            near = [x for x in left if abs((t + shift - x + mp.pi) % turn - mp.pi) < MERGED * 4]
+            if not near:
+                return False
+            left.remove(near[0])
+        return True
+
+    assert is_symmetry(wave)
+    # a shorter period would be a whole fraction of this one
+    for part in range(2, mechanism.satellites + 1):
+        assert not is_symmetry(wave / part)
+
+
+@pytest.mark.parametrize(
+    ("pins", "crank_angles"),
+    [
+        (1, (0.0,)),
+        (1, (0.0, 0.0, 0.0)),
+        (1, (0.0, math.pi)),
+        (1, (0.0, 0.5, 1.0)),
+        (1, (0.0, 2.0, 4.0)),  # gaps 2, 2, 2.28: no dead centre
+        (1, (0.0, 2 * math.pi / 3, 4 * math.pi / 3)),
+        (2, (0.0,)),
+        (2, (0.3, 0.3)),
+        (2, (0.3, 0.3 + math.pi)),  # the same phases again
+        (2, (0.3, 0.3 + 1e-3)),
+        (2, (0.0, math.pi / 2)),
+        (3, (0.0,)),
+        (3, (1.0, 1.0)),
+    ],
+)
+def test_dead_centres_exist_where_a_gap_of_the_phases_is_half_a_turn(
+    pins: int, crank_angles: tuple[float, ...]
+) -> None:
+    mechanism = Mechanism(
+        pins=pins, crank_angles=crank_angles, ratio=20.0, initial_crank_angle=0.2
+    )
+    result = cyclogram(mechanism=mechanism, revolutions=3.0)
+    gap = largest_gap(pins, crank_angles)
+    assert bool(result.dead_centres) == (gap >= mp.pi - MERGED)
+    assert bool(result.dead_zones) == (gap > mp.pi + MERGED)
+    for phi in result.dead_centres:
+        assert 0 <= phi <= 6 * math.pi
+        psi = wave_angle(phi, mechanism.ratio, 0.2)
+        largest = max(c for row in cosines(pins, crank_angles, psi) for c in row)
+        assert largest < 1e-10
+    speed = 1 + 1 / mpf(20)
+    for start, end in result.dead_zones:
+        assert float((end - start) * speed) <= float(gap - mp.pi) + 1e-10
+        middle = wave_angle((start + end) / 2, mechanism.ratio, 0.2)
+        assert driving_count(pins, crank_angles, middle) == 0
+
+
+def test_dead_centres_of_two_pins_are_all_found_where_they_are() -> None:
+    # N = 2, K = 1: nothing drives where sin(psi) = 0, psi = phi*21/20
+    mechanism = Mechanism.evenly_spaced(pins=2, satellites=1, ratio=20.0)
+    result = cyclogram(mechanism=mechanism)
+    exact = [float(k * mp.pi * 20 / 21) for k in range(3)]
+    assert result.dead_centres == pytest.approx(exact, rel=1e-15, abs=1e-15)
+    assert result.dead_zones == ()
+    assert (result.min_driving, result.max_driving) == (1, 1)
+
+
+def test_dead_zone_of_a_single_pair_is_the_other_half_turn() -> None:
+    mechanism = Mechanism.evenly_spaced(pins=1, satellites=1, ratio=20.0)
+    result = cyclogram(mechanism=mechanism)
+    half = float(mp.pi * 20 / 21)
+    assert result.dead_zones[0] == pytest.approx((0.0, half), abs=1e-15)
+    assert result.pairs[0].driving[0] == pytest.approx((half, 2 * half), rel=1e-15)
+    assert result.min_driving == 0
+    # 360 degrees of the crank are 378 of the wave: the second dead zone is cut at the end
+    assert result.dead_zones[1] == pytest.approx((2 * half, 2 * math.pi), rel=1e-15)
+
+
+@pytest.mark.parametrize("turns", [1e3, 1e4])
+def test_far_turns_keep_their_digits(turns: float) -> None:
+    # turns are counted as integers, so the last interval is as good as the first
+    mechanism = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)
+    result = cyclogram(mechanism=mechanism, revolutions=turns)
+    end = 2 * mp.pi * mpf(turns)
+    for pair in result.pairs:
+        theta = 2 * mp.pi * (pair.pin - 1) / 3
+        exact = driving_intervals(theta, 20.0, 0.0, end)
+        last, exact_last = pair.driving[-1], exact[-1]
+        assert len(pair.driving) == len(exact)
+        assert last[0] == pytest.approx(float(exact_last[0]), rel=1e-15)
+        assert last[1] == pytest.approx(float(exact_last[1]), rel=1e-15)
