@@ -13,6 +13,7 @@ two neighbours of all switching angles and all changes of the best pair f is smo
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from mpmath import mp, mpf
@@ -58,7 +59,7 @@ def largest_gap(pins: int, crank_angles: Sequence[float]) -> mpf:
     period = 2 * mp.pi / pins
     folded = sorted(mpf(a) % period for a in crank_angles)
     folded.append(folded[0] + period)
-    return max(b - a for a, b in zip(folded, folded[1:], strict=False))
+    return max(b - a for a, b in pairwise(folded))
 
 
 def peak(
@@ -92,7 +93,7 @@ def peak(
     period = 2 * mp.pi if whole_turn else 2 * mp.pi / pins
     breaks = _breaks(theta, period)
     knots = []
-    for start, end in zip(breaks, breaks[1:], strict=False):
+    for start, end in pairwise(breaks):
         inner = [start + (end - start) * mpf(2 * i + 1) / (2 * samples) for i in range(samples)]
         knots.append([(p, *log_force(p)) for p in inner])
     ends = [(p, log_force(p)[0]) for p in breaks]
@@ -100,7 +101,7 @@ def peak(
     for row, start, end in zip(knots, breaks, breaks[1:], strict=False):
         # the outer half-steps of a segment may hide a summit between sample and end
         width = (end - start) / samples
-        brackets = [(a, b) for a, b in zip(row, row[1:], strict=False) if a[2] > 0 > b[2]]
+        brackets = [(a, b) for a, b in pairwise(row) if a[2] > 0 > b[2]]
         if row[0][2] < 0:
             brackets.append(((start, mp.ninf, mp.inf), row[0]))
         if row[-1][2] > 0:
@@ -118,7 +119,7 @@ def _breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
     turn = 2 * mp.pi
     ordered = sorted(t % turn for t in theta)
     ordered.append(ordered[0] + turn)
-    ties = [(a + b) / 2 for a, b in zip(ordered, ordered[1:], strict=False)]
+    ties = [(a + b) / 2 for a, b in pairwise(ordered)]
     points = [-t for t in theta] + [mp.pi - t for t in theta] + [-mp.pi / 2 - t for t in ties]
     folded = sorted(p % period for p in points)
     merged = [folded[0]]
@@ -150,11 +151,7 @@ def seeded_peak(pins: int, crank_angles: Sequence[float], exponent: float) -> Pe
     theta = np.array([[float(t) for t in row] for row in phases(pins, crank_angles)]).ravel()
     period = 2 * mp.pi / pins
     breaks = [float(b) for b in _breaks([t for r in phases(pins, crank_angles) for t in r], period)]
-    psi = np.unique(
-        np.concatenate(
-            [np.linspace(a, b, 65) for a, b in zip(breaks, breaks[1:], strict=False)]
-        )
-    )
+    psi = np.unique(np.concatenate([np.linspace(a, b, 65) for a, b in pairwise(breaks)]))
     c = np.maximum(-np.sin(psi[:, None] + theta), 0.0)
     best = c.max(axis=1)
     log_f = -np.log(((c / best[:, None]) ** exponent * c).sum(axis=1))

@@ -7,6 +7,7 @@ grows with it, and no more.
 
 import math
 import random
+from itertools import pairwise
 
 import pytest
 from mpmath import mp, mpf
@@ -85,7 +86,7 @@ def test_driving_count_is_exact_inside_every_interval(seed: int) -> None:
     counts = result.driving_count
     assert counts[0].start == 0.0
     assert counts[-1].end == pytest.approx(revolutions * 2 * math.pi, rel=1e-15)
-    for before, after in zip(counts, counts[1:], strict=False):
+    for before, after in pairwise(counts):
         assert before.end == after.start
         assert before.pairs != after.pairs
     for interval in counts[:: max(1, len(counts) // 40)]:
@@ -109,7 +110,7 @@ def test_extremes_and_mean_are_those_of_the_whole_turn(seed: int) -> None:
     edges.append(edges[0] + 2 * mp.pi)
     pieces = [
         (b - a, driving_count(mechanism.pins, mechanism.crank_angles, (a + b) / 2))
-        for a, b in zip(edges, edges[1:], strict=False)
+        for a, b in pairwise(edges)
         if b - a > MERGED
     ]
     assert result.min_driving == min(count for _, count in pieces)
@@ -166,9 +167,7 @@ def test_pattern_period_repeats_the_counts_and_nothing_shorter_does(seed: int) -
 def test_dead_centres_exist_where_a_gap_of_the_phases_is_half_a_turn(
     pins: int, crank_angles: tuple[float, ...]
 ) -> None:
-    mechanism = Mechanism(
-        pins=pins, crank_angles=crank_angles, ratio=20.0, initial_crank_angle=0.2
-    )
+    mechanism = Mechanism(pins=pins, crank_angles=crank_angles, ratio=20.0, initial_crank_angle=0.2)
     result = cyclogram(mechanism=mechanism, revolutions=3.0)
     gap = largest_gap(pins, crank_angles)
     assert bool(result.dead_centres) == (gap >= mp.pi - MERGED)
