@@ -19,9 +19,11 @@ results             accuracy and validity notices that every result carries
 materials           elastic materials, effective modulus, a small table with sources
 quadrature          integration rules with honest error estimates
 load_sharing        one displacement shared by many unilateral contacts
-cyclogram           which pin/hole pairs drive, when, how many; dead centres; assembly
+mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
+cyclogram           which pin/hole pairs drive, when, how many together
+contact_force       force of each pair over the turn; the approximation of its peak
+peak_force          the exact peak of the contact force
 pin_geometry        pin and hole centres, contact points, clearance
-contact_force       force of each pair over the turn and its exact peak
 hertz               line contact of pin and hole, and where Hertz stops being valid
 roller_strength     stiffness, load non-uniformity and stress of swinging rollers
 precession          contact lines, meshing load and shaft deflection of the precessional gear

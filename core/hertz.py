@@ -1,0 +1,359 @@
+"""Hertz line contact of a pin in its hole, and the conformal contact where Hertz fails.
+
+Hertz replaces both bodies by half-planes, which asks for a contact much narrower than the pin.
+A pin in a hole only a little larger is nearly conformal: the contact wraps around the pin, and
+Persson's solution for a disc in a hole of the same material takes over.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.errors import InvalidInput
+from core.materials import ElasticMaterial, effective_modulus
+from core.results import ROUNDING, Accuracy, Notice
+
+SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
+"""Depth of the largest shear stress over the half-width, 0.786."""
+
+SHEAR_RATIO = SHEAR_DEPTH * (1 - SHEAR_DEPTH**2)
+"""Largest shear stress over the largest pressure, 0.300."""
+
+HERTZ_TOLERANCE = 0.01
+"""Error of the Hertz pressure above which the conformal pressure is given beside it."""
+
+HALF_WIDTH_RATIO_LIMIT = 0.159
+"""Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
+
+
+@dataclass(frozen=True, slots=True)
+class HertzContact:
+    """Stress of the line contact of pin and hole.
+
+    Attributes
+    ----------
+    max_pressure : float
+        Hertz pressure p0 in the middle, Pa.
+    mean_pressure : float
+        Mean pressure ``pi/4*p0``, Pa.
+    half_width : float
+        Half-width a of the contact, m.
+    half_width_ratio : float
+        Half-width over pin radius a/r, dimensionless: Hertz asks for a/r << 1.
+    max_shear : float
+        Largest shear stress below the surface ``0.300*p0``, Pa.
+    max_shear_depth : float
+        Its depth ``0.786*a``, m.
+    reduced_radius : float
+        Reduced radius of curvature rho, m.
+    effective_modulus : float
+        Effective modulus E*, Pa.
+    conformal_pressure : float or None
+        Largest pressure of the conformal contact, Pa; None unless it applies (see `hertz`).
+    safety_factor : float or None
+        Smaller allowable pressure over the largest pressure (the conformal one where it
+        applies); None where no allowable pressure is known.
+    accuracy : Accuracy
+        Of the pressures.
+    notices : tuple of Notice
+        Limits of validity that the contact strains.
+    """
+
+    max_pressure: float
+    mean_pressure: float
+    half_width: float
+    half_width_ratio: float
+    max_shear: float
+    max_shear_depth: float
+    reduced_radius: float
+    effective_modulus: float
+    conformal_pressure: float | None
+    safety_factor: float | None
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def hertz(
+    *,
+    force: float,
+    contact_length: float,
+    pin_radius: float,
+    hole_radius: float,
+    pin_material: ElasticMaterial,
+    hole_material: ElasticMaterial,
+    dynamic_factor: float = 1.0,
+    distribution_factor: float = 1.0,
+) -> HertzContact:
+    """Line contact of a pin in a hole.
+
+    ``w = F/b*K_A*K_alpha``, ``rho = R*r/(R - r)``, ``p0 = sqrt(w*E*/(pi*rho))``,
+    ``a = sqrt(4*w*rho/(pi*E*))``.
+
+    Parameters
+    ----------
+    force : float
+        Contact force F, N, >= 0.
+    contact_length : float
+        Length b of the contact along the pin, m.
+    pin_radius : float
+        Radius r of the pin, m.
+    hole_radius : float
+        Radius R of the hole, m, larger than `pin_radius`.
+    pin_material, hole_material : ElasticMaterial
+        Materials of pin and satellite.
+    dynamic_factor : float
+        Factor K_A of the dynamic load, > 0.
+    distribution_factor : float
+        Factor K_alpha of uneven load sharing between the pairs, > 0.
+
+    Returns
+    -------
+    HertzContact
+
+    Raises
+    ------
+    InvalidInput
+        If a length or factor is not positive, the force negative, or the hole not larger than
+        the pin: a pin that fills its hole has no line contact.
+
+    Notes
+    -----
+    Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson,
+    Contact Mechanics, 4.2. The conformal pressure (identical materials, R - r << r) is given
+    where it differs from Hertz by more than `HERTZ_TOLERANCE`; see `conformal_pressure_ratio`.
+
+    Examples
+    --------
+    >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+    >>> contact = hertz(force=1000.0, contact_length=0.02, pin_radius=0.006, hole_radius=0.008,
+    ...                 pin_material=steel, hole_material=steel)
+    >>> round(contact.max_pressure/1e6, 3)
+    276.617
+    """
+    if not force >= 0:
+        raise InvalidInput("force", force, "must not be negative")
+    for name, value in (
+        ("contact_length", contact_length),
+        ("pin_radius", pin_radius),
+        ("dynamic_factor", dynamic_factor),
+        ("distribution_factor", distribution_factor),
+    ):
+        if not value > 0:
+            raise InvalidInput(name, value, "must be larger than 0")
+    if not hole_radius > pin_radius:
+        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
+    modulus = effective_modulus(first=pin_material, second=hole_material)
+    difference = hole_radius - pin_radius
+    reduced_radius = hole_radius / difference * pin_radius
+    line_load = force / contact_length * dynamic_factor * distribution_factor
+    max_pressure = math.sqrt(line_load / reduced_radius) * math.sqrt(modulus / math.pi)
+    half_width = 2 * math.sqrt(line_load / math.pi / modulus) * math.sqrt(reduced_radius)
+    ratio = half_width / pin_radius
+
+    conformal = None
+    evaluations = 1
+    if line_load > 0 and _identical(pin_material, hole_material):
+        load_parameter = pin_material.plane_modulus * (difference / line_load)
+        factor, evaluations = conformal_pressure_ratio(load_parameter=load_parameter)
+        if abs(factor - 1) > HERTZ_TOLERANCE:
+            conformal = factor * max_pressure
+    governing = max_pressure if conformal is None else conformal
+    allowable = [
+        material.allowable_pressure
+        for material in (pin_material, hole_material)
+        if material.allowable_pressure is not None
+    ]
+    return HertzContact(
+        max_pressure=max_pressure,
+        mean_pressure=math.pi / 4 * max_pressure,
+        half_width=half_width,
+        half_width_ratio=ratio,
+        max_shear=SHEAR_RATIO * max_pressure,
+        max_shear_depth=SHEAR_DEPTH * half_width,
+        reduced_radius=reduced_radius,
+        effective_modulus=modulus,
+        conformal_pressure=conformal,
+        safety_factor=min(allowable) / governing if allowable and governing > 0 else None,
+        accuracy=Accuracy(
+            method="closed form" if conformal is None else "closed form, Newton's method",
+            # The radii are known to rounding; their difference magnifies that.
+            relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / (2 * difference)),
+            evaluations=evaluations,
+        ),
+        notices=_validity(ratio, conformal),
+    )
+
+
+def _identical(first: ElasticMaterial, second: ElasticMaterial) -> bool:
+    return (
+        first.youngs_modulus == second.youngs_modulus
+        and first.poissons_ratio == second.poissons_ratio
+    )
+
+
+def _validity(ratio: float, conformal: float | None) -> tuple[Notice, ...]:
+    if ratio <= HALF_WIDTH_RATIO_LIMIT:
+        return ()
+    if conformal is None:
+        cure = "no conformal solution is known for different materials, so take it as a rough guide"
+    else:
+        cure = "use {conformal_pressure}"
+    return (
+        Notice(
+            code="hertz_half_width",
+            detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
+            f"assumes a narrow contact and is off by more than 1 %: {cure}.",
+            value=ratio,
+            limit=HALF_WIDTH_RATIO_LIMIT,
+        ),
+    )
+
+
+def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
+    """Tangent ``b = tan(eps/2)`` of half the half-angle of a conformal contact.
+
+    Solves ``E1**dR/Q = (2 - ln(b^2 + 1) - 2*b^4)/(pi*b^2*(b^2 + 1))``.
+
+    Parameters
+    ----------
+    load_parameter : float
+        ``E1**dR/Q``, dimensionless, >= 0: plane-strain modulus E/(1 - v^2) of one body times the
+        difference of the radii, over the load per length.
+
+    Returns
+    -------
+    b : float
+        Tangent of a quarter of the angle of the contact, dimensionless.
+    iterations : int
+        Newton steps taken.
+
+    Notes
+    -----
+    Source: Persson 1964, On the stress distribution of cylindrical elastic bodies in contact;
+    identical materials. In y = b^2 the equation is concave and falling, so that Newton's method
+    from the Hertz value (or from the limit of no clearance, whichever is smaller) converges
+    from one side.
+    """
+    y = min(0.84, 2 / (math.pi * load_parameter)) if load_parameter > 0 else 0.84
+    step, iterations = y, 0
+    while abs(step) > 2 * ROUNDING * y and iterations < 60:
+        value = 2 - math.log1p(y) - 2 * y * y - load_parameter * math.pi * y * (1 + y)
+        slope = -1 / (1 + y) - 4 * y - load_parameter * math.pi * (1 + 2 * y)
+        step = value / slope
+        y -= step
+        iterations += 1
+    return math.sqrt(y), iterations
+
+
+def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, int]:
+    """Largest pressure of a conformal contact over the Hertz pressure of the same load.
+
+    Parameters
+    ----------
+    load_parameter : float
+        ``E1**dR/Q``, dimensionless, > 0, as in `conformal_half_angle_tangent`.
+
+    Returns
+    -------
+    ratio : float
+        Dimensionless; 1 in the Hertz limit of a large `load_parameter`.
+    iterations : int
+        Newton steps taken.
+
+    Notes
+    -----
+    Source: Persson 1964. The Hertz pressure of the same contact is
+    ``Q/R*sqrt(E1**dR/Q/(2*pi))``.
+
+    Examples
+    --------
+    >>> round(conformal_pressure_ratio(load_parameter=1e6)[0], 5)
+    1.0
+    """
+    b, iterations = conformal_half_angle_tangent(load_parameter=load_parameter)
+    hertz_limit = math.sqrt(load_parameter / (2 * math.pi))
+    return conformal_pressure(position=0.0, half_angle_tangent=b) / hertz_limit, iterations
+
+
+def conformal_pressure(*, position: float, half_angle_tangent: float) -> float:
+    """Pressure of a conformal contact, over Q/R.
+
+    Parameters
+    ----------
+    position : float
+        ``y = tan(angle/2)`` of the place on the pin, from 0 in the middle to b at the end.
+    half_angle_tangent : float
+        ``b = tan(eps/2)``, > 0.
+
+    Returns
+    -------
+    float
+        ``p*R/Q``, dimensionless.
+
+    Notes
+    -----
+    Source: Persson 1964; Ciavarella and Decuzzi 2001, The state of stress induced by the plane
+    frictionless cylindrical contact, I, identical materials.
+    """
+    b, y = half_angle_tangent, position
+    inner = math.sqrt(max((b - y) * (b + y), 0.0))
+    outer = math.hypot(b, 1.0)
+    logarithm = 2 * math.atanh(inner / outer)
+    return 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
+        2 * math.pi * b * b * outer * outer
+    )
+
+
+def pressure_profile(
+    *, contact: HertzContact, samples: int = 81
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Hertz pressure over the width of the contact: ``p0*sqrt(1 - (x/a)^2)``.
+
+    Parameters
+    ----------
+    contact : HertzContact
+        The contact.
+    samples : int
+        Number of places, at least 2.
+
+    Returns
+    -------
+    x, pressure : array, shape (samples,)
+        Places across the contact, m, and pressure there, Pa.
+    """
+    angle = np.linspace(-math.pi / 2, math.pi / 2, samples)
+    return contact.half_width * np.sin(angle), contact.max_pressure * np.cos(angle)
+
+
+def conformal_profile(
+    *, load_parameter: float, peak_pressure: float, pin_radius: float, samples: int = 81
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Pressure of the conformal contact over the arc of the pin.
+
+    Parameters
+    ----------
+    load_parameter : float
+        ``E1**dR/Q``, dimensionless.
+    peak_pressure : float
+        Pressure in the middle, Pa.
+    pin_radius : float
+        Radius r of the pin, m.
+    samples : int
+        Number of places, at least 2.
+
+    Returns
+    -------
+    arc, pressure : array, shape (samples,)
+        Places along the arc, m, and pressure there, Pa.
+    """
+    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
+    end = 2 * math.atan(b)
+    angle = end * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
+    middle = conformal_pressure(position=0.0, half_angle_tangent=b)
+    shape: Callable[[float], float] = lambda place: (  # noqa: E731
+        conformal_pressure(position=min(abs(math.tan(place / 2)), b), half_angle_tangent=b)
+    )
+    return pin_radius * angle, np.array([shape(a) for a in angle]) * (peak_pressure / middle)

@@ -1,0 +1,396 @@
+"""The parallel-crank mechanism: pins of the output link in the holes of satellites on cranks.
+
+Everything about it follows from one angle. With the wave angle ``psi = crank_angle*(1 + 1/ratio)
++ initial_crank_angle`` the pair of satellite j and pin n has the pressure angle
+
+    cos(gamma_jn) = cos(pi/2 + psi + alpha_j + 2*pi*(n - 1)/N)
+
+(Yanchevskiy and Niekhoroshykh 2021, eq. 6) and drives where that is positive: exactly half of
+each turn of psi, at known angles.
+
+Angles of the wave are counted in turns, so that pins an N-th of a turn apart stay so exactly, and
+phases closer than `SAME_PHASE` are one phase: rounding invents no slivers.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from core.errors import InvalidInput
+from core.results import ROUNDING
+
+SAME_PHASE = 1e-12
+"""Phases closer than this are one phase, in turns: 4e-10 degrees, finer than any part is made."""
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """Parallel-crank mechanism: pins of the output link in the holes of satellites on cranks.
+
+    Attributes
+    ----------
+    pins : int
+        Number of pins N, at least 1.
+    crank_angles : tuple of float
+        Angle alpha_j of each satellite's crank, rad; their number is the number of satellites K.
+    ratio : float
+        Ratio u = z2/(z3 - z2) > 0 of crank speed to output speed.
+    initial_crank_angle : float
+        Wave angle at crank angle 0, rad. Half a turn (pi) gives the sign of Yanchevsky et al.
+        2018, and is also what reversing the torque does.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no pin, no satellite, or the ratio is not a positive number.
+    """
+
+    pins: int
+    crank_angles: tuple[float, ...]
+    ratio: float
+    initial_crank_angle: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.pins < 1:
+            raise InvalidInput("pins", self.pins, "must be at least 1")
+        if not self.crank_angles:
+            raise InvalidInput("satellites", 0, "must be at least 1")
+        if not (0 < self.ratio < math.inf):
+            raise InvalidInput("ratio", self.ratio, "must be a positive number")
+        for index, angle in enumerate(self.crank_angles):
+            if not math.isfinite(angle):
+                raise InvalidInput(f"crank_angles[{index}]", angle, "must be a finite number")
+        if not math.isfinite(self.initial_crank_angle):
+            raise InvalidInput(
+                "initial_crank_angle", self.initial_crank_angle, "must be a finite number"
+            )
+
+    @classmethod
+    def evenly_spaced(
+        cls,
+        *,
+        pins: int,
+        satellites: int,
+        ratio: float,
+        crank_spacing: float | None = None,
+        initial_crank_angle: float = 0.0,
+    ) -> "Mechanism":
+        """Mechanism whose cranks follow each other at one angle.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers N of pins and K of satellites, each at least 1.
+        ratio : float
+            Ratio u > 0.
+        crank_spacing : float, optional
+            Angle alpha between neighbouring cranks, rad; 2*pi/K where not given.
+        initial_crank_angle : float
+            Wave angle at crank angle 0, rad.
+
+        Returns
+        -------
+        Mechanism
+        """
+        if satellites < 1:
+            raise InvalidInput("satellites", satellites, "must be at least 1")
+        spacing = 2 * math.pi / satellites if crank_spacing is None else crank_spacing
+        return cls(
+            pins=pins,
+            crank_angles=tuple(j * spacing for j in range(satellites)),
+            ratio=ratio,
+            initial_crank_angle=initial_crank_angle,
+        )
+
+    @property
+    def satellites(self) -> int:
+        """Number K of satellites."""
+        return len(self.crank_angles)
+
+    @property
+    def crank_angle_per_wave(self) -> float:
+        """Crank angle in which the wave angle makes one turn, rad: 2*pi/(1 + 1/u)."""
+        return 2 * math.pi * self.ratio / (1 + self.ratio)
+
+    @cached_property
+    def phases(self) -> "WavePhases":
+        """Phases of all pairs on the wave, coincident ones merged."""
+        return WavePhases.of(self)
+
+
+@dataclass(frozen=True)
+class WavePhases:
+    """Phases of the pairs in turns of the wave, `initial_crank_angle` included.
+
+    The pins make the set of phases repeat every N-th of a turn, so it is enough to know the
+    satellites' phases within one such sector.
+
+    Attributes
+    ----------
+    pins : int
+        Number of pins N.
+    satellite_phase : tuple of float
+        Phase of the pair (satellite j, pin 1), in turns, in [0, 1), snapped to `sector_phases`.
+    sector_phases : tuple of float
+        The different phases within a sector [0, 1/N), in turns, ascending.
+    multiplicity : tuple of int
+        How many satellites share each of them.
+    symmetry : int
+        How many times the pattern repeats within a sector.
+    snapped : float
+        Largest distance by which a phase was moved to merge it, in turns.
+    """
+
+    pins: int
+    satellite_phase: tuple[float, ...]
+    sector_phases: tuple[float, ...]
+    multiplicity: tuple[int, ...]
+    symmetry: int
+    snapped: float
+
+    @classmethod
+    def of(cls, mechanism: Mechanism) -> "WavePhases":
+        """Phases of a mechanism.
+
+        Parameters
+        ----------
+        mechanism : Mechanism
+            The mechanism.
+
+        Returns
+        -------
+        WavePhases
+        """
+        pins = mechanism.pins
+        # Driving starts half a turn before it ends. For even N half a turn is a whole number of
+        # sectors; for odd N starts and ends coincide on a grid of half sectors. Snapping on that
+        # grid makes coincident starts and ends coincide exactly.
+        cells = pins if pins % 2 == 0 else 2 * pins
+        start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
+        scaled = [
+            (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
+            for angle in mechanism.crank_angles
+        ]
+        cell = [math.floor(value) for value in scaled]
+        residue = [value - whole for value, whole in zip(scaled, cell, strict=True)]
+        tolerance = SAME_PHASE * cells
+        order = sorted(range(len(residue)), key=residue.__getitem__)
+        snapped = 0.0
+        representative: float | None = None
+        for j in order:
+            if residue[j] > 1 - tolerance and residue[order[0]] <= tolerance:
+                snapped = max(snapped, 1 - residue[j] + residue[order[0]])
+                residue[j] = residue[order[0]]
+                cell[j] += 1
+            elif representative is not None and residue[j] - representative <= tolerance:
+                snapped = max(snapped, residue[j] - representative)
+                residue[j] = representative
+            else:
+                representative = residue[j]
+        per_sector = cells // pins
+        keys = [(cell[j] % per_sector, residue[j]) for j in range(len(residue))]
+        distinct = sorted(set(keys))
+        sector_phases = tuple((whole + part) / cells for whole, part in distinct)
+        multiplicity = tuple(keys.count(key) for key in distinct)
+        return cls(
+            pins=pins,
+            satellite_phase=tuple(
+                ((cell[j] % cells) + residue[j]) / cells for j in range(len(residue))
+            ),
+            sector_phases=sector_phases,
+            multiplicity=multiplicity,
+            symmetry=_symmetry(sector_phases, multiplicity, 1 / pins),
+            snapped=snapped / cells,
+        )
+
+    def all_phases(self) -> list[tuple[float, int]]:
+        """Every different phase of the turn with its multiplicity, ascending, in turns."""
+        return [
+            (sector / self.pins + phase, count)
+            for sector in range(self.pins)
+            for phase, count in zip(self.sector_phases, self.multiplicity, strict=True)
+        ]
+
+    def switching(self) -> list[float]:
+        """Wave positions in [0, 1/N) at which a pair starts or stops driving, ascending, turns."""
+        sector = 1 / self.pins
+        shifts = (0.0,) if self.pins % 2 == 0 else (0.0, sector / 2)
+        positions = {
+            -phase - shift + sector * (1 + (phase + shift > sector))
+            for phase in self.sector_phases
+            for shift in shifts
+        }
+        merged: list[float] = []
+        for position in sorted(value if value < sector else value - sector for value in positions):
+            if not merged or position - merged[-1] > SAME_PHASE:
+                merged.append(position)
+        if len(merged) > 1 and merged[0] + sector - merged[-1] <= SAME_PHASE:
+            merged.pop()
+        return merged
+
+    def driving_at(self, position: float) -> int:
+        """Number of driving pairs at a wave position between switching angles.
+
+        Parameters
+        ----------
+        position : float
+            Wave angle, in turns.
+
+        Returns
+        -------
+        int
+        """
+        total = 0
+        for phase, count in zip(self.sector_phases, self.multiplicity, strict=True):
+            part = ((position + phase) * self.pins) % 1.0
+            total += count * (self.pins - 1 - math.floor(self.pins / 2 - part))
+        return total
+
+    def dead_zones(self) -> list[tuple[float, float]]:
+        """Wave positions at which no pair drives, ``(from, to)`` in turns, from in [0, 1).
+
+        A dead centre exists exactly where neighbouring phases lie half a turn or more apart;
+        where it is just half a turn, from equals to.
+        """
+        if self.pins > 2:
+            return []
+        phases = [phase for phase, _ in self.all_phases()]
+        zones = []
+        for index, upper in enumerate(phases):
+            gap = upper - phases[index - 1] if index else 1 - phases[-1] + upper
+            if gap >= 0.5 - SAME_PHASE:
+                start = (1 - upper) % 1.0
+                length = gap - 0.5
+                zones.append((start, start + (length if length > SAME_PHASE else 0.0)))
+        return sorted(zones)
+
+
+def _symmetry(phases: Sequence[float], multiplicity: Sequence[int], sector: float) -> int:
+    """How many times the pattern of phases repeats within a sector."""
+    size = len(phases)
+    for repeats in range(size, 1, -1):
+        step, remainder = divmod(size, repeats)
+        if remainder:
+            continue
+        if all(
+            abs(
+                phases[(i + step) % size]
+                + sector * ((i + step) // size)
+                - phases[i]
+                - sector / repeats
+            )
+            <= SAME_PHASE
+            and multiplicity[(i + step) % size] == multiplicity[i]
+            for i in range(size)
+        ):
+            return repeats
+    return 1
+
+
+@dataclass(frozen=True, slots=True)
+class AssemblyAngle:
+    """How far the holes of one satellite are turned against its teeth.
+
+    Attributes
+    ----------
+    satellite : int
+        Number of the satellite, from 1.
+    hole_rotation : float
+        Smallest rotation of the holes against the teeth, against satellite 1, rad.
+    identical : bool
+        Whether the satellite is the same part as satellite 1.
+    """
+
+    satellite: int
+    hole_rotation: float
+    identical: bool
+
+
+def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[AssemblyAngle, ...]:
+    """Rotation of each satellite's holes against its teeth so that the reducer can be assembled.
+
+    ``psi_j = min over k of |alpha_j/u + k*2*pi/z2|``, with alpha_j counted from crank 1.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    satellite_teeth : int
+        Number of teeth z2 of a satellite, at least 1.
+
+    Returns
+    -------
+    tuple of AssemblyAngle
+        One for each satellite.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, after eq. (11). Erratum: printed there with
+    ``j*alpha/u``, which would turn satellite 1 against itself; ``(j - 1)*alpha`` is meant.
+    Whether a satellite is the same part also allows for the pins' own pitch 2*pi/N: turning
+    the holes by a whole number of pitches changes nothing.
+
+    Examples
+    --------
+    z2 = 40, u = 20, cranks at 180 degrees: 9 degrees is just one tooth pitch.
+
+    >>> m = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0)
+    >>> [a.identical for a in assembly_angles(mechanism=m, satellite_teeth=40)]
+    [True, True]
+    """
+    if satellite_teeth < 1:
+        raise InvalidInput("satellite_teeth", satellite_teeth, "must be at least 1")
+    pitch = 2 * math.pi / satellite_teeth
+    first = mechanism.crank_angles[0]
+    angles = []
+    for index, angle in enumerate(mechanism.crank_angles):
+        rotation = abs(math.remainder((angle - first) / mechanism.ratio, pitch))
+        # Teeth and holes coincide again on the grid of both pitches.
+        common = 2 * math.pi / math.lcm(satellite_teeth, mechanism.pins)
+        off = abs(math.remainder((angle - first) / mechanism.ratio, common))
+        rounding = 8 * ROUNDING * (abs(angle - first) / mechanism.ratio + pitch)
+        angles.append(
+            AssemblyAngle(
+                satellite=index + 1,
+                hole_rotation=rotation if rotation > rounding else 0.0,
+                identical=off <= rounding,
+            )
+        )
+    return tuple(angles)
+
+
+def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
+    """Ratio of the reducer from its numbers of teeth: ``u = z2/(z3 - z2)``.
+
+    Parameters
+    ----------
+    satellite_teeth : int
+        Teeth z2 of a satellite, at least 1.
+    ring_teeth : int
+        Teeth z3 of the ring, more than `satellite_teeth`.
+
+    Returns
+    -------
+    float
+        Ratio u, dimensionless.
+
+    Raises
+    ------
+    InvalidInput
+        If the ring has not more teeth than the satellite.
+
+    Notes
+    -----
+    Source: Yanchevsky et al. 2018, section on the method (Willis).
+
+    Examples
+    --------
+    >>> ratio_from_teeth(satellite_teeth=40, ring_teeth=42)
+    20.0
+    """
+    if satellite_teeth < 1:
+        raise InvalidInput("satellite_teeth", satellite_teeth, "must be at least 1")
+    if ring_teeth <= satellite_teeth:
+        raise InvalidInput("ring_teeth", ring_teeth, "must be larger than {satellite_teeth}")
+    return satellite_teeth / (ring_teeth - satellite_teeth)

@@ -1,0 +1,192 @@
+"""Where the pins, the holes and their contact points lie at a crank angle.
+
+The hole of satellite j is the circle around the pin's centre moved by the eccentricity towards
+the satellite's crank. With hole radius = pin radius + eccentricity the pin touches the hole at
+every crank angle; with a larger hole there is clearance, with a smaller one interference.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.contact_force import pressure_cosines
+from core.errors import InvalidInput
+from core.mechanism import Mechanism
+from core.results import ROUNDING, Accuracy, Notice
+
+FloatArray = NDArray[np.float64]
+
+FIT_TOLERANCE = 1e-9
+"""Clearance below this fraction of the hole radius is none: the radii are decimal numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class PinGeometry:
+    """Pins and holes at one crank angle, in the fixed frame (Y up through pin 1, X right).
+
+    Attributes
+    ----------
+    pin_centres : array, shape (N, 2)
+        Centres M_n of the pins, m.
+    hole_centres : array, shape (K, N, 2)
+        Centres B_jn of the holes, m.
+    contact_points : array, shape (K, N, 2)
+        Points E_jn of the pins nearest to the wall of their hole, m: the contact points where
+        there is no clearance.
+    pressure_angles : array, shape (K, N)
+        Pressure angles gamma_jn, rad, from -pi to pi; a pair drives within +-pi/2.
+    driving : array of bool, shape (K, N)
+        Whether the pair drives.
+    clearance : float
+        ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
+        `FIT_TOLERANCE`.
+    accuracy : Accuracy
+        Of the coordinates, relative to the pin circle radius.
+    notices : tuple of Notice
+        Clearance, interference, parts that overlap.
+    """
+
+    pin_centres: FloatArray
+    hole_centres: FloatArray
+    contact_points: FloatArray
+    pressure_angles: FloatArray
+    driving: NDArray[np.bool_]
+    clearance: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def pin_geometry(
+    *,
+    mechanism: Mechanism,
+    crank_angle: float,
+    pin_circle_radius: float,
+    pin_radius: float,
+    hole_radius: float,
+    eccentricity: float,
+) -> PinGeometry:
+    """Centres of pins and holes, contact points and pressure angles at a crank angle.
+
+    ``M_n = R*(-sin(phi/u + 2*pi*(n-1)/N), cos(...))``,
+    ``B_jn = M_n + e*(sin(phi + alpha_j), cos(phi + alpha_j))``,
+    ``E_jn = M_n - r_in*(B_jn - M_n)/e``.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio. An initial crank angle turns all cranks.
+    crank_angle : float
+        Crank angle phi, rad.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m.
+    pin_radius, hole_radius : float
+        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
+    eccentricity : float
+        Eccentricity e of the cranks, m.
+
+    Returns
+    -------
+    PinGeometry
+
+    Raises
+    ------
+    InvalidInput
+        If a length is not positive or the hole not larger than the pin.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, the equations before (6). Their C1, the square
+    root in the intersection of the two circles, cancels to zero just where pin and hole touch
+    and is not evaluated: which case it is follows from the sign of r_out - r_in - e.
+
+    Examples
+    --------
+    >>> m = Mechanism.evenly_spaced(pins=4, satellites=1, ratio=20.0)
+    >>> g = pin_geometry(mechanism=m, crank_angle=0.0, pin_circle_radius=0.05,
+    ...                  pin_radius=0.006, hole_radius=0.008, eccentricity=0.002)
+    >>> g.contact_points[0, 0].round(9).tolist(), g.clearance
+    ([-0.0, 0.044], 0.0)
+    """
+    for name, value in (
+        ("pin_circle_radius", pin_circle_radius),
+        ("pin_radius", pin_radius),
+        ("eccentricity", eccentricity),
+    ):
+        if not value > 0:
+            raise InvalidInput(name, value, "must be larger than 0")
+    if not hole_radius > pin_radius:
+        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
+    if not math.isfinite(crank_angle):
+        raise InvalidInput("crank_angle", crank_angle, "must be a finite number")
+
+    clearance = hole_radius - pin_radius - eccentricity
+    if abs(clearance) <= FIT_TOLERANCE * hole_radius:
+        clearance = 0.0
+    pin_angle = (
+        math.fmod(crank_angle, 2 * math.pi * mechanism.ratio) / mechanism.ratio
+        + 2 * math.pi * np.arange(mechanism.pins) / mechanism.pins
+    )
+    pin_centres = pin_circle_radius * np.stack((-np.sin(pin_angle), np.cos(pin_angle)), axis=-1)
+    crank = (
+        math.fmod(crank_angle, 2 * math.pi)
+        + mechanism.initial_crank_angle
+        + np.array(mechanism.crank_angles)
+    )
+    direction = np.stack((np.sin(crank), np.cos(crank)), axis=-1)[:, None, :]
+    wave = np.add.outer(crank, pin_angle) + math.pi / 2
+    pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
+    turns = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    return PinGeometry(
+        pin_centres=pin_centres,
+        hole_centres=pin_centres + eccentricity * direction,
+        contact_points=pin_centres - pin_radius * direction,
+        pressure_angles=pressure_angles,
+        driving=pressure_cosines(mechanism=mechanism, crank_angles=np.array([crank_angle]))[0] > 0,
+        clearance=clearance,
+        accuracy=Accuracy(
+            method="closed form",
+            relative_error=ROUNDING * (4 + turns + 2 * math.pi),
+            evaluations=mechanism.pins * mechanism.satellites,
+        ),
+        notices=_fit(mechanism, clearance, pin_circle_radius, hole_radius),
+    )
+
+
+def _fit(
+    mechanism: Mechanism, clearance: float, pin_circle_radius: float, hole_radius: float
+) -> tuple[Notice, ...]:
+    notices = []
+    if clearance > 0:
+        notices.append(
+            Notice(
+                code="clearance",
+                detail="The hole is larger than pin and eccentricity need: no pair touches until "
+                "the output has turned through the lost motion, and the load sharing differs.",
+                value=clearance,
+                limit=0.0,
+            )
+        )
+    if clearance < 0:
+        notices.append(
+            Notice(
+                code="interference",
+                detail="The hole is smaller than {pin_radius} + {eccentricity}: pin and "
+                "satellite interfere and cannot be assembled.",
+                value=clearance,
+                limit=0.0,
+            )
+        )
+    between_holes = 2 * pin_circle_radius * math.sin(math.pi / mechanism.pins) - 2 * hole_radius
+    if mechanism.pins > 1 and between_holes <= 0:
+        notices.append(
+            Notice(
+                code="holes_overlap",
+                detail="Neighbouring holes of a satellite overlap: there is no material between "
+                "them.",
+                value=between_holes,
+                limit=0.0,
+            )
+        )
+    return tuple(notices)
