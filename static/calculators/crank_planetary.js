@@ -1,0 +1,238 @@
+/**
+ * The crank-planetary calculator: mechanism, load and contact as one job.
+ *
+ * Only what the schema cannot say stands here: which fields exclude each other, the values that the
+ * theory suggests, what the verdict reads from the answer, which figures there are.
+ */
+import { formatNumber, formatQuantity, shownDigits, tidy } from "../format.js";
+import { message } from "../messages/index.js";
+
+const MOST_ROWS = 24;
+
+function digitsOf(section) {
+  return shownDigits(section.accuracy.relative_error);
+}
+
+/** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
+function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
+  return { ...mechanism, ...load };
+}
+
+function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
+  return { ...contact, force_N: answer.contact_force.peak_force_N };
+}
+
+function pairsCell(section) {
+  const label = message("verdict.pairs");
+  if (!section) return { label };
+  const { min_driving: least, max_driving: most, mean_driving: mean, pairs } = section;
+  const dead = section.dead_centres_deg;
+  if (dead.length > 0) {
+    const angles = dead.slice(0, 3).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
+    const more = dead.length > 3 ? ` ${message("verdict.more")}` : "";
+    return {
+      label,
+      value: `${least}–${most}`,
+      note: message("verdict.dead", { angles: angles + more }),
+      level: "bad",
+    };
+  }
+  return {
+    label,
+    value: least === most ? String(least) : `${least}–${most}`,
+    note: message("verdict.pairsMean", {
+      all: new Set(pairs.map(({ satellite, pin }) => `${satellite}/${pin}`)).size,
+      mean: formatNumber(mean, 4),
+    }),
+  };
+}
+
+function peakCell(section) {
+  const label = message("verdict.peak");
+  if (!section) return { label };
+  const digits = digitsOf(section);
+  return {
+    label,
+    value: formatNumber(section.peak_force_N, digits),
+    unit: "N",
+    note: message("verdict.peakAt", {
+      angle: formatQuantity(section.peak_crank_angle_deg, "°", Math.min(5, digits)),
+      ...section.peak_pair,
+    }),
+  };
+}
+
+function pressureCell(section) {
+  const label = message("verdict.pressure");
+  if (!section) return { label };
+  const cell = {
+    label,
+    value: formatNumber(section.max_pressure_MPa, Math.min(4, digitsOf(section))),
+    unit: "MPa",
+  };
+  const safety = section.safety_factor;
+  if (safety === undefined) return { ...cell, note: message("verdict.noLimit") };
+  const within = safety >= 1;
+  return {
+    ...cell,
+    level: within ? "good" : "bad",
+    note: message("verdict.limit", {
+      verdict: message(within ? "verdict.within" : "verdict.over"),
+      limit: formatQuantity(section.max_pressure_MPa * safety, "MPa", 4),
+      safety: formatNumber(safety, 3),
+    }),
+  };
+}
+
+function phaseTables({ cyclogram }) {
+  return [
+    {
+      title: message("figure.phases"),
+      columns: ["satellite", "pin", "from", "to"].map((name) => message(`figure.${name}`)),
+      rows: cyclogram.pairs.flatMap(({ satellite, pin, driving_deg: driving }) =>
+        driving.map(([from, to]) => [satellite, pin, from, to])),
+    },
+    {
+      title: message("figure.counts"),
+      columns: ["from", "to", "driving"].map((name) => message(`figure.${name}`)),
+      rows: cyclogram.driving_count.map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
+    },
+  ];
+}
+
+function forceTables({ cyclogram, contact_force: { curves } }) {
+  return [{
+    title: message("figure.forces"),
+    columns: [
+      message("figure.crankAngle"),
+      ...cyclogram.pairs.map((pair) => message("figure.pairForce", pair)),
+    ],
+    rows: curves.crank_angle_deg.map((angle, i) => [angle, ...curves.force_N.map((pair) => pair[i])]),
+  }];
+}
+
+export default {
+  id: "crank-planetary",
+  path: "/crank-planetary",
+  groups: ["mechanism", "load", "contact"],
+  hidden: ["load.include", "load.samples", "include", "crank_angle_deg"],
+  choices: [
+    {
+      id: "cranks",
+      options: [
+        { id: "spacing", fields: ["mechanism.crank_spacing_deg"], optional: ["mechanism.crank_spacing_deg"] },
+        { id: "list", fields: ["mechanism.crank_angles_deg"] },
+      ],
+    },
+    {
+      id: "ratio",
+      options: [
+        { id: "value", fields: ["mechanism.ratio"] },
+        { id: "teeth", fields: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+      ],
+    },
+    {
+      id: "torque",
+      options: [
+        { id: "output", fields: ["load.output_torque_Nm"] },
+        { id: "input", fields: ["load.input_torque_Nm", "load.efficiency"] },
+      ],
+    },
+  ],
+  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials" },
+
+  /** The value that the theory gives for a box, where the other boxes allow it. */
+  suggestions: {
+    "mechanism.crank_spacing_deg": {
+      formula: "360°/K",
+      value: ({ mechanism }) => 360 / (mechanism?.satellites ?? 2),
+    },
+    "contact.hole_radius_mm": {
+      formula: "r + e",
+      value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm),
+    },
+  },
+
+  /** The same design said in an option's own fields, so that choosing it starts from numbers. */
+  seeds: {
+    "cranks.list": ({ mechanism }) => {
+      const count = mechanism?.satellites ?? 2;
+      const spacing = mechanism?.crank_spacing_deg ?? 360 / count;
+      return {
+        "mechanism.crank_angles_deg": Array.from({ length: count }, (_, j) => tidy(j * spacing)),
+      };
+    },
+    "ratio.teeth": ({ mechanism }) => ({
+      "mechanism.satellite_teeth": Math.round(2 * (mechanism?.ratio ?? 20)),
+      "mechanism.ring_teeth": Math.round(2 * (mechanism?.ratio ?? 20)) + 2,
+    }),
+    "torque.input": ({ mechanism, load }) => {
+      const { ratio, satellite_teeth: satellite, ring_teeth: ring } = mechanism ?? {};
+      const u = ratio ?? satellite / (ring - satellite);
+      return { "load.efficiency": 1, "load.input_torque_Nm": tidy(load?.output_torque_Nm / u) };
+    },
+  },
+
+  /** The sections in the order in which each needs the one before. */
+  sections: ["cyclogram", "contact_force", "hertz"],
+
+  request(input, sections, tables) {
+    const optional = ["equal_sharing", "approximation", ...(tables.has("force") ? ["curves"] : [])];
+    return {
+      mechanism: input.mechanism,
+      ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
+      ...(sections.includes("hertz") && { contact: input.contact }),
+      include: sections,
+    };
+  },
+
+  verdict(answer) {
+    return [peakCell(answer.contact_force), pairsCell(answer.cyclogram), pressureCell(answer.hertz)];
+  },
+
+  /** Lists that a figure shows, and so the results do not. */
+  tabled: ["pairs", "driving_count", "curves"],
+
+  figures: [
+    {
+      id: "cyclogram",
+      section: "cyclogram",
+      path: "/cyclogram/chart",
+      body: ({ mechanism }) => mechanism,
+      height: ({ mechanism }) => {
+        const rows = (mechanism?.pins ?? 3) * (mechanism?.satellites ?? 2);
+        return 240 + 20 * Math.min(rows, MOST_ROWS);
+      },
+      tables: phaseTables,
+    },
+    {
+      id: "force",
+      section: "contact_force",
+      path: "/contact-force/chart",
+      body: forceBody,
+      height: () => 400,
+      tables: forceTables,
+    },
+    {
+      id: "hertz",
+      section: "hertz",
+      path: "/hertz/chart",
+      body: hertzBody,
+      height: () => 320,
+    },
+  ],
+
+  /** A design to open with, should the service's examples be empty. */
+  start: {
+    mechanism: { pins: 3, satellites: 2, ratio: 20 },
+    load: { output_torque_Nm: 50, pin_circle_radius_mm: 32.5 },
+    contact: {
+      contact_length_mm: 10,
+      pin_radius_mm: 5,
+      eccentricity_mm: 1.5,
+      hole_radius_mm: 6.5,
+      pin_material: { youngs_modulus_GPa: 210, poissons_ratio: 0.3 },
+      hole_material: { youngs_modulus_GPa: 210, poissons_ratio: 0.3 },
+    },
+  },
+};

@@ -1,0 +1,4 @@
+/** The calculators in the order of their tabs. A new one is its own file here and a line below. */
+export const CALCULATORS = [
+  { id: "crank-planetary", load: () => import("./crank_planetary.js") },
+];

@@ -1,0 +1,111 @@
+/** Numbers as people type them and as they read them. No DOM, no texts: problems are codes. */
+
+const MINUS = "\u2212";
+const NARROW_SPACE = "\u202f";
+const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+// Spaces may only part groups of three digits, so that "3 5" is refused and not read as 35.
+const GROUPED = "\\d{1,3}(?:\\s\\d{3})+";
+const NUMBER = new RegExp(`^([+-]?)((?:${GROUPED}|\\d+)?)(?:[.,](\\d*))?(?:e([+-]?\\d+))?$`, "i");
+
+/**
+ * Read one number: `32,5`, `32.5`, `1e-3`, `1 000,5` (any kind of space, true minus too).
+ *
+ * Returns `{ value }`, with `ambiguous: true` where a comma might have been meant to part
+ * thousands (`1,000`), or `{ problem }`: "empty", "separators", "number" or "range".
+ */
+export function parseNumber(text) {
+  const typed = text.trim().replace(/[\u2212\u2013]/g, "-");
+  if (typed === "") return { problem: "empty" };
+  if ((typed.match(/[.,]/g) ?? []).length > 1) return { problem: "separators" };
+  const match = NUMBER.exec(typed);
+  if (!match || (match[2] === "" && !match[3])) return { problem: "number" };
+  const [, sign, whole, fraction = "", exponent = "0"] = match;
+  const value = Number(`${sign}${whole.replace(/\s/g, "") || "0"}.${fraction || "0"}e${exponent}`);
+  if (!Number.isFinite(value)) return { problem: "range" };
+  const ambiguous = /^[+-]?[1-9]\d{0,2},\d{3}$/.test(typed);
+  return ambiguous ? { value, ambiguous } : { value };
+}
+
+/** Read a list: `0; 120; 240`, `0 120 240` or `0, 120, 240`. Returns `{ values }` or `{ problem }`. */
+export function parseNumbers(text) {
+  const typed = text.trim().replace(/;$/, "");
+  if (typed === "") return { problem: "empty" };
+  const parts = typed.split(typed.includes(";") ? ";" : /,?\s+/);
+  const values = [];
+  for (const part of parts) {
+    const { value, problem } = parseNumber(part);
+    if (problem) return { problem: problem === "empty" ? "number" : problem };
+    values.push(value);
+  }
+  return { values };
+}
+
+/** The shortest text that reads back as the same number: for boxes, links and JSON. */
+export function exactText(value) {
+  return String(value);
+}
+
+/** The same number without the noise of binary sums: 5 + 1.1 gives 6.1. */
+export function tidy(value) {
+  return Number(value.toPrecision(15));
+}
+
+/** How many digits a stated relative error allows to show. */
+export function shownDigits(relativeError, most = 6) {
+  if (!(relativeError > 0)) return most;
+  return Math.max(1, Math.min(most, Math.floor(-Math.log10(relativeError))));
+}
+
+function grouped(digits) {
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, NARROW_SPACE);
+}
+
+/** Write a number to so many significant digits; whole numbers are not filled up with noughts. */
+export function formatNumber(value, digits = 6) {
+  if (!Number.isFinite(value)) throw new RangeError(`not a finite number: ${value}`);
+  if (value === 0) return "0";
+  const sign = value < 0 ? MINUS : "";
+  const [mantissa, power] = Math.abs(value).toExponential(digits - 1).split("e");
+  const exponent = Number(power);
+  if (exponent < -3 || exponent > 6) {
+    return `${sign}${trimmed(mantissa)}\u202f×\u202f10${superscript(exponent)}`;
+  }
+  const [whole, fraction] = trimmed(Number(`${mantissa}e${power}`).toFixed(
+    Math.max(0, digits - 1 - exponent),
+  )).split(".");
+  return sign + grouped(whole) + (fraction ? `.${fraction}` : "");
+}
+
+/** A value with its unit; degrees and no unit stand close. */
+export function formatQuantity(value, unit, digits = 6) {
+  const number = formatNumber(value, digits);
+  if (!unit) return number;
+  return unit === "°" ? `${number}°` : `${number}\u00a0${unit}`;
+}
+
+/** A run time in the unit that suits it. */
+export function formatDuration(microseconds) {
+  return microseconds < 1000
+    ? formatQuantity(microseconds, "µs", 2)
+    : formatQuantity(microseconds / 1000, "ms", 2);
+}
+
+function trimmed(text) {
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
+function superscript(exponent) {
+  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => SUPERSCRIPTS[digit]);
+  return (exponent < 0 ? "⁻" : "") + digits;
+}
+
+const UNITS = {
+  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°",
+};
+
+/** The unit that ends an API field name, "" for a plain number. */
+export function unitOf(name) {
+  const suffix = Object.keys(UNITS).find((ending) => name.endsWith(ending));
+  return suffix ? UNITS[suffix] : "";
+}

@@ -1,0 +1,281 @@
+/**
+ * The form as data, made from the service's OpenAPI schema. No DOM, no texts.
+ *
+ * A *field* is one box: `{ path, name, title, help, kind, symbol, unit, step, lowest, highest, ...}`
+ * with the dotted path of its value in the request body; `kind` is "number", "integer", "numbers"
+ * (a list), "name" (a text chosen from a list that the service gives) or "option" (an enumeration).
+ * A *choice* is a set of options, each with its own fields, of which one option is shown.
+ * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`.
+ */
+import { exactText, parseNumber, parseNumbers, unitOf } from "./format.js";
+
+function resolver(openapi) {
+  const resolve = (schema) => {
+    if (schema.$ref) {
+      const target = openapi.components.schemas[schema.$ref.split("/").pop()];
+      const { $ref, ...own } = schema;
+      return resolve({ ...target, ...own });
+    }
+    if (schema.allOf?.length === 1) {
+      const { allOf, ...own } = schema;
+      return resolve({ ...resolve(allOf[0]), ...own });
+    }
+    const variants = schema.anyOf ?? schema.oneOf;
+    if (!variants) return schema;
+    const real = variants.filter((variant) => variant.type !== "null");
+    if (real.length !== 1) return schema;
+    const { anyOf, oneOf, ...own } = schema;
+    return { ...resolve(real[0]), ...own };
+  };
+  return resolve;
+}
+
+/** The schema of a POST endpoint's body, and the means to resolve its references. */
+function bodySchema(openapi, path) {
+  const resolve = resolver(openapi);
+  const body = openapi.paths[path].post.requestBody.content["application/json"].schema;
+  return { schema: resolve(body), resolve };
+}
+
+function bounds(schema) {
+  const lowest = schema.minimum ?? schema.exclusiveMinimum;
+  const highest = schema.maximum ?? schema.exclusiveMaximum;
+  return {
+    lowest,
+    highest,
+    lowestAllowed: schema.exclusiveMinimum === undefined,
+    highestAllowed: schema.exclusiveMaximum === undefined,
+  };
+}
+
+function kindOf(schema) {
+  if (schema.enum) return "option";
+  return { number: "number", integer: "integer", array: "numbers", string: "name" }[schema.type];
+}
+
+function fieldOf(schema, path, required, resolve) {
+  const name = path.split(".").pop();
+  const kind = kindOf(schema);
+  const limited = kind === "numbers" ? resolve(schema.items) : schema;
+  return {
+    path,
+    name,
+    kind,
+    title: schema.title ?? name,
+    help: schema.description ?? "",
+    symbol: schema.symbol ?? "",
+    unit: schema.unit ?? unitOf(name),
+    step: schema.step ?? (kind === "integer" ? 1 : undefined),
+    options: schema.enum,
+    required,
+    default: schema.default ?? undefined,
+    ...bounds(limited),
+  };
+}
+
+/** A property that is a name or an object of its own: the name, or the object's fields. */
+function namedOrOwn(schema, path, required, resolve) {
+  const variants = (schema.anyOf ?? schema.oneOf ?? []).map(resolve);
+  const named = variants.find((variant) => variant.type === "string");
+  const own = variants.find((variant) => variant.type === "object");
+  if (!named || !own) return null;
+  const { anyOf, oneOf, ...about } = schema;
+  const name = fieldOf({ ...named, ...about }, path, required, resolve);
+  const fields = Object.entries(own.properties).map(([key, property]) =>
+    fieldOf(resolve(property), `${path}.${key}`, (own.required ?? []).includes(key), resolve));
+  return {
+    id: path,
+    title: name.title,
+    auto: true,
+    options: [{ id: "named", fields: [name] }, { id: "own", fields }],
+  };
+}
+
+function sectionItems(section, path, resolve, hidden) {
+  return Object.entries(section.properties)
+    .map(([key, property]) => ({ key, property: resolve(property), at: path ? `${path}.${key}` : key }))
+    .filter(({ at, property }) => !hidden.includes(at) && property.type !== "object")
+    .map(({ key, property, at }) => {
+      const required = (section.required ?? []).includes(key);
+      return namedOrOwn(property, at, required, resolve) ?? fieldOf(property, at, required, resolve);
+    });
+}
+
+/** Gather the fields that belong to a choice where the first of them stands. */
+function withChoices(items, choices) {
+  const byPath = new Map(items.map((item) => [item.path ?? item.id, item]));
+  const gathered = new Set(choices.flatMap((choice) => choice.options.flatMap((o) => o.fields)));
+  const placed = new Set();
+  return items.flatMap((item) => {
+    const path = item.path ?? item.id;
+    if (!gathered.has(path)) return [item];
+    const choice = choices.find((one) => one.options.some((option) => option.fields.includes(path)));
+    if (placed.has(choice.id)) return [];
+    placed.add(choice.id);
+    const options = choice.options.map((option) => ({
+      id: option.id,
+      // What distinguishes an option has to be given, unless the choice says it may be left out.
+      fields: option.fields.map((at) => ({
+        ...byPath.get(at),
+        required: !(option.optional ?? []).includes(at) && byPath.get(at).default === undefined,
+      })),
+    }));
+    return [{ id: choice.id, options }];
+  });
+}
+
+/**
+ * The model of an endpoint's form.
+ *
+ * `groups` names the parts of the body in the order shown (null for the body itself), `choices`
+ * which fields exclude each other, `hidden` what the page decides for the user.
+ */
+export function formModel(openapi, { path, groups, choices = [], hidden = [] }) {
+  const { schema, resolve } = bodySchema(openapi, path);
+  const parts = groups.map((id) => {
+    const section = id === null ? schema : resolve(schema.properties[id]);
+    const own = choices.filter((choice) => id === null || choice.options[0].fields[0].startsWith(`${id}.`));
+    const items = sectionItems(section, id ?? "", resolve, hidden);
+    return { id: id ?? "", title: section.title ?? "", items: withChoices(items, own) };
+  });
+  const items = parts.flatMap((part) => part.items);
+  const fields = new Map(
+    items.flatMap((item) => (item.options && !item.path ? item.options.flatMap((o) => o.fields) : [item]))
+      .map((field) => [field.path, field]),
+  );
+  return { groups: parts, choices: items.filter((item) => !item.path), fields };
+}
+
+/** What an endpoint's answer is called: `{name: {title, symbol, unit, items?}}` of one section. */
+export function answerFields(openapi, path, section) {
+  const resolve = resolver(openapi);
+  const content = openapi.paths[path].post.responses["200"].content["application/json"].schema;
+  const whole = resolve(content);
+  return fieldTitles(section ? resolve(whole.properties[section]) : whole, resolve);
+}
+
+function fieldTitles(schema, resolve) {
+  return Object.fromEntries(Object.entries(schema.properties).map(([name, property]) => {
+    const about = resolve(property);
+    const items = about.items && resolve(about.items);
+    return [name, {
+      title: about.title ?? name,
+      symbol: about.symbol ?? "",
+      unit: about.unit ?? unitOf(name),
+      items: items?.properties && fieldTitles(items, resolve),
+    }];
+  }));
+}
+
+function valueAt(input, path) {
+  return path.split(".").reduce((part, key) => part?.[key], input);
+}
+
+function put(input, path, value) {
+  const keys = path.split(".");
+  const last = keys.pop();
+  let part = input;
+  for (const key of keys) part = part[key] ??= {};
+  part[last] = value;
+}
+
+/** How a value stands in its box. */
+export function textOf(value) {
+  if (value === undefined || value === null) return "";
+  if (Array.isArray(value)) return value.map(exactText).join("; ");
+  return typeof value === "number" ? exactText(value) : String(value);
+}
+
+/** The state that shows a request body; fields that it leaves out stand at their defaults. */
+export function stateFromInput(model, input) {
+  const texts = {};
+  for (const field of model.fields.values()) {
+    const value = valueAt(input, field.path);
+    const given = typeof value === "object" && !Array.isArray(value) ? undefined : value;
+    texts[field.path] = textOf(given ?? field.default);
+  }
+  const chosen = {};
+  for (const choice of model.choices) {
+    const given = choice.options.find((option) => option.fields.some((field) => {
+      const value = valueAt(input, field.path);
+      return value !== undefined && value !== null
+        && (Array.isArray(value) || typeof value !== "object");
+    }));
+    chosen[choice.id] = (given ?? choice.options[0]).id;
+  }
+  return { texts, chosen };
+}
+
+/** The fields on the screen: all outside choices, and those of the chosen options. */
+export function shownFields(model, state) {
+  return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
+    ? [item]
+    : item.options.find((option) => option.id === state.chosen[item.id]).fields));
+}
+
+function outside(field, value) {
+  const { lowest, highest } = field;
+  if (lowest !== undefined && (field.lowestAllowed ? value < lowest : value <= lowest)) {
+    return { problem: field.lowestAllowed ? "least" : "above", limit: lowest };
+  }
+  if (highest !== undefined && (field.highestAllowed ? value > highest : value >= highest)) {
+    return { problem: field.highestAllowed ? "most" : "below", limit: highest };
+  }
+  return null;
+}
+
+/** Read one box: `{ value }`, `{}` where it may be empty and is, or `{ problem, limit? }`. */
+export function readField(field, text) {
+  const typed = text.trim();
+  if (typed === "") return field.required ? { problem: "required" } : {};
+  if (field.kind === "name" || field.kind === "option") return { value: typed };
+  if (field.kind === "numbers") {
+    const { values, problem } = parseNumbers(typed);
+    if (problem) return { problem: problem === "number" ? "list" : problem };
+    return values.map((value) => outside(field, value)).find(Boolean) ?? { value: values };
+  }
+  const { value, problem, ambiguous } = parseNumber(typed);
+  if (problem) return { problem };
+  if (field.kind === "integer" && !Number.isInteger(value)) return { problem: "integer" };
+  return outside(field, value) ?? (ambiguous ? { value, ambiguous } : { value });
+}
+
+/**
+ * The request body that the shown boxes say: `{ input, readings: {path: reading}, wrong: [path] }`.
+ * Boxes that cannot be read are left out of `input`.
+ */
+export function readState(model, state) {
+  const input = {};
+  const readings = {};
+  for (const field of shownFields(model, state)) {
+    const reading = readField(field, state.texts[field.path]);
+    readings[field.path] = reading;
+    if (reading.value !== undefined) put(input, field.path, reading.value);
+  }
+  const wrong = Object.keys(readings).filter((path) => readings[path].problem);
+  return { input, readings, wrong };
+}
+
+/** The shown field that a JSON pointer means: itself, or the one that it lies in. */
+export function fieldAtPointer(shown, pointer) {
+  const path = pointer.replace(/^#?\//, "").split("/")
+    .map((key) => key.replace(/~1/g, "/").replace(/~0/g, "~")).join(".");
+  return shown.find((field) => field.path === path)
+    ?? shown.find((field) => path.startsWith(`${field.path}.`))
+    ?? null;
+}
+
+/** The next value that an arrow key gives, kept inside the field's limits; null if unreadable. */
+export function stepped(field, text, direction, factor = 1) {
+  if (field.kind !== "number" && field.kind !== "integer") return null;
+  const { value } = readField({ ...field, lowest: undefined, highest: undefined }, text);
+  const from = value ?? field.default;
+  if (from === undefined) return null;
+  const step = (field.step ?? decade(from)) * factor;
+  const next = Number((from + direction * step).toPrecision(12));
+  return outside(field, next) ? null : next;
+}
+
+function decade(value) {
+  return value === 0 ? 0.1 : 10 ** (Math.floor(Math.log10(Math.abs(value))) - 1);
+}

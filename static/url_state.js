@@ -1,0 +1,59 @@
+/**
+ * The whole input in the address: a link is a design. No DOM.
+ *
+ * `?calculator=<id>&v=1&<dotted API field name>=<value>`: the names and the canonical units of the
+ * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
+ * kept as typed, so that a reload loses nothing.
+ */
+import { exactText } from "./format.js";
+import { readField, shownFields, textOf } from "./schema_form.js";
+
+export const VERSION = "1";
+
+function canonical(field, text) {
+  const { value } = readField(field, text);
+  if (value === undefined) return text.trim();
+  return Array.isArray(value) ? value.map(exactText).join(";") : textOf(value);
+}
+
+/** The parameters of a state. */
+export function encodeState(model, state) {
+  const parameters = new URLSearchParams();
+  for (const field of shownFields(model, state)) {
+    const text = canonical(field, state.texts[field.path]);
+    if (text !== "" && text !== textOf(field.default)) parameters.append(field.path, text);
+  }
+  for (const choice of model.choices) {
+    const [first] = choice.options;
+    const chosen = choice.options.find((option) => option.id === state.chosen[choice.id]);
+    // An option is known by its fields: one that would leave no trace is marked by an empty field.
+    if (chosen !== first && !chosen.fields.some((field) => parameters.has(field.path))) {
+      parameters.append(chosen.fields[0].path, "");
+    }
+  }
+  return parameters;
+}
+
+/** The state that the parameters describe, or null if they describe none of this version. */
+export function decodeState(model, parameters) {
+  if (parameters.get("v") !== VERSION) return null;
+  const texts = {};
+  for (const field of model.fields.values()) {
+    const given = parameters.get(field.path);
+    texts[field.path] = given === null ? textOf(field.default)
+      : field.kind === "numbers" ? given.replace(/;\s*/g, "; ") : given;
+  }
+  const chosen = {};
+  for (const choice of model.choices) {
+    const given = choice.options.find((o) => o.fields.some((field) => parameters.has(field.path)));
+    chosen[choice.id] = (given ?? choice.options[0]).id;
+  }
+  return { texts, chosen };
+}
+
+/** The query of a calculator's state, as it stands behind the `?`. */
+export function query(calculator, model, state) {
+  const all = new URLSearchParams({ calculator, v: VERSION });
+  for (const [key, value] of encodeState(model, state)) all.append(key, value);
+  return all.toString();
+}

@@ -1,0 +1,85 @@
+/** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
+import { element, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+
+function box(field, id) {
+  if (field.kind === "name" || field.kind === "option") {
+    return html`<select id="${id}" class="box" aria-describedby="${id}-message"></select>`;
+  }
+  const mode = field.kind === "integer" ? "numeric" : field.kind === "numbers" ? "text" : "decimal";
+  return html`<input id="${id}" class="box" type="text" inputmode="${mode}" autocomplete="off"
+    spellcheck="false" aria-describedby="${id}-message">`;
+}
+
+function titleOf(field) {
+  return html`<span class="field-name">${field.title}</span>${
+    field.symbol && html`<var class="symbol">${field.symbol}</var>`}`;
+}
+
+/**
+ * `on.typed(text)` follows the typing, `on.step(direction, factor)` the arrow keys, `on.suggest()`
+ * the suggestion's button. Help and message share one line, so that nothing moves when one comes.
+ */
+export function createField(field, { suggestion, on }) {
+  const id = `field-${field.path.replaceAll(".", "-")}`;
+  const root = element(html`
+    <div class="field kind-${field.kind}" data-path="${field.path}">
+      <label for="${id}" title="${field.help}">${titleOf(field)}</label>
+      <span class="entry">
+        ${suggestion && html`<button type="button" class="suggest" tabindex="0">${suggestion.formula}</button>`}
+        ${box(field, id)}
+      </span>
+      <span class="unit">${field.unit}</span>
+      <p class="field-message" id="${id}-message"></p>
+    </div>`);
+  const input = root.querySelector(".box");
+  const line = root.querySelector(".field-message");
+  const button = root.querySelector(".suggest");
+
+  input.addEventListener("input", () => on.typed(input.value));
+  input.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (!direction || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (field.kind !== "number" && field.kind !== "integer") return;
+    event.preventDefault();
+    on.step(direction, event.shiftKey ? 10 : 1);
+  });
+  button?.addEventListener("click", () => on.suggest());
+
+  return {
+    root,
+    focus: () => input.focus(),
+    setText(text) {
+      if (input.value !== text) input.value = text;
+    },
+    /** The message of an error, or the quiet note that takes its place. */
+    setMessage({ error = "", note = "" }) {
+      const shown = error || note || field.help;
+      if (line.textContent !== shown) line.textContent = shown;
+      root.classList.toggle("wrong", error !== "");
+      root.classList.toggle("noted", error === "" && note !== "");
+      if (error) input.setAttribute("aria-invalid", "true");
+      else input.removeAttribute("aria-invalid");
+    },
+    setPlaceholder(text) {
+      input.placeholder = text;
+    },
+    setSuggestion({ label, possible }) {
+      button.disabled = !possible;
+      button.setAttribute("aria-label", label);
+      button.title = label;
+    },
+    /** The names to choose from: `[{ name, title, group }]`; a name not among them stays selectable. */
+    setNames(names, current) {
+      const known = names.some(({ name }) => name === current) || current === "";
+      const all = known ? names : [...names, { name: current, title: current, group: "" }];
+      const option = ({ name, title }) => html`<option value="${name}">${title ?? name}</option>`;
+      const groups = [...new Set(all.map(({ group }) => group ?? ""))];
+      input.innerHTML = groups.map((group) => {
+        const members = all.filter((one) => (one.group ?? "") === group).map(option);
+        return group === "" ? html`${members}` : html`<optgroup label="${group}">${members}</optgroup>`;
+      }).join("");
+      input.value = current;
+    },
+  };
+}

@@ -1,0 +1,83 @@
+/** A figure drawn by the service and the table of the same numbers, in one place of fixed height. */
+import { newestOnly } from "../api.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { loadPlotly } from "./plotly.js";
+import { tableMarkup } from "./table.js";
+
+const CONFIG = {
+  displaylogo: false,
+  responsive: true,
+  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d"],
+};
+
+export function createFigure({ figure, client, on }) {
+  const title = message(`figure.${figure.id}`);
+  const root = element(html`
+    <figure class="card figure" data-figure="${figure.id}">
+      <figcaption><h3>${title}</h3>${figure.tables && html`
+        <button type="button" class="toggle" aria-pressed="false"
+          aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>`}
+      </figcaption>
+      <div class="canvas">
+        <div class="plot" role="img" aria-label="${message(`figure.${figure.id}Label`)}"></div>
+        <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
+        <p class="figure-message" hidden></p>
+      </div>
+    </figure>`);
+  const canvas = root.querySelector(".canvas");
+  const plot = root.querySelector(".plot");
+  const table = root.querySelector(".figure-table");
+  const trouble = root.querySelector(".figure-message");
+  const toggle = root.querySelector(".toggle");
+  const newest = newestOnly();
+  let tabled = false;
+
+  function complain(text) {
+    trouble.hidden = text === "";
+    trouble.textContent = text;
+    plot.classList.toggle("absent", text !== "");
+  }
+
+  toggle?.addEventListener("click", () => {
+    tabled = !tabled;
+    toggle.setAttribute("aria-pressed", String(tabled));
+    table.hidden = !tabled;
+    plot.hidden = tabled;
+    on.tabled(figure.id, tabled);
+  });
+
+  return {
+    root,
+    id: figure.id,
+    section: figure.section,
+    /** Keep the room that the figure of this input will take. */
+    reserve(input) {
+      canvas.style.height = `${figure.height(input)}px`;
+    },
+    setTables(answer) {
+      if (tabled) fill(table, html`${figure.tables(answer).map(tableMarkup)}`);
+    },
+    /** Draw the figure of this input; an older request that is still under way is given up. */
+    async draw(input, answer, theme) {
+      if (tabled) return;
+      loadPlotly();
+      const { answer: chart, problem, superseded } = await newest.ask((signal) =>
+        client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }));
+      if (superseded) return;
+      if (problem) {
+        complain(message("figure.failed", { detail: problem.message }));
+        return;
+      }
+      const Plotly = await loadPlotly();
+      complain("");
+      const layout = { ...chart.layout, height: undefined, width: undefined, autosize: true };
+      await Plotly.react(plot, chart.data, layout, CONFIG);
+    },
+    /** Say in the figure's place why there is none. */
+    clear(detail) {
+      newest.cancel();
+      complain(message("figure.failed", { detail }));
+    },
+  };
+}

@@ -1,0 +1,125 @@
+/** The form of a calculator: groups of fields and choices, made from the form model. */
+import { exactText, formatNumber } from "../format.js";
+import { element, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { createChoice } from "./choice.js";
+import { createField } from "./field.js";
+
+function choiceAbout(choice) {
+  const own = choice.auto ? null : message(`choice.${choice.id}`);
+  return {
+    id: choice.id,
+    title: own ? own.title : choice.title,
+    options: choice.options.map(({ id }) => ({ id, title: own ? own[id] : message(`form.${id}`) })),
+  };
+}
+
+function errorText(reading) {
+  if (!reading?.problem) return "";
+  const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
+  return message(`problem.${reading.problem}`, { limit });
+}
+
+/** What a table knows about a name: shown under the box as the values that will be used. */
+function properties(entry) {
+  if (!entry) return "";
+  const pressure = entry.allowable_pressure_MPa;
+  return message("form.properties", {
+    modulus: formatNumber(entry.youngs_modulus_GPa),
+    ratio: formatNumber(entry.poissons_ratio),
+    limit: pressure === undefined ? "" : message("form.allowable", { pressure: formatNumber(pressure) }),
+  });
+}
+
+/**
+ * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.chosen(choice, option)` and
+ * `on.apply()` report what the user does; `update` shows a state.
+ */
+export function createForm({ model, calculator, catalogues, on }) {
+  const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
+  root.addEventListener("submit", (event) => {
+    event.preventDefault();
+    on.apply();
+  });
+  root.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" || event.target.closest("button")) return;
+    event.preventDefault();
+    on.apply();
+  });
+
+  const fields = new Map();
+  const choices = new Map();
+  let suggested = {};
+
+  function addField(field, host) {
+    const view = createField(field, {
+      suggestion: calculator.suggestions[field.path],
+      on: {
+        typed: (text) => on.typed(field.path, text),
+        step: (direction, factor) => on.step(field.path, direction, factor),
+        suggest: () => {
+          on.typed(field.path, exactText(suggested[field.path]));
+          view.focus();
+        },
+      },
+    });
+    fields.set(field.path, view);
+    host.append(view.root);
+  }
+
+  for (const group of model.groups) {
+    const part = element(html`
+      <fieldset class="group card" data-group="${group.id}"><legend>${group.title}</legend></fieldset>`);
+    for (const item of group.items) {
+      if (item.path) {
+        addField(item, part);
+        continue;
+      }
+      const view = createChoice(choiceAbout(item), { on: { chosen: (option) => on.chosen(item.id, option) } });
+      choices.set(item.id, view);
+      for (const option of item.options) {
+        for (const field of option.fields) addField(field, view.part(option.id));
+      }
+      part.append(view.root);
+    }
+    root.append(part);
+  }
+
+  function noteOf(field, reading, state) {
+    if (reading?.ambiguous) return message("form.readAs", { value: exactText(reading.value) });
+    const entries = catalogues[field.path];
+    return entries ? properties(entries.find(({ name }) => name === state.texts[field.path])) : "";
+  }
+
+  return {
+    root,
+    focus: (path) => fields.get(path).focus(),
+    /** Show texts, choices and messages; `refused` holds the service's words by field path. */
+    update({ state, input, readings, refused }) {
+      for (const [id, view] of choices) view.setChosen(state.chosen[id]);
+      for (const [path, field] of model.fields) {
+        const view = fields.get(path);
+        const reading = readings[path];
+        if (catalogues[path]) view.setNames(catalogues[path], state.texts[path]);
+        view.setText(state.texts[path]);
+        view.setMessage({
+          error: errorText(reading) || (refused[path] ?? ""),
+          note: noteOf(field, reading, state),
+        });
+      }
+      suggested = {};
+      for (const [path, { formula, value }] of Object.entries(calculator.suggestions)) {
+        const amount = value(input);
+        const possible = Number.isFinite(amount);
+        if (possible) suggested[path] = amount;
+        const { title, required, unit } = model.fields.get(path);
+        const shown = possible ? `${formatNumber(amount)}\u00a0${unit}` : formula;
+        fields.get(path).setSuggestion({
+          possible,
+          label: message("form.suggestion", { title, formula, value: shown }),
+        });
+        if (!required) fields.get(path).setPlaceholder(possible ? formatNumber(amount) : formula);
+      }
+    },
+  };
+}

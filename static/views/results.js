@@ -1,0 +1,100 @@
+/** All results as tables, a section each, titled by the service's schema; accuracy and cost below. */
+import { formatDuration, formatNumber, shownDigits } from "../format.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { tableMarkup } from "./table.js";
+
+const ASIDE = ["accuracy", "warnings"];
+
+function isScalar(value) {
+  return ["number", "boolean", "string"].includes(typeof value);
+}
+
+/** Short lists of numbers and pairs read as one value; what is longer has its table or figure. */
+function asText(value, digits) {
+  if (typeof value === "number") return formatNumber(value, Number.isInteger(value) ? 15 : digits);
+  if (typeof value === "boolean") return message(value ? "results.yes" : "results.no");
+  if (typeof value === "string") return value;
+  if (Array.isArray(value) && value.every(isScalar)) {
+    return value.length === 0 ? message("results.none") : value.map((one) => asText(one, digits)).join("; ");
+  }
+  if (value && "satellite" in value && "pin" in value && Object.keys(value).length === 2) {
+    return message("results.pair", value);
+  }
+  return null;
+}
+
+function row([name, value], titles, digits) {
+  const text = asText(value, digits);
+  if (text === null) return null;
+  const { title, symbol, unit } = titles[name];
+  return html`<tr><th scope="row">${title}</th><td class="symbol-cell"><var>${symbol}</var></td>
+    <td class="value">${text}</td><td class="unit-cell">${unit}</td></tr>`;
+}
+
+/** A list of flat records that no figure shows, as a table of its own. */
+function records([name, value], titles) {
+  const { title, items } = titles[name];
+  if (!items || !value.every((record) => Object.values(record).every(isScalar))) return null;
+  const columns = Object.keys(value[0] ?? {});
+  const head = (column) => items[column].title + (items[column].unit && `, ${items[column].unit}`);
+  return tableMarkup({
+    title,
+    columns: columns.map(head),
+    rows: value.map((record) => columns.map((column) => (
+      typeof record[column] === "number" ? record[column] : asText(record[column], 6)))),
+  });
+}
+
+function accuracyMarkup({ method, relative_error: error, evaluations, run_time_us: time }) {
+  return html`<p class="accuracy">${message("results.accuracy", {
+    method,
+    error: error === 0 ? message("results.exact") : formatNumber(error, 2),
+    evaluations: formatNumber(evaluations, 15),
+    time: formatDuration(time),
+  })}</p>`;
+}
+
+function warningsMarkup(warnings = []) {
+  if (warnings.length === 0) return "";
+  return html`<ul class="warnings">${warnings.map(({ detail }) =>
+    html`<li><span class="sign warning" aria-hidden="true">▲</span>${detail}</li>`)}</ul>`;
+}
+
+function sectionMarkup(id, section, titles, tabled) {
+  if (!section) {
+    return html`<section class="card result" data-section="${id}"><h3>${message(`section.${id}`)}</h3>
+      <p class="missing">${message("results.missing")}</p></section>`;
+  }
+  const digits = shownDigits(section.accuracy.relative_error);
+  const entries = Object.entries(section).filter(([name]) => !ASIDE.includes(name) && titles[name]);
+  const lists = entries.filter(([name, value]) => Array.isArray(value) && !tabled.includes(name));
+  return html`
+    <section class="card result" data-section="${id}">
+      <h3>${message(`section.${id}`)}</h3>
+      ${warningsMarkup(section.warnings)}
+      <table class="quantities">
+        <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
+          <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
+          <th scope="col">${message("form.unit")}</th></tr></thead>
+        <tbody>${entries.map((entry) => row(entry, titles, digits))}</tbody>
+      </table>
+      ${lists.map((entry) => records(entry, titles))}
+      ${accuracyMarkup(section.accuracy)}
+    </section>`;
+}
+
+/** `titles` holds each section's field titles; `calculator.tabled` the lists that figures show. */
+export function createResults({ calculator, titles }) {
+  const root = element(html`<div class="results" aria-label="${message("results.label")}" role="region"></div>`);
+  return {
+    root,
+    update: (answer) => fill(root, html`${calculator.sections.map((id) =>
+      sectionMarkup(id, answer[id], titles[id], calculator.tabled))}`),
+  };
+}
+
+/** Every warning of an answer's sections. */
+export function warningsOf(answer) {
+  return Object.values(answer).flatMap((section) => section?.warnings ?? []);
+}

@@ -1,0 +1,41 @@
+/** The calculators as tabs: arrow keys and Home/End move among them, Alt+1… opens one from anywhere. */
+import { element, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+
+export function createTabs({ host, panel, ids, on }) {
+  const buttons = ids.map((id, i) => element(html`
+    <button type="button" role="tab" id="tab-${id}" aria-controls="${panel.id}"
+      aria-keyshortcuts="Alt+${i + 1}">${message(`calculator.${id}`)}</button>`));
+  host.append(...buttons);
+  host.addEventListener("click", (event) => {
+    const button = event.target.closest("[role=tab]");
+    if (button) on.opened(ids[buttons.indexOf(button)]);
+  });
+  host.addEventListener("keydown", (event) => {
+    const here = buttons.indexOf(document.activeElement);
+    const to = {
+      ArrowRight: here + 1, ArrowLeft: here - 1, Home: 0, End: ids.length - 1,
+    }[event.key];
+    if (here < 0 || to === undefined) return;
+    event.preventDefault();
+    const next = (to + ids.length) % ids.length;
+    buttons[next].focus();
+    on.opened(ids[next]);
+  });
+  document.addEventListener("keydown", (event) => {
+    const number = /^Digit([1-9])$/.exec(event.code)?.[1];
+    if (!event.altKey || event.ctrlKey || event.metaKey || !number || number > ids.length) return;
+    event.preventDefault();
+    buttons[number - 1].focus();
+    on.opened(ids[number - 1]);
+  });
+  return {
+    setOpen(open) {
+      ids.forEach((id, i) => {
+        buttons[i].setAttribute("aria-selected", String(id === open));
+        buttons[i].tabIndex = id === open ? 0 : -1;
+      });
+      panel.setAttribute("aria-labelledby", `tab-${open}`);
+    },
+  };
+}

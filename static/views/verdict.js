@@ -1,0 +1,57 @@
+/** The strip over the results: the few numbers that decide, and whether they match the inputs. */
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+
+const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
+const STATE_SIGNS = { fresh: "✓", computing: "…", wrong: "✕", refused: "✕", offline: "✕" };
+
+function cellMarkup({ label, value, unit, note, level }) {
+  const sign = level && html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level]}</span>`;
+  return html`
+    <div class="cell ${level ?? ""}">
+      <dt>${label}</dt>
+      <dd><span class="figures">${value ?? "–"}</span>${unit && html`<span class="figures-unit">${unit}</span>`}
+        <span class="note">${sign}${value === undefined ? message("verdict.missing") : note}</span></dd>
+    </div>`;
+}
+
+function stateMarkup(state) {
+  return html`
+    <div class="cell state ${state}">
+      <dt>${message("state.label")}</dt>
+      <dd><span class="figures"><span class="sign ${state === "fresh" ? "good" : state === "computing" ? "" : "bad"}"
+        aria-hidden="true">${STATE_SIGNS[state]}</span>${message(`state.${state}`)}</span>
+        <span class="note">${message(`state.${state}Note`)}</span></dd>
+    </div>`;
+}
+
+export function createVerdict() {
+  const root = element(html`
+    <section class="verdict card" aria-label="${message("verdict.label")}">
+      <dl class="cells"><div class="numbers"></div><div class="now"></div></dl>
+      <p class="say" data-level=""></p>
+    </section>`);
+  const numbers = root.querySelector(".numbers");
+  const now = root.querySelector(".now");
+  const say = root.querySelector(".say");
+  return {
+    root,
+    setCells: (cells) => fill(numbers, html`${cells.map(cellMarkup)}`),
+    setState(state) {
+      root.dataset.state = state;
+      fill(now, stateMarkup(state));
+    },
+    /** One line that is always there: the problem, the first warning, or that there is none. */
+    setMessage(level, text) {
+      say.dataset.level = level;
+      fill(say, html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level] ?? ""}</span><span>${text}</span>`);
+    },
+  };
+}
+
+/** The verdict in one sentence, for those who hear it. */
+export function spoken(cells) {
+  const words = cells.filter(({ value }) => value !== undefined)
+    .map(({ label, value, unit, note }) => `${label} ${value}${unit ? ` ${unit}` : ""}, ${note}`);
+  return message("verdict.announce", { cells: `${words.join(". ")}.` });
+}

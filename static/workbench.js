@@ -1,0 +1,254 @@
+/**
+ * One calculator at work: holds what was typed, asks the service, and tells the views.
+ *
+ * Every change is read and checked at once; the service is asked 120 ms after the last one (at once
+ * on Enter), an older request is aborted, and until the answer is there the results count as stale.
+ */
+import { newestOnly, Problem } from "./api.js";
+import { element, html } from "./lib/html.js";
+import { message } from "./messages/index.js";
+import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textOf } from "./schema_form.js";
+import { query } from "./url_state.js";
+import { createExamples } from "./views/examples.js";
+import { createFigure } from "./views/figure.js";
+import { createForm } from "./views/form.js";
+import { createResults, warningsOf } from "./views/results.js";
+import { currentTheme } from "./views/theme.js";
+import { createVerdict, spoken } from "./views/verdict.js";
+
+const DEBOUNCE_MS = 120;
+
+/** Ask for all sections; where the service refuses, for those that do not need the refused one. */
+async function askSections({ client, calculator, input, tables, signal }) {
+  let refusal = null;
+  for (let count = calculator.sections.length; count > 0; count -= 1) {
+    const sections = calculator.sections.slice(0, count);
+    try {
+      const body = calculator.request(input, sections, tables);
+      return { answer: await client.post(calculator.path, body, { signal }), refusal };
+    } catch (problem) {
+      if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
+      refusal ??= problem;
+    }
+  }
+  return { answer: null, refusal };
+}
+
+/** Part a refusal into what belongs to boxes on the screen and what does not. */
+function placed(refusal, shown) {
+  const refused = {};
+  const elsewhere = [];
+  for (const { pointer = "", detail } of refusal?.errors ?? []) {
+    const field = fieldAtPointer(shown, pointer);
+    if (field) refused[field.path] ??= detail;
+    else elsewhere.push(detail);
+  }
+  if (refusal && refusal.errors.length === 0) elsewhere.push(refusal.message);
+  return { refused, elsewhere };
+}
+
+export function openWorkbench({ host, calculator, model, titles, client, examples, catalogues, state, on }) {
+  const newest = newestOnly();
+  const tables = new Set();
+  let reading = readState(model, state);
+  let refused = {};
+  let drawn = null;
+  let timer = 0;
+
+  const startOf = (example) => stateFromInput(model, { ...calculator.start, ...example.input });
+  const exampleQueries = new Map(
+    examples.map((example) => [query(calculator.id, model, startOf(example)), example]),
+  );
+
+  const picker = createExamples({
+    examples,
+    on: {
+      picked(example) {
+        state = startOf(example);
+        changed();
+        compute();
+      },
+    },
+  });
+  const form = createForm({
+    model,
+    calculator,
+    catalogues,
+    on: {
+      typed(path, text) {
+        state = { ...state, texts: { ...state.texts, [path]: text } };
+        changed(path);
+      },
+      step(path, direction, factor) {
+        const next = stepped(model.fields.get(path), state.texts[path], direction, factor);
+        if (next === null) return;
+        state = { ...state, texts: { ...state.texts, [path]: textOf(next) } };
+        changed(path);
+      },
+      chosen(choice, option) {
+        const seeded = seed(model.choices.find(({ id }) => id === choice), option);
+        state = { texts: { ...state.texts, ...seeded }, chosen: { ...state.chosen, [choice]: option } };
+        changed();
+      },
+      apply() {
+        compute();
+        if (reading.wrong.length > 0) form.focus(reading.wrong[0]);
+      },
+    },
+  });
+  const verdict = createVerdict();
+  const results = createResults({ calculator, titles });
+  const figures = calculator.figures.map((figure) => createFigure({
+    figure,
+    client,
+    on: {
+      tabled(id, shown) {
+        if (shown) tables.add(id);
+        else tables.delete(id);
+        compute();
+      },
+    },
+  }));
+
+  const inputs = element(html`<div class="inputs"></div>`);
+  inputs.append(picker.root, form.root);
+  const outputs = element(html`<div class="outputs" id="results" tabindex="-1"></div>`);
+  outputs.append(verdict.root, ...figures.map(({ root }) => root), results.root);
+  host.replaceChildren(inputs, outputs);
+
+  /** The same design in the fields of an option that is still empty, where it can be said so. */
+  function seed(choice, option) {
+    const { fields } = choice.options.find(({ id }) => id === option);
+    const untouched = ({ path, default: start }) => ["", textOf(start)].includes(state.texts[path]);
+    if (!fields.every(untouched)) return {};
+    const values = choice.auto
+      ? fromCatalogue(choice, option)
+      : calculator.seeds[`${choice.id}.${option}`]?.(reading.input) ?? {};
+    return Object.fromEntries(Object.entries(values)
+      .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))
+      .map(([path, value]) => [path, textOf(value)]));
+  }
+
+  function fromCatalogue({ id }, option) {
+    const entries = catalogues[id];
+    if (option === "named") return { [id]: entries[0]?.name };
+    const entry = entries.find(({ name }) => name === state.texts[id]) ?? {};
+    return Object.fromEntries([...model.fields.keys()].filter((path) => path.startsWith(`${id}.`))
+      .map((path) => [path, entry[path.slice(id.length + 1)]]));
+  }
+
+  function showForm() {
+    form.update({ state, input: reading.input, readings: reading.readings, refused });
+  }
+
+  function show(status) {
+    host.dataset.state = status;
+    verdict.setState(status);
+  }
+
+  /** After any change: what is typed is checked and shown at once, the answer follows. */
+  function changed(path) {
+    reading = readState(model, state);
+    if (path) delete refused[path];
+    else refused = {};
+    showForm();
+    newest.cancel();
+    clearTimeout(timer);
+    if (reading.wrong.length > 0) {
+      showWrong();
+    } else {
+      show("computing");
+    }
+    timer = setTimeout(compute, DEBOUNCE_MS);
+  }
+
+  function showWrong() {
+    show("wrong");
+    const names = reading.wrong.map((at) => model.fields.get(at).title).join(", ");
+    verdict.setMessage("bad", message("verdict.fields", { titles: names }));
+  }
+
+  async function compute() {
+    clearTimeout(timer);
+    const asked = query(calculator.id, model, state);
+    picker.setCurrent(exampleQueries.get(asked));
+    on.state(state, asked);
+    const { input, wrong } = reading;
+    if (wrong.length > 0) {
+      showWrong();
+      on.say(message("verdict.fields", { titles: wrong.map((at) => model.fields.get(at).title).join(", ") }));
+      return;
+    }
+    show("computing");
+    for (const figure of figures) figure.reserve(input);
+    const { answer, problem, superseded } = await newest.ask((signal) =>
+      askSections({ client, calculator, input, tables, signal }));
+    if (superseded) return;
+    if (problem) {
+      show("offline");
+      const text = problem.status === 0 ? message("page.unreachable") : problem.message;
+      verdict.setMessage("bad", text);
+      on.say(text);
+      return;
+    }
+    settle(input, answer);
+  }
+
+  function settle(input, { answer, refusal }) {
+    const { refused: atFields, elsewhere } = placed(refusal, shownFields(model, state));
+    refused = atFields;
+    showForm();
+    const titlesOfWrong = Object.keys(refused).map((path) => model.fields.get(path).title);
+    const words = [
+      ...elsewhere,
+      ...(titlesOfWrong.length > 0 ? [message("verdict.fields", { titles: titlesOfWrong.join(", ") })] : []),
+    ].join(" ");
+    show(!refusal ? "fresh" : titlesOfWrong.length > 0 ? "wrong" : "refused");
+    if (answer) {
+      drawn = { input, answer };
+      const cells = calculator.verdict(answer);
+      verdict.setCells(cells);
+      results.update(answer);
+      for (const figure of figures) {
+        if (answer[figure.section]) figure.setTables(answer);
+        else figure.clear(words);
+      }
+      redraw();
+      if (!refusal) {
+        const warnings = warningsOf(answer);
+        verdict.setMessage(...warningLine(warnings));
+        on.say(spoken(cells));
+      }
+    }
+    if (refusal) {
+      verdict.setMessage("bad", words);
+      on.say(words);
+    }
+  }
+
+  function warningLine(warnings) {
+    if (warnings.length === 0) return ["good", message("verdict.noWarnings")];
+    const key = warnings.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
+    return ["warning", message(key, { count: warnings.length, first: warnings[0].detail })];
+  }
+
+  function redraw() {
+    if (!drawn) return;
+    for (const figure of figures) {
+      if (drawn.answer[figure.section]) figure.draw(drawn.input, drawn.answer, currentTheme());
+    }
+  }
+
+  showForm();
+  verdict.setCells(calculator.verdict({}));
+  for (const figure of figures) figure.reserve(reading.input);
+  compute();
+
+  return {
+    redraw,
+    close() {
+      clearTimeout(timer);
+      newest.cancel();
+    },
+  };
+}
