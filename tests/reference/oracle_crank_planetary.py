@@ -69,11 +69,14 @@ def peak(
     *,
     samples: int = 12,
     whole_turn: bool = False,
+    screened: bool = False,
 ) -> Peak:
     """Largest F/F0 over the turn, to some 35 digits.
 
     Every segment is sampled in mpmath; wherever the derivative of ln f changes from plus to
     minus the root is polished. ``whole_turn`` does without the period 2*pi/N as well.
+    ``screened`` leaves out the segments that doubles show to lie below the peak by more than
+    their slopes could make up for: thousands of mechanisms become affordable.
     """
     theta = [t for row in phases(pins, crank_angles) for t in row]
     v = mpf(exponent)
@@ -90,15 +93,17 @@ def peak(
                 slope += power * dc
         return -mp.log(total), v * best_slope / best - (1 + v) * slope / total
 
-    period = 2 * mp.pi if whole_turn else 2 * mp.pi / pins
-    breaks = _breaks(theta, period)
+    breaks = _breaks(theta, 2 * mp.pi if whole_turn else 2 * mp.pi / pins)
+    segments = list(pairwise(breaks))
+    if screened:
+        segments = _worth_searching(segments, theta, exponent)
     knots = []
-    for start, end in pairwise(breaks):
+    for start, end in segments:
         inner = [start + (end - start) * mpf(2 * i + 1) / (2 * samples) for i in range(samples)]
         knots.append([(p, *log_force(p)) for p in inner])
-    ends = [(p, log_force(p)[0]) for p in breaks]
-    best = max([(f, p) for p, f in ends] + [(f, p) for row in knots for p, f, _ in row])
-    for row, start, end in zip(knots, breaks, breaks[1:], strict=False):
+    ends = {p for segment in segments for p in segment}
+    best = max([(log_force(p)[0], p) for p in ends] + [(f, p) for row in knots for p, f, _ in row])
+    for row, (start, end) in zip(knots, segments, strict=True):
         # the outer half-steps of a segment may hide a summit between sample and end
         width = (end - start) / samples
         brackets = [(a, b) for a, b in pairwise(row) if a[2] > 0 > b[2]]
@@ -112,6 +117,30 @@ def peak(
                 continue
             best = max(best, _summit(log_force, left[0], right[0]))
     return Peak(ratio=mp.exp(best[0]), wave_angle=best[1])
+
+
+def _worth_searching(
+    segments: Sequence[tuple[mpf, mpf]], theta: Sequence[mpf], exponent: float, samples: int = 33
+) -> list[tuple[mpf, mpf]]:
+    """Segments whose largest sample, raised by their steepest slope over a step, may win."""
+    phase = np.array([float(t) for t in theta])
+    v = exponent
+    bounds, levels = [], []
+    for start, end in segments:
+        a, width = float(start), float(end - start)
+        psi = a + width * (np.arange(samples) + 0.5) / samples
+        c, dc = -np.sin(psi[:, None] + phase), -np.cos(psi[:, None] + phase)
+        index = c.argmax(axis=1)[:, None]
+        top, slope = np.take_along_axis(c, index, 1), np.take_along_axis(dc, index, 1)
+        c = np.maximum(c, 0.0)
+        power = np.where(c > 0, (c / top) ** v, 0.0)
+        total = (power * c).sum(axis=1)
+        slopes = v * (slope / top)[:, 0] - (1 + v) * (power * dc).sum(axis=1) / total
+        level = float((-np.log(total)).max())
+        levels.append(level)
+        bounds.append(level + 2 * float(np.abs(slopes).max()) * width / samples + 1e-11 * (1 + v))
+    highest = max(levels)
+    return [s for s, bound in zip(segments, bounds, strict=True) if bound >= highest]
 
 
 def _breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
@@ -141,65 +170,6 @@ def _summit(log_force, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignor
             right = middle
     middle = (left + right) / 2
     return log_force(middle)[0], middle
-
-
-def seeded_peak(pins: int, crank_angles: Sequence[float], exponent: float) -> Peak:
-    """As `peak`, with the search in doubles and only the leading summits polished in mpmath.
-
-    Thousands of mechanisms become affordable; the doubles decide only where to look.
-    """
-    theta = np.array([[float(t) for t in row] for row in phases(pins, crank_angles)]).ravel()
-    period = 2 * mp.pi / pins
-    breaks = [float(b) for b in _breaks([t for r in phases(pins, crank_angles) for t in r], period)]
-    psi = np.unique(np.concatenate([np.linspace(a, b, 65) for a, b in pairwise(breaks)]))
-    c = np.maximum(-np.sin(psi[:, None] + theta), 0.0)
-    best = c.max(axis=1)
-    log_f = -np.log(((c / best[:, None]) ** exponent * c).sum(axis=1))
-    order = np.argsort(-log_f)
-    step = np.gradient(psi)
-    candidates: list[float] = []
-    reach = 1e-9 + 2 * np.abs(np.gradient(log_f, psi)) * step
-    for i in order:
-        if log_f[i] + reach[i] < log_f[order[0]] or len(candidates) >= 6:
-            break
-        if all(abs(psi[i] - p) > 3 * step[i] for p in candidates):
-            candidates.append(float(psi[i]))
-    exact = [t for row in phases(pins, crank_angles) for t in row]
-    v = mpf(exponent)
-
-    def log_force(p: mpf) -> mpf:
-        cs = [-mp.sin(p + t) for t in exact]
-        top = max(cs)
-        return -mp.log(sum((mp.exp(v * mp.log(x / top)) if v else 1) * x for x in cs if x > 0))
-
-    results = []
-    mp_breaks = _breaks(exact, period)
-    for p in candidates:
-        near = [b for b in mp_breaks if abs(b - p) < 0.1]
-        results += [(log_force(b), b) for b in sorted(near, key=lambda b: abs(b - p))[:4]]
-        i = int(np.searchsorted(psi, p))
-        left, right = mpf(psi[max(i - 1, 0)]), mpf(psi[min(i + 1, len(psi) - 1)])
-        results.append(_golden(log_force, left, right))
-    value, where = max(results)
-    return Peak(ratio=mp.exp(value), wave_angle=where)
-
-
-def _golden(f, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignore[no-untyped-def]
-    """Golden section down to 1e-13: the value of a smooth summit is then right to 1e-24."""
-    golden = (mp.sqrt(5) - 1) / 2
-    a, b = left, right
-    p, q = b - golden * (b - a), a + golden * (b - a)
-    fp, fq = f(p), f(q)
-    while b - a > mpf("1e-13"):
-        if fp > fq:
-            b, q, fq = q, p, fp
-            p = b - golden * (b - a)
-            fp = f(p)
-        else:
-            a, p, fp = p, q, fq
-            q = a + golden * (b - a)
-            fq = f(q)
-    return max((fp, p), (fq, q))
 
 
 def driving_count(pins: int, crank_angles: Sequence[float], psi: mpf) -> int:
