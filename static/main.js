@@ -2,7 +2,7 @@
 import { createClient } from "./api.js";
 import { CALCULATORS } from "./calculators/index.js";
 import { message } from "./messages/index.js";
-import { answerFields, formModel, stateFromInput } from "./schema_form.js";
+import { formModel, stateFromInput } from "./schema_form.js";
 import { decodeState } from "./url_state.js";
 import { createKeys } from "./views/keys.js";
 import { createTabs } from "./views/tabs.js";
@@ -34,18 +34,13 @@ async function openCalculator(id) {
   tabs.setOpen(id);
   const { load } = CALCULATORS.find((one) => one.id === id);
   const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
-  const path = API + calculator.path;
-  const model = formModel(openapi, { ...calculator, path });
-  const titles = Object.fromEntries(
-    calculator.sections.map((section) => [section, answerFields(openapi, path, section)]),
-  );
+  const model = formModel(openapi, { ...calculator, path: API + calculator.path });
   const own = examples.filter((example) => example.calculation === id);
   const linked = new URLSearchParams(location.search);
   const workbench = openWorkbench({
     host: panel,
     calculator,
     model,
-    titles,
     client,
     examples: own,
     catalogues: await cataloguesOf(calculator),

@@ -67,6 +67,7 @@ function fieldOf(schema, path, required, resolve) {
     unit: schema.unit ?? unitOf(name),
     step: schema.step ?? (kind === "integer" ? 1 : undefined),
     options: schema.enum,
+    advanced: schema.advanced ?? false,
     required,
     default: schema.default ?? undefined,
     ...bounds(limited),
@@ -144,27 +145,6 @@ export function formModel(openapi, { path, groups, choices = [], hidden = [] }) 
       .map((field) => [field.path, field]),
   );
   return { groups: parts, choices: items.filter((item) => !item.path), fields };
-}
-
-/** What an endpoint's answer is called: `{name: {title, symbol, unit, items?}}` of one section. */
-export function answerFields(openapi, path, section) {
-  const resolve = resolver(openapi);
-  const content = openapi.paths[path].post.responses["200"].content["application/json"].schema;
-  const whole = resolve(content);
-  return fieldTitles(section ? resolve(whole.properties[section]) : whole, resolve);
-}
-
-function fieldTitles(schema, resolve) {
-  return Object.fromEntries(Object.entries(schema.properties).map(([name, property]) => {
-    const about = resolve(property);
-    const items = about.items && resolve(about.items);
-    return [name, {
-      title: about.title ?? name,
-      symbol: about.symbol ?? "",
-      unit: about.unit ?? unitOf(name),
-      items: items?.properties && fieldTitles(items, resolve),
-    }];
-  }));
 }
 
 function valueAt(input, path) {

@@ -47,7 +47,7 @@ function placed(refusal, shown) {
   return { refused, elsewhere };
 }
 
-export function openWorkbench({ host, calculator, model, titles, client, examples, catalogues, state, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, state, on }) {
   const newest = newestOnly();
   const tables = new Set();
   let reading = readState(model, state);
@@ -97,7 +97,7 @@ export function openWorkbench({ host, calculator, model, titles, client, example
     },
   });
   const verdict = createVerdict();
-  const results = createResults({ calculator, titles });
+  const results = createResults({ calculator });
   const figures = calculator.figures.map((figure) => createFigure({
     figure,
     client,

@@ -22,6 +22,14 @@ function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
   return { ...contact, force_N: answer.contact_force.peak_force_N };
 }
 
+/** Tooth numbers of exactly this ratio, with a difference as small as usual; none where there are none. */
+function teethOf(ratio) {
+  const difference = [2, 1, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
+  if (!difference) return {};
+  const satellite = tidy(ratio * difference);
+  return { "mechanism.satellite_teeth": satellite, "mechanism.ring_teeth": satellite + difference };
+}
+
 function pairsCell(section) {
   const label = message("verdict.pairs");
   if (!section) return { label };
@@ -100,12 +108,12 @@ function phaseTables({ cyclogram }) {
   ];
 }
 
-function forceTables({ cyclogram, contact_force: { curves } }) {
+function forceTables({ contact_force: { curves } }) {
   return [{
     title: message("figure.forces"),
     columns: [
       message("figure.crankAngle"),
-      ...cyclogram.pairs.map((pair) => message("figure.pairForce", pair)),
+      ...curves.pairs.map((pair) => message("figure.pairForce", pair)),
     ],
     rows: curves.crank_angle_deg.map((angle, i) => [angle, ...curves.force_N.map((pair) => pair[i])]),
   }];
@@ -162,10 +170,7 @@ export default {
         "mechanism.crank_angles_deg": Array.from({ length: count }, (_, j) => tidy(j * spacing)),
       };
     },
-    "ratio.teeth": ({ mechanism }) => ({
-      "mechanism.satellite_teeth": Math.round(2 * (mechanism?.ratio ?? 20)),
-      "mechanism.ring_teeth": Math.round(2 * (mechanism?.ratio ?? 20)) + 2,
-    }),
+    "ratio.teeth": ({ mechanism }) => teethOf(mechanism?.ratio),
     "torque.input": ({ mechanism, load }) => {
       const { ratio, satellite_teeth: satellite, ring_teeth: ring } = mechanism ?? {};
       const u = ratio ?? satellite / (ring - satellite);
@@ -201,7 +206,7 @@ export default {
       body: ({ mechanism }) => mechanism,
       height: ({ mechanism }) => {
         const rows = (mechanism?.pins ?? 3) * (mechanism?.satellites ?? 2);
-        return 240 + 20 * Math.min(rows, MOST_ROWS);
+        return 190 + 22 * Math.min(rows, MOST_ROWS);
       },
       tables: phaseTables,
     },

@@ -1,4 +1,4 @@
-/** Every text of the page in English. Titles of fields and results come from the service's schema. */
+/** Every text of the page in English. Titles and help of the form's fields come from the service's schema. */
 export default {
   page: {
     name: "KHV Calc",
@@ -32,7 +32,7 @@ export default {
     own: "Own values",
     properties: "E = {modulus} GPa, ν = {ratio}{limit}",
     allowable: ", allowable {pressure} MPa",
-    unit: "Unit",
+    more: "More",
     readAs: "Read as {value}; write thousands without a comma",
   },
   choice: {
@@ -91,6 +91,7 @@ export default {
     quantity: "Quantity",
     symbol: "Symbol",
     value: "Value",
+    unit: "Unit",
     accuracy: "{method}; relative error {error}; {evaluations} evaluations; {time}",
     exact: "none",
     warnings: "Warnings",
@@ -99,6 +100,39 @@ export default {
     yes: "yes",
     no: "no",
     none: "none",
+  },
+  // Title and symbol of every result, by its API field name.
+  quantity: {
+    working_phase_deg: ["Working phase of a pair"],
+    period_deg: ["Period of a pair"],
+    pattern_period_deg: ["Period of the pattern"],
+    min_driving: ["Fewest pairs driving"],
+    max_driving: ["Most pairs driving"],
+    mean_driving: ["Mean of pairs driving"],
+    dead_centres_deg: ["Dead centres at"],
+    assembly: ["Assembly"],
+    satellite: ["Satellite"],
+    pin: ["Pin"],
+    hole_rotation_deg: ["Holes turned against the teeth"],
+    identical: ["Identical to the first"],
+    reference_force_N: ["Reference force, torque over pin circle radius", "F₀"],
+    peak_force_N: ["Peak force", "F"],
+    peak_force_ratio: ["Peak to reference force", "F/F₀"],
+    peak_crank_angle_deg: ["Crank angle of the peak", "φ"],
+    peak_pair: ["Pair of the peak"],
+    equal_sharing_peak_N: ["Peak with equal sharing"],
+    approximate_peak_N: ["Peak by the approximation"],
+    approximate_peak_error: ["Error of the approximation"],
+    max_pressure_MPa: ["Peak pressure", "p₀"],
+    mean_pressure_MPa: ["Mean pressure", "pₘ"],
+    half_width_mm: ["Half-width of the contact", "a"],
+    half_width_ratio: ["Half-width to pin radius", "a/r"],
+    max_shear_MPa: ["Largest shear stress", "τ"],
+    max_shear_depth_mm: ["Depth of the largest shear", "z"],
+    reduced_radius_mm: ["Reduced radius", "ρ"],
+    effective_modulus_GPa: ["Effective modulus", "E*"],
+    conformal_pressure_MPa: ["Peak pressure, conformal contact", "p₀"],
+    safety_factor: ["Safety against the allowable pressure", "S"],
   },
   section: {
     cyclogram: "Cyclogram",

@@ -1,6 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { symbolMarkup } from "./symbol.js";
 
 function box(field, id) {
   if (field.kind === "name" || field.kind === "option") {
@@ -12,8 +12,7 @@ function box(field, id) {
 }
 
 function titleOf(field) {
-  return html`<span class="field-name">${field.title}</span>${
-    field.symbol && html`<var class="symbol">${field.symbol}</var>`}`;
+  return html`<span class="field-name">${field.title}</span>${field.symbol && symbolMarkup(field.symbol)}`;
 }
 
 /**

@@ -2,6 +2,7 @@
 import { exactText, formatNumber } from "../format.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { textOf } from "../schema_form.js";
 import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
 
@@ -70,7 +71,8 @@ export function createForm({ model, calculator, catalogues, on }) {
   for (const group of model.groups) {
     const part = element(html`
       <fieldset class="group card" data-group="${group.id}"><legend>${group.title}</legend></fieldset>`);
-    for (const item of group.items) {
+    const rarely = group.items.filter((item) => item.advanced);
+    for (const item of group.items.filter((one) => !one.advanced)) {
       if (item.path) {
         addField(item, part);
         continue;
@@ -81,6 +83,11 @@ export function createForm({ model, calculator, catalogues, on }) {
         for (const field of option.fields) addField(field, view.part(option.id));
       }
       part.append(view.root);
+    }
+    if (rarely.length > 0) {
+      const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
+      for (const field of rarely) addField(field, more);
+      part.append(more);
     }
     root.append(part);
   }
@@ -100,7 +107,10 @@ export function createForm({ model, calculator, catalogues, on }) {
       for (const [path, field] of model.fields) {
         const view = fields.get(path);
         const reading = readings[path];
-        if (catalogues[path]) view.setNames(catalogues[path], state.texts[path]);
+        const special = field.advanced && state.texts[path] !== textOf(field.default);
+        if (special) view.root.closest("details").open = true;
+        const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
+        if (names) view.setNames(names, state.texts[path]);
         view.setText(state.texts[path]);
         view.setMessage({
           error: errorText(reading) || (refused[path] ?? ""),

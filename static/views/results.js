@@ -1,7 +1,8 @@
-/** All results as tables, a section each, titled by the service's schema; accuracy and cost below. */
-import { formatDuration, formatNumber, shownDigits } from "../format.js";
+/** All results as tables, a section each; warnings above, accuracy and cost below. */
+import { formatDuration, formatNumber, shownDigits, unitOf } from "../format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { symbolMarkup } from "./symbol.js";
 import { tableMarkup } from "./table.js";
 
 const ASIDE = ["accuracy", "warnings"];
@@ -24,25 +25,26 @@ function asText(value, digits) {
   return null;
 }
 
-function row([name, value], titles, digits) {
+function row([name, value], digits) {
   const text = asText(value, digits);
   if (text === null) return null;
-  const { title, symbol, unit } = titles[name];
-  return html`<tr><th scope="row">${title}</th><td class="symbol-cell"><var>${symbol}</var></td>
-    <td class="value">${text}</td><td class="unit-cell">${unit}</td></tr>`;
+  const [title, symbol = ""] = message(`quantity.${name}`);
+  return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
+    <td class="value">${text}</td><td class="unit-cell">${unitOf(name)}</td></tr>`;
 }
 
 /** A list of flat records that no figure shows, as a table of its own. */
-function records([name, value], titles) {
-  const { title, items } = titles[name];
-  if (!items || !value.every((record) => Object.values(record).every(isScalar))) return null;
-  const columns = Object.keys(value[0] ?? {});
-  const head = (column) => items[column].title + (items[column].unit && `, ${items[column].unit}`);
+function records([name, value]) {
+  const isRecord = (one) => typeof one === "object" && !Array.isArray(one);
+  if (value.length === 0 || !value.every(isRecord)) return null;
+  const columns = Object.keys(value[0]);
   return tableMarkup({
-    title,
-    columns: columns.map(head),
-    rows: value.map((record) => columns.map((column) => (
-      typeof record[column] === "number" ? record[column] : asText(record[column], 6)))),
+    title: message(`quantity.${name}`)[0],
+    columns: columns.map((column) => {
+      const [title] = message(`quantity.${column}`);
+      return unitOf(column) ? `${title}, ${unitOf(column)}` : title;
+    }),
+    rows: value.map((record) => columns.map((column) => asText(record[column], 6))),
   });
 }
 
@@ -61,13 +63,13 @@ function warningsMarkup(warnings = []) {
     html`<li><span class="sign warning" aria-hidden="true">▲</span>${detail}</li>`)}</ul>`;
 }
 
-function sectionMarkup(id, section, titles, tabled) {
+function sectionMarkup(id, section, tabled) {
   if (!section) {
     return html`<section class="card result" data-section="${id}"><h3>${message(`section.${id}`)}</h3>
       <p class="missing">${message("results.missing")}</p></section>`;
   }
   const digits = shownDigits(section.accuracy.relative_error);
-  const entries = Object.entries(section).filter(([name]) => !ASIDE.includes(name) && titles[name]);
+  const entries = Object.entries(section).filter(([name]) => !ASIDE.includes(name));
   const lists = entries.filter(([name, value]) => Array.isArray(value) && !tabled.includes(name));
   return html`
     <section class="card result" data-section="${id}">
@@ -76,21 +78,21 @@ function sectionMarkup(id, section, titles, tabled) {
       <table class="quantities">
         <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
           <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
-          <th scope="col">${message("form.unit")}</th></tr></thead>
-        <tbody>${entries.map((entry) => row(entry, titles, digits))}</tbody>
+          <th scope="col">${message("results.unit")}</th></tr></thead>
+        <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
       </table>
-      ${lists.map((entry) => records(entry, titles))}
+      ${lists.map(records)}
       ${accuracyMarkup(section.accuracy)}
     </section>`;
 }
 
-/** `titles` holds each section's field titles; `calculator.tabled` the lists that figures show. */
-export function createResults({ calculator, titles }) {
+/** `calculator.tabled` names the lists that figures show, and so the results do not. */
+export function createResults({ calculator }) {
   const root = element(html`<div class="results" aria-label="${message("results.label")}" role="region"></div>`);
   return {
     root,
     update: (answer) => fill(root, html`${calculator.sections.map((id) =>
-      sectionMarkup(id, answer[id], titles[id], calculator.tabled))}`),
+      sectionMarkup(id, answer[id], calculator.tabled))}`),
   };
 }
 

@@ -1,0 +1,71 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { createClient, newestOnly, Problem } from "../../static/api.js";
+
+const answering = (status, body, type = "application/json") => {
+  const calls = [];
+  const fetch = async (url, options) => {
+    calls.push({ url, options });
+    return new Response(typeof body === "string" ? body : JSON.stringify(body), {
+      status, headers: { "content-type": type },
+    });
+  };
+  return { calls, client: createClient({ base: "/api", fetch }) };
+};
+
+test("a body goes out as JSON, with its query, and the answer comes back", async () => {
+  const { calls, client } = answering(200, { force_N: 5 });
+  assert.deepEqual(await client.post("/x/chart", { pins: 3 }, { query: { theme: "dark" } }), { force_N: 5 });
+  assert.equal(calls[0].url, "/api/x/chart?theme=dark");
+  assert.equal(calls[0].options.body, '{"pins":3}');
+  assert.equal(calls[0].options.headers["content-type"], "application/json");
+});
+
+test("a problem keeps its status, words and pointers", async () => {
+  const errors = [{ pointer: "/pins", detail: "must be 1 or more" }];
+  const { client } = answering(422, { title: "Invalid input", detail: "pins", status: 422, errors }, "application/problem+json");
+  await assert.rejects(client.post("/x", {}), (problem) => {
+    assert.ok(problem instanceof Problem);
+    assert.equal(problem.status, 422);
+    assert.equal(problem.message, "pins");
+    assert.deepEqual(problem.errors, errors);
+    return true;
+  });
+});
+
+test("what is no problem document, no JSON or no answer is a problem too", async () => {
+  const gateway = answering(502, "<h1>Bad gateway</h1>", "text/html").client;
+  await assert.rejects(gateway.get("/x"), (problem) => problem instanceof Problem && problem.status === 502);
+  const broken = answering(200, "{").client;
+  await assert.rejects(broken.get("/x"), (problem) => problem instanceof Problem && problem.status === 0);
+  const nobody = createClient({ fetch: async () => { throw new TypeError("failed to fetch"); } });
+  await assert.rejects(nobody.get("/x"), (problem) => problem instanceof Problem && problem.status === 0);
+});
+
+const later = (milliseconds, value) => new Promise((resolve) => setTimeout(resolve, milliseconds, value));
+
+test("a newer request aborts the older, whose late answer counts for nothing", async () => {
+  const newest = newestOnly();
+  let aborted = false;
+  const first = newest.ask((signal) => {
+    signal.addEventListener("abort", () => { aborted = true; });
+    return later(20, "old"); // does not heed its signal
+  });
+  const second = newest.ask(() => later(5, "new"));
+  assert.equal((await second).answer, "new");
+  assert.equal((await first).superseded, true);
+  assert.ok(aborted);
+});
+
+test("an abort is silent, a problem is told, another fault is thrown", async () => {
+  const newest = newestOnly();
+  const waiting = newest.ask((signal) => new Promise((_, reject) => {
+    signal.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
+  }));
+  newest.cancel();
+  assert.equal((await waiting).superseded, true);
+  const problem = new Problem({ status: 422 });
+  assert.equal((await newest.ask(async () => { throw problem; })).problem, problem);
+  await assert.rejects(newest.ask(async () => { throw new TypeError("a bug"); }), TypeError);
+});
