@@ -115,6 +115,43 @@ def test_peak_of_nearly_coincident_switching_angles(
     assert error <= result.accuracy.relative_error
 
 
+@pytest.mark.parametrize("exponent", [1.001, 1.01, 1.02, 1.05, 1.1, 10 / 9, 1.15, 1.2, 1.3, 1.45])
+@pytest.mark.parametrize(
+    ("pins", "crank_angles"), [(4, (0.0,)), (2, (0.0, math.pi / 2)), (6, (0.3,)), (3, (0.0, 3.0))]
+)
+def test_peak_hidden_beside_a_switching_angle(
+    pins: int, crank_angles: tuple[float, ...], exponent: float
+) -> None:
+    # With v just above 1 a pair that begins to drive at x = 0 takes x^(1 + v) of the load while
+    # the best one gains x^2/2: for four phases the peak lies at x = (1 + v)^(-1/(v - 1)), which
+    # is 1e-3 rad at v = 10/9 and 1e-6 at v = 1.05.
+    mechanism = Mechanism(pins=pins, crank_angles=crank_angles, ratio=20.0)
+    exact = peak(pins, crank_angles, exponent)
+    result = peak_force(mechanism=mechanism, force_exponent=exponent)
+    error = relative_error(result.peak_force_ratio, exact.ratio)
+    assert error <= 1e-10
+    assert error <= result.accuracy.relative_error
+
+
+@pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 20.0])
+@pytest.mark.parametrize(("pins", "satellites"), [(2, 3), (2, 5), (1, 6), (3, 4), (4, 3)])
+@pytest.mark.parametrize("seed", range(3))
+def test_peak_of_phases_evenly_spaced_but_for_a_trifle(
+    pins: int, satellites: int, seed: int, exponent: float
+) -> None:
+    # within what may count as even spacing; the error of taking it so has to be stated
+    r = random.Random(seed)
+    angles = tuple(
+        j * 2 * math.pi / satellites + r.uniform(-3, 3) * 1e-12 for j in range(satellites)
+    )
+    mechanism = Mechanism(pins=pins, crank_angles=angles, ratio=20.0)
+    exact = peak(pins, angles, exponent, screened=True)
+    result = peak_force(mechanism=mechanism, force_exponent=exponent)
+    error = relative_error(result.peak_force_ratio, exact.ratio)
+    assert error <= 1e-10
+    assert error <= result.accuracy.relative_error
+
+
 @pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 20.0])
 @pytest.mark.parametrize("margin", [1e-10, 1e-8, 1e-6, 1e-4, 1e-2])
 @pytest.mark.parametrize("pins", [1, 2])

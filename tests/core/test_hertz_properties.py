@@ -1,0 +1,244 @@
+"""Invariants of the line contact: scaling, symmetry, bounds, refusals."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.errors import InvalidInput
+from core.hertz import (
+    HERTZ_TOLERANCE,
+    HertzContact,
+    conformal_half_angle_tangent,
+    conformal_pressure,
+    conformal_pressure_ratio,
+    hertz,
+)
+from core.materials import MATERIALS, ElasticMaterial
+
+STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+
+materials = st.builds(
+    ElasticMaterial,
+    youngs_modulus=st.floats(1e8, 1e12),
+    poissons_ratio=st.floats(0.0, 0.49),
+    allowable_pressure=st.one_of(st.none(), st.floats(1e6, 5e9)),
+)
+
+
+@st.composite
+def contacts(draw: st.DrawFn) -> dict[str, object]:
+    pin_radius = draw(st.floats(1e-3, 0.1))
+    return {
+        "force": draw(st.floats(1e-2, 1e6)),
+        "contact_length": draw(st.floats(1e-3, 0.5)),
+        "pin_radius": pin_radius,
+        "hole_radius": pin_radius * (1 + draw(st.floats(1e-4, 10.0))),
+        "pin_material": draw(materials),
+        "hole_material": draw(materials),
+        "dynamic_factor": draw(st.floats(0.5, 3.0)),
+        "distribution_factor": draw(st.floats(0.5, 3.0)),
+    }
+
+
+def calculate(contact: dict[str, object], **changes: object) -> HertzContact:
+    return hertz(**(contact | changes))  # type: ignore[arg-type]
+
+
+@given(contacts(), st.floats(0.01, 100.0))
+def test_pressure_and_width_grow_as_the_root_of_the_load(
+    contact: dict[str, object], times: float
+) -> None:
+    one = calculate(contact)
+    for name in ("force", "dynamic_factor", "distribution_factor"):
+        value = contact[name]
+        assert isinstance(value, float)
+        more = calculate(contact, **{name: value * times})
+        assert more.max_pressure == pytest.approx(one.max_pressure * math.sqrt(times), rel=1e-14)
+        assert more.half_width == pytest.approx(one.half_width * math.sqrt(times), rel=1e-14)
+        assert more.reduced_radius == one.reduced_radius
+
+
+@given(contacts())
+def test_materials_may_change_places(contact: dict[str, object]) -> None:
+    one = calculate(contact)
+    swapped = calculate(
+        contact,
+        pin_material=contact["hole_material"],
+        hole_material=contact["pin_material"],
+    )
+    assert swapped.max_pressure == pytest.approx(one.max_pressure, rel=1e-15)
+    assert swapped.half_width == pytest.approx(one.half_width, rel=1e-15)
+    assert swapped.effective_modulus == pytest.approx(one.effective_modulus, rel=1e-15)
+    if one.safety_factor is None:
+        assert swapped.safety_factor is None
+    else:
+        assert swapped.safety_factor == pytest.approx(one.safety_factor, rel=1e-14)
+
+
+@given(contacts(), st.floats(0.001, 1000.0))
+def test_a_model_in_another_scale_has_the_same_pressure(
+    contact: dict[str, object], scale: float
+) -> None:
+    # lengths times s, force times s^2: stresses stay, the width grows with s
+    larger = {
+        name: contact[name] * scale  # type: ignore[operator]
+        for name in ("contact_length", "pin_radius", "hole_radius")
+    }
+    one = calculate(contact)
+    model = calculate(contact, force=contact["force"] * scale**2, **larger)  # type: ignore[operator]
+    # R - r keeps 1e-16/1e-4 of its digits when R and r are rounded anew
+    assert model.max_pressure == pytest.approx(one.max_pressure, rel=1e-11)
+    assert model.half_width == pytest.approx(one.half_width * scale, rel=1e-11)
+    assert model.half_width_ratio == pytest.approx(one.half_width_ratio, rel=1e-11)
+
+
+@given(contacts())
+def test_pressure_carries_the_load(contact: dict[str, object]) -> None:
+    # an ellipse of height p0 over 2a, times the length, is the force with its factors
+    one = calculate(contact)
+    carried = math.pi / 2 * one.max_pressure * one.half_width * contact["contact_length"]  # type: ignore[operator]
+    load = contact["force"] * contact["dynamic_factor"] * contact["distribution_factor"]  # type: ignore[operator]
+    assert carried == pytest.approx(load, rel=1e-14)
+    assert one.mean_pressure == pytest.approx(math.pi / 4 * one.max_pressure, rel=1e-15)
+    assert one.half_width_ratio == pytest.approx(
+        one.half_width / contact["pin_radius"],  # type: ignore[operator]
+        rel=1e-15,
+    )
+
+
+@given(contacts())
+def test_safety_factor_is_that_of_the_weaker_material(contact: dict[str, object]) -> None:
+    one = calculate(contact)
+    pin, hole = contact["pin_material"], contact["hole_material"]
+    assert isinstance(pin, ElasticMaterial)
+    assert isinstance(hole, ElasticMaterial)
+    known = [m.allowable_pressure for m in (pin, hole) if m.allowable_pressure is not None]
+    largest = one.max_pressure if one.conformal_pressure is None else one.conformal_pressure
+    if known:
+        assert one.safety_factor == pytest.approx(min(known) / largest, rel=1e-15)
+    else:
+        assert one.safety_factor is None
+
+
+@given(contacts())
+def test_conformal_pressure_only_where_it_applies(contact: dict[str, object]) -> None:
+    same = calculate(contact, hole_material=contact["pin_material"])
+    if same.conformal_pressure is not None:
+        assert abs(same.conformal_pressure / same.max_pressure - 1) > HERTZ_TOLERANCE
+        assert same.conformal_pressure > same.max_pressure
+    other = contact["hole_material"]
+    pin = contact["pin_material"]
+    assert isinstance(other, ElasticMaterial)
+    assert isinstance(pin, ElasticMaterial)
+    if (other.youngs_modulus, other.poissons_ratio) != (pin.youngs_modulus, pin.poissons_ratio):
+        assert calculate(contact).conformal_pressure is None
+
+
+@given(contacts())
+def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object]) -> None:
+    one = calculate(contact)
+    for name in HertzContact.__slots__:
+        value = getattr(one, name)
+        if isinstance(value, float):
+            assert math.isfinite(value)
+            assert value > 0
+    assert 0 < one.accuracy.relative_error < 1e-10
+
+
+def test_no_load_no_pressure() -> None:
+    none = hertz(
+        force=0.0,
+        contact_length=0.02,
+        pin_radius=0.006,
+        hole_radius=0.008,
+        pin_material=STEEL,
+        hole_material=STEEL,
+    )
+    assert (none.max_pressure, none.half_width, none.max_shear) == (0.0, 0.0, 0.0)
+    assert none.safety_factor is None
+    assert none.conformal_pressure is None
+
+
+@given(st.floats(1e-6, 1e12))
+def test_conformal_contact_is_wider_the_smaller_the_load_parameter(load_parameter: float) -> None:
+    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
+    looser, _ = conformal_half_angle_tangent(load_parameter=load_parameter * 1.01)
+    assert 0 < looser < b < 0.93
+    left = 2 - math.log1p(b * b) - 2 * b**4
+    right = load_parameter * math.pi * b * b * (1 + b * b)
+    # near the limit of no clearance both sides vanish: their terms are of order 2
+    assert left == pytest.approx(right, rel=1e-13, abs=1e-14)
+    ratio, _ = conformal_pressure_ratio(load_parameter=load_parameter)
+    assert ratio > 1 - 1e-14
+
+
+@given(st.floats(1e-8, 0.9164))
+def test_conformal_pressure_falls_from_the_middle_to_nothing_at_the_edge(b: float) -> None:
+    places = np.linspace(0.0, b, 40)
+    pressure = [conformal_pressure(position=float(y), half_angle_tangent=b) for y in places]
+    assert all(after < before for before, after in pairwise(pressure))
+    assert pressure[-1] == pytest.approx(0.0, abs=1e-6 * pressure[0])
+
+
+@pytest.mark.parametrize(
+    ("parameter", "value"),
+    [
+        ("force", -1.0),
+        ("force", math.nan),
+        ("contact_length", 0.0),
+        ("pin_radius", 0.0),
+        ("pin_radius", -0.006),
+        ("hole_radius", 0.006),
+        ("hole_radius", 0.005),
+        ("hole_radius", math.nan),
+        ("dynamic_factor", 0.0),
+        ("distribution_factor", -1.0),
+    ],
+)
+def test_contacts_that_cannot_be_are_refused_by_name(parameter: str, value: float) -> None:
+    # R = r would give "stress 0: infinitely safe"
+    contact: dict[str, object] = {
+        "force": 1e3,
+        "contact_length": 0.02,
+        "pin_radius": 0.006,
+        "hole_radius": 0.008,
+        "pin_material": STEEL,
+        "hole_material": STEEL,
+    }
+    with pytest.raises(InvalidInput) as refusal:
+        calculate(contact, **{parameter: value})
+    assert refusal.value.parameter == parameter
+
+
+@pytest.mark.parametrize(
+    ("parameter", "values"),
+    [
+        ("youngs_modulus", (0.0, 0.3)),
+        ("youngs_modulus", (-1.0, 0.3)),
+        ("youngs_modulus", (math.nan, 0.3)),
+        ("poissons_ratio", (210e9, 0.5)),
+        ("poissons_ratio", (210e9, -0.1)),
+        ("poissons_ratio", (210e9, math.nan)),
+    ],
+)
+def test_materials_that_cannot_be_are_refused(parameter: str, values: tuple[float, float]) -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        ElasticMaterial(youngs_modulus=values[0], poissons_ratio=values[1])
+    assert refusal.value.parameter == parameter
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_materials_of_the_table_are_plausible(name: str) -> None:
+    entry = MATERIALS[name]
+    assert entry.name == name
+    assert entry.title
+    assert entry.group
+    assert entry.source
+    assert 1e9 <= entry.material.youngs_modulus <= 250e9
+    assert 0.25 <= entry.material.poissons_ratio <= 0.45
+    allowable = entry.material.allowable_pressure
+    assert allowable is None or 10e6 <= allowable <= 4.5e9

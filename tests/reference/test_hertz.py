@@ -1,0 +1,242 @@
+"""Oracle tests: line contact in mpmath, the conformal contact against plane elasticity itself.
+
+The conformal solution is not taken on trust: its pressure is put into the displacements of a
+disc and of a hole (Michell's series for each harmonic of the pressure), and the gap that they
+leave has to be closed over the contact and open beside it.
+"""
+
+import math
+import random
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+from core.hertz import (
+    HALF_WIDTH_RATIO_LIMIT,
+    conformal_half_angle_tangent,
+    conformal_pressure,
+    conformal_pressure_ratio,
+    hertz,
+)
+from core.materials import ElasticMaterial
+
+mp.dps = 40
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_every_number_of_the_line_contact(seed: int) -> None:
+    r = random.Random(seed)
+    first = ElasticMaterial(
+        youngs_modulus=10 ** r.uniform(8, 12), poissons_ratio=r.choice([0.0, 0.3, 0.499])
+    )
+    second = ElasticMaterial(
+        youngs_modulus=10 ** r.uniform(8, 12), poissons_ratio=r.uniform(0, 0.49)
+    )
+    pin_radius = 10 ** r.uniform(-4, 0)
+    hole_radius = pin_radius * (1 + 10 ** r.uniform(-9, 2))
+    force, length = 10 ** r.uniform(-6, 7), 10 ** r.uniform(-4, 0)
+    factors = (r.choice([1.0, r.uniform(0.5, 3)]), r.choice([1.0, r.uniform(0.5, 3)]))
+    found = hertz(
+        force=force,
+        contact_length=length,
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        pin_material=first,
+        hole_material=second,
+        dynamic_factor=factors[0],
+        distribution_factor=factors[1],
+    )
+    w = mpf(force) / mpf(length) * mpf(factors[0]) * mpf(factors[1])
+    rho = mpf(hole_radius) * mpf(pin_radius) / (mpf(hole_radius) - mpf(pin_radius))
+    modulus = 1 / (
+        (1 - mpf(first.poissons_ratio) ** 2) / mpf(first.youngs_modulus)
+        + (1 - mpf(second.poissons_ratio) ** 2) / mpf(second.youngs_modulus)
+    )
+    p0 = mp.sqrt(w * modulus / (mp.pi * rho))
+    a = mp.sqrt(4 * w * rho / (mp.pi * modulus))
+    # largest |sx - sz|/2 below the middle, by its own stationary point
+    depth = mp.findroot(lambda z: mp.diff(_axis_shear, z), 0.8)
+    exact = {
+        "reduced_radius": rho,
+        "effective_modulus": modulus,
+        "max_pressure": p0,
+        "mean_pressure": mp.pi / 4 * p0,
+        "half_width": a,
+        "half_width_ratio": a / mpf(pin_radius),
+        "max_shear": _axis_shear(depth) * p0,
+        "max_shear_depth": depth * a,
+    }
+    stated = found.accuracy.relative_error
+    for name, value in exact.items():
+        error = abs(mpf(getattr(found, name)) / value - 1)
+        assert error <= 2e-15, name
+        assert error <= stated, name
+    # load per width: p0 over an ellipse of half-axis a carries the load
+    assert found.mean_pressure * 2 * found.half_width == pytest.approx(float(w), rel=1e-14)
+
+
+def _axis_shear(z: mpf) -> mpf:
+    """Principal shear below the middle of a Hertz line contact over p0, depth z over a.
+
+    Johnson, Contact Mechanics, eq. (4.46): sx = -p0*((1 + 2z^2)/sqrt(1 + z^2) - 2z),
+    sz = -p0/sqrt(1 + z^2).
+    """
+    root = mp.sqrt(1 + z * z)
+    return ((1 / root) - ((1 + 2 * z * z) / root - 2 * z)) / 2
+
+
+def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
+    """The shear on the axis, from Flamant's solution integrated over the pressure.
+
+    Nothing of Johnson's closed form: sx and sz of each line force p*ds, summed numerically.
+    """
+    angle = np.linspace(-np.pi / 2, np.pi / 2, 20001)[1:-1]
+    s, load = np.sin(angle), np.cos(angle) ** 2 * (angle[1] - angle[0])
+    depths = np.linspace(0.70, 0.87, 681)
+    shear = []
+    for z in depths:
+        r4 = (s * s + z * z) ** 2
+        sz = -2 / math.pi * float((load * z**3 / r4).sum())
+        sx = -2 / math.pi * float((load * z * s * s / r4).sum())
+        shear.append(abs(sx - sz) / 2)
+    best = int(np.argmax(shear))
+    steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+    found = hertz(
+        force=1e3,
+        contact_length=0.02,
+        pin_radius=0.006,
+        hole_radius=0.008,
+        pin_material=steel,
+        hole_material=steel,
+    )
+    assert found.max_shear / found.max_pressure == pytest.approx(shear[best], abs=1e-6)
+    assert found.max_shear_depth / found.half_width == pytest.approx(depths[best], abs=5e-4)
+    assert found.max_shear / found.max_pressure == pytest.approx(0.300, abs=5e-4)
+    assert found.max_shear_depth / found.half_width == pytest.approx(0.786, abs=5e-4)
+
+
+def exact_tangent(load_parameter: float) -> mpf:
+    """Root b of Persson's equation by bisection in mpmath."""
+
+    def excess(b: mpf) -> mpf:
+        y = b * b
+        return (2 - mp.log(y + 1) - 2 * y * y) - mpf(load_parameter) * mp.pi * y * (y + 1)
+
+    low, high = mpf(0), mpf(1)
+    while high - low > mpf(10) ** -38 * high:
+        middle = (low + high) / 2
+        if excess(middle) > 0:
+            low = middle
+        else:
+            high = middle
+    return (low + high) / 2
+
+
+def exact_pressure(y: mpf, b: mpf) -> mpf:
+    """p*R/Q at y = tan(angle/2), Ciavarella and Decuzzi 2001 for identical materials."""
+    inner, outer = mp.sqrt(b * b - y * y), mp.sqrt(b * b + 1)
+    return 2 * inner / (mp.pi * outer * (1 + y * y)) + mp.log((outer + inner) / (outer - inner)) / (
+        2 * mp.pi * b * b * (1 + b * b)
+    )
+
+
+LOAD_PARAMETERS = [1e-12, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 30.0, 300.0, 1e4, 1e8, 1e14]
+
+
+@pytest.mark.parametrize("load_parameter", LOAD_PARAMETERS)
+def test_conformal_half_angle_and_peak_pressure(load_parameter: float) -> None:
+    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
+    exact = exact_tangent(load_parameter)
+    assert abs(mpf(b) / exact - 1) < 1e-15
+    ratio, _ = conformal_pressure_ratio(load_parameter=load_parameter)
+    exact_ratio = exact_pressure(mpf(0), exact) / mp.sqrt(mpf(load_parameter) / (2 * mp.pi))
+    assert abs(mpf(ratio) / exact_ratio - 1) < 3e-15
+
+
+@pytest.mark.parametrize("load_parameter", [0.0, *LOAD_PARAMETERS])
+def test_conformal_pressure_carries_the_load(load_parameter: float) -> None:
+    # Q = integral of p*cos(angle)*R over the contact
+    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
+    end = 2 * mp.atan(mpf(b))
+
+    def share(t: mpf) -> mpf:
+        # angle = end*sin(t) takes the square roots at the ends away
+        angle = end * mp.sin(t)
+        y = min(float(mp.tan(abs(angle) / 2)), b)
+        pressure = conformal_pressure(position=y, half_angle_tangent=b)
+        return mpf(pressure) * mp.cos(angle) * end * mp.cos(t)
+
+    with mp.workdps(18):
+        carried = mp.quad(share, [-mp.pi / 2, 0, mp.pi / 2], maxdegree=6)
+    assert float(carried) == pytest.approx(1.0, abs=1e-11)
+
+
+@pytest.mark.parametrize("load_parameter", [0.0, 0.05, 0.3, 1.0, 3.0, 20.0])
+def test_conformal_pressure_closes_the_gap_between_disc_and_hole(load_parameter: float) -> None:
+    """Michell's series: for a pressure p_n*cos(n*t) on both rims (plane strain, one material)
+
+    u_hole - u_disc = 4*R/E1* * p_n * n/(n^2 - 1) * cos(n*t),  n >= 2;  2*R/E1* * p_0,  n = 0
+
+    (n = 1 is a rigid motion of the disc). Contact: u_hole - u_disc + dR = C*cos(t).
+    """
+    harmonics, points = 3000, 24001
+    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
+    end = 2 * math.atan(b)
+    t = np.linspace(-np.pi / 2, np.pi / 2, points)
+    weight = end * np.cos(t) * (t[1] - t[0])
+    angle = end * np.sin(t)
+    y = np.minimum(np.abs(np.tan(angle / 2)), b)
+    pressure = np.array([conformal_pressure(position=float(p), half_angle_tangent=b) for p in y])
+    load = pressure * weight
+    # the middle of the contact, two places nearer its edge, and two outside it
+    places = np.array([0.0, 0.3, 0.6, 0.85, 1.3, 1.7]) * end
+    approach = np.full(len(places), 2 * load.sum() / (2 * math.pi))
+    for n in range(2, harmonics):
+        p_n = float((load * np.cos(n * angle)).sum()) / math.pi
+        approach += 4 * p_n * n / (n * n - 1) * np.cos(n * places)
+    # in units of Q/E1*: approach + load_parameter = C*cos(t)
+    gap = approach + load_parameter
+    rigid = gap[0] / math.cos(places[0])
+    error = gap - rigid * np.cos(places)
+    scale = float(np.abs(approach).max())
+    assert np.abs(error[:4]).max() < 2e-4 * scale
+    # beside the contact the disc has not reached the hole
+    assert (error[4:] > 1e-3 * scale).all()
+
+
+def test_without_clearance_the_contact_angle_is_the_known_limit() -> None:
+    # Persson's limit: dR = 0, 2 = ln(b^2 + 1) + 2*b^4, whatever the load
+    b, _ = conformal_half_angle_tangent(load_parameter=0.0)
+    assert abs(mpf(b) / exact_tangent(0.0) - 1) < 1e-15
+    assert 2 * math.degrees(math.atan(b)) == pytest.approx(85.0, abs=0.5)
+
+
+def test_hertz_is_the_limit_of_a_narrow_contact() -> None:
+    # b -> 0: the first correction falls as b^2 ~ 1/load_parameter
+    errors = [
+        abs(conformal_pressure_ratio(load_parameter=p)[0] - 1) for p in (1e2, 1e3, 1e4, 1e5, 1e6)
+    ]
+    for wide, narrow in pairwise(errors):
+        assert narrow == pytest.approx(wide / 10, rel=0.05)
+    b, _ = conformal_half_angle_tangent(load_parameter=1e10)
+    assert b == pytest.approx(math.sqrt(2 / (math.pi * 1e10)), rel=1e-9)
+
+
+def test_limit_of_validity_is_where_hertz_is_off_by_one_per_cent() -> None:
+    # a/R = 2*sqrt(2/(pi*load_parameter)) for dR << R
+    def excess(load_parameter: mpf) -> mpf:
+        b = exact_tangent(load_parameter)
+        ratio = exact_pressure(mpf(0), b) / mp.sqrt(load_parameter / (2 * mp.pi))
+        return abs(ratio - 1) - mpf("0.01")
+
+    low, high = mpf(10), mpf(1e5)
+    for _ in range(60):
+        middle = mp.sqrt(low * high)
+        if excess(middle) > 0:
+            low = middle
+        else:
+            high = middle
+    half_width_ratio = 2 * mp.sqrt(2 / (mp.pi * low))
+    assert float(half_width_ratio) == pytest.approx(HALF_WIDTH_RATIO_LIMIT, abs=1e-3)
