@@ -6,14 +6,13 @@ Persson's solution for a disc in a hole of the same material takes over.
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import InvalidInput
-from core.materials import ElasticMaterial, effective_modulus
+from core.materials import ElasticMaterial, effective_modulus, lower_allowable_pressure
 from core.results import ROUNDING, Accuracy, Notice
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
@@ -53,6 +52,8 @@ class HertzContact:
         Effective modulus E*, Pa.
     conformal_pressure : float or None
         Largest pressure of the conformal contact, Pa; None unless it applies (see `hertz`).
+    conformal_half_angle : float or None
+        Half of the angle over which the conformal contact extends, rad; None as before.
     safety_factor : float or None
         Smaller allowable pressure over the largest pressure (the conformal one where it
         applies); None where no allowable pressure is known.
@@ -71,6 +72,7 @@ class HertzContact:
     reduced_radius: float
     effective_modulus: float
     conformal_pressure: float | None
+    conformal_half_angle: float | None
     safety_factor: float | None
     accuracy: Accuracy
     notices: tuple[Notice, ...]
@@ -153,19 +155,16 @@ def hertz(
     half_width = 2 * math.sqrt(line_load / math.pi / modulus) * math.sqrt(reduced_radius)
     ratio = half_width / pin_radius
 
-    conformal = None
+    conformal = half_angle = None
     evaluations = 1
     if line_load > 0 and _identical(pin_material, hole_material):
         load_parameter = pin_material.plane_modulus * (difference / line_load)
-        factor, evaluations = conformal_pressure_ratio(load_parameter=load_parameter)
+        factor, tangent, evaluations = conformal_pressure_ratio(load_parameter=load_parameter)
         if abs(factor - 1) > HERTZ_TOLERANCE:
             conformal = factor * max_pressure
+            half_angle = 2 * math.atan(tangent)
     governing = max_pressure if conformal is None else conformal
-    allowable = [
-        material.allowable_pressure
-        for material in (pin_material, hole_material)
-        if material.allowable_pressure is not None
-    ]
+    allowable = lower_allowable_pressure(pin_material, hole_material)
     return HertzContact(
         max_pressure=max_pressure,
         mean_pressure=math.pi / 4 * max_pressure,
@@ -176,7 +175,8 @@ def hertz(
         reduced_radius=reduced_radius,
         effective_modulus=modulus,
         conformal_pressure=conformal,
-        safety_factor=min(allowable) / governing if allowable and governing > 0 else None,
+        conformal_half_angle=half_angle,
+        safety_factor=allowable / governing if allowable and governing > 0 else None,
         accuracy=Accuracy(
             method="closed form" if conformal is None else "closed form, Newton's method",
             # The radii are known to rounding; their difference magnifies that.
@@ -248,7 +248,7 @@ def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
     return math.sqrt(y), iterations
 
 
-def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, int]:
+def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, int]:
     """Largest pressure of a conformal contact over the Hertz pressure of the same load.
 
     Parameters
@@ -260,6 +260,8 @@ def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, int]:
     -------
     ratio : float
         Dimensionless; 1 in the Hertz limit of a large `load_parameter`.
+    half_angle_tangent : float
+        ``b = tan(eps/2)`` of the contact.
     iterations : int
         Newton steps taken.
 
@@ -275,7 +277,8 @@ def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, int]:
     """
     b, iterations = conformal_half_angle_tangent(load_parameter=load_parameter)
     hertz_limit = math.sqrt(load_parameter / (2 * math.pi))
-    return conformal_pressure(position=0.0, half_angle_tangent=b) / hertz_limit, iterations
+    middle = conformal_pressure(position=0.0, half_angle_tangent=b)
+    return middle / hertz_limit, b, iterations
 
 
 def conformal_pressure(*, position: float, half_angle_tangent: float) -> float:
@@ -329,18 +332,14 @@ def pressure_profile(
 
 
 def conformal_profile(
-    *, load_parameter: float, peak_pressure: float, pin_radius: float, samples: int = 81
+    *, contact: HertzContact, samples: int = 81
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Pressure of the conformal contact over the arc of the pin.
 
     Parameters
     ----------
-    load_parameter : float
-        ``E1**dR/Q``, dimensionless.
-    peak_pressure : float
-        Pressure in the middle, Pa.
-    pin_radius : float
-        Radius r of the pin, m.
+    contact : HertzContact
+        A contact to which the conformal pressure applies.
     samples : int
         Number of places, at least 2.
 
@@ -348,12 +347,22 @@ def conformal_profile(
     -------
     arc, pressure : array, shape (samples,)
         Places along the arc, m, and pressure there, Pa.
+
+    Raises
+    ------
+    InvalidInput
+        If the contact has no conformal pressure.
     """
-    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
-    end = 2 * math.atan(b)
-    angle = end * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
-    middle = conformal_pressure(position=0.0, half_angle_tangent=b)
-    shape: Callable[[float], float] = lambda place: (  # noqa: E731
-        conformal_pressure(position=min(abs(math.tan(place / 2)), b), half_angle_tangent=b)
-    )
-    return pin_radius * angle, np.array([shape(a) for a in angle]) * (peak_pressure / middle)
+    if contact.conformal_pressure is None or contact.conformal_half_angle is None:
+        raise InvalidInput("contact", contact, "must have a conformal pressure")
+    tangent = math.tan(contact.conformal_half_angle / 2)
+    middle = conformal_pressure(position=0.0, half_angle_tangent=tangent)
+    angles = contact.conformal_half_angle * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
+    pressures = [
+        conformal_pressure(
+            position=min(abs(math.tan(angle / 2)), tangent), half_angle_tangent=tangent
+        )
+        for angle in angles
+    ]
+    radius = contact.half_width / contact.half_width_ratio
+    return radius * angles, contact.conformal_pressure / middle * np.array(pressures)

@@ -68,6 +68,23 @@ def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> flo
     return 1 / (1 / first.plane_modulus + 1 / second.plane_modulus)
 
 
+def lower_allowable_pressure(*materials: ElasticMaterial) -> float | None:
+    """Smallest allowable contact pressure that is known of some materials.
+
+    Parameters
+    ----------
+    *materials : ElasticMaterial
+        The materials.
+
+    Returns
+    -------
+    float or None
+        Allowable pressure, Pa; None where none is known.
+    """
+    known = [each.allowable_pressure for each in materials if each.allowable_pressure is not None]
+    return min(known, default=None)
+
+
 @dataclass(frozen=True, slots=True)
 class TableMaterial:
     """A material of the table.

@@ -1,0 +1,100 @@
+"""Run a calculation for a request: time it, and say its refusals in the request's own names."""
+
+import re
+import time
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from typing import TypeVar
+
+from pydantic import BaseModel
+
+from app.problems import ErrorItem, Problem, invalid_input, pointer
+from app.schemas.base import api_text
+from app.units import api_value, core_name
+from core.errors import ImpossibleMechanism, InvalidInput
+
+Result = TypeVar("Result")
+
+timings_us: ContextVar[list[float] | None] = ContextVar("timings_us", default=None)
+"""Run times of the calculations of the request at hand, microseconds."""
+
+
+def run(body: BaseModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
+    """Result of a calculation and its run time.
+
+    Parameters
+    ----------
+    body : BaseModel
+        The request, whose fields a refusal is to name.
+    calculation : callable
+        What to run.
+
+    Returns
+    -------
+    result : object
+        What the calculation returned.
+    run_time_us : float
+        Its run time, microseconds.
+
+    Raises
+    ------
+    Problem
+        If the calculation refuses.
+    """
+    start = time.perf_counter_ns()
+    try:
+        result = calculation()
+    except InvalidInput as error:
+        place = pointer(_path(body, error.parameter) or ())
+        raise invalid_input([ErrorItem(place, api_text(error.limit))]) from error
+    except ImpossibleMechanism as error:
+        where = dict(api_value(name, value) for name, value in error.where.items())
+        at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
+        detail = f"{api_text(error.what)} at {at}" if at else api_text(error.what)
+        raise Problem(
+            422, "impossible-mechanism", "The mechanism cannot work", detail, where=where
+        ) from error
+    run_time_us = (time.perf_counter_ns() - start) / 1000
+    timings = timings_us.get()
+    if timings is not None:
+        timings.append(run_time_us)
+    return result, run_time_us
+
+
+def _path(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included."""
+    head, *rest = re.findall(r"[^.\[\]]+", parameter)
+    for path, name in _fields(body):
+        if core_name(name) == head:
+            return (*path, name, *_deeper(body, (*path, name), rest))
+    return None
+
+
+def _fields(body: BaseModel) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Every field of a request and of the models within it, with the path to it."""
+    for name in type(body).model_fields:
+        yield (), name
+    for name, value in body:
+        if isinstance(value, BaseModel):
+            for path, inner in _fields(value):
+                yield (name, *path), inner
+
+
+def _deeper(
+    body: BaseModel, path: tuple[str, ...], rest: list[str]
+) -> Iterator[str | int]:
+    """The rest of a path, below a field: indices, and names with the units they have there."""
+    value: object = body
+    for part in path:
+        value = getattr(value, part)
+    for part in rest:
+        if part.isdigit():
+            yield int(part)
+            value = value[int(part)] if isinstance(value, list) else None
+        elif isinstance(value, BaseModel):
+            names = type(value).model_fields
+            name = next((each for each in names if core_name(each) == part), part)
+            yield name
+            value = getattr(value, name, None)
+        else:
+            yield part

@@ -1,0 +1,1 @@
+"""Core results as Plotly figures: plain dictionaries ``{data, layout}``, one theme."""

@@ -1,0 +1,80 @@
+"""Pressure across the contact of pin and hole."""
+
+from dataclasses import dataclass
+
+from app.figures.theme import INK, Figure, Theme, axis, layout, series_style
+
+
+@dataclass(frozen=True, slots=True)
+class PressureCurve:
+    """One pressure distribution to draw.
+
+    Attributes
+    ----------
+    name : str
+        Whose it is.
+    place_mm, pressure_MPa : list of float
+        Places along the arc of the pin and pressure there.
+    """
+
+    name: str
+    place_mm: list[float]
+    pressure_MPa: list[float]
+
+
+def hertz_figure(
+    curves: list[PressureCurve], allowable_pressure_MPa: float | None, theme: Theme
+) -> Figure:
+    """Pressure distributions over the arc of the pin, with the allowable pressure.
+
+    Parameters
+    ----------
+    curves : list of PressureCurve
+        Hertz, and the conformal contact where it applies.
+    allowable_pressure_MPa : float or None
+        Smaller allowable pressure of the two materials.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    data = []
+    for index, curve in enumerate(curves):
+        colour, dash, _ = series_style(index, theme)
+        data.append(
+            {
+                "type": "scatter",
+                "mode": "lines",
+                "name": curve.name,
+                "x": [float(f"{value:.6g}") for value in curve.place_mm],
+                "y": [float(f"{value:.6g}") for value in curve.pressure_MPa],
+                "line": {"color": colour, "dash": dash, "width": 2},
+                "hovertemplate": f"{curve.name}<br>%{{y:.5g}} MPa at %{{x:.4g}} mm<extra></extra>",
+            }
+        )
+    highest = max(max(curve.pressure_MPa) for curve in curves)
+    if allowable_pressure_MPa is not None and allowable_pressure_MPa <= 4 * highest:
+        widest = max(curve.place_mm[-1] for curve in curves)
+        data.append(
+            {
+                "type": "scatter",
+                "mode": "lines",
+                "name": "Allowable",
+                "x": [-widest, widest],
+                "y": [allowable_pressure_MPa] * 2,
+                "line": {"color": INK[theme]["alert"], "dash": "longdash", "width": 1.5},
+                "hovertemplate": "allowable %{y:.5g} MPa<extra></extra>",
+            }
+        )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=300,
+            xaxis=axis(theme, "Place along the arc of the pin, mm"),
+            yaxis=axis(theme, "Contact pressure, MPa", rangemode="tozero"),
+        ),
+    }

@@ -1,0 +1,59 @@
+"""The service: settings, endpoints, errors, headers, pages."""
+
+from pathlib import Path
+
+from fastapi import FastAPI
+from fastapi.responses import FileResponse
+from fastapi.staticfiles import StaticFiles
+
+from app import VERSION, problems
+from app.middleware import BodyLimit, ServiceHeaders
+from app.routers import contact_force, crank_planetary, cyclogram, hertz, service
+from app.settings import Settings
+
+API = "/api/v1"
+STATIC = Path(__file__).parent.parent / "static"
+ROUTERS = (service, crank_planetary, cyclogram, contact_force, hertz)
+
+DESCRIPTION = """
+Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
+A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
+accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields.
+"""
+
+
+def create_app(settings: Settings | None = None) -> FastAPI:
+    """The service as an ASGI application.
+
+    Parameters
+    ----------
+    settings : Settings, optional
+        Limits; from the environment where not given.
+
+    Returns
+    -------
+    FastAPI
+    """
+    settings = settings or Settings.from_environment()
+    app = FastAPI(
+        title="KHV Calc", version=VERSION, description=DESCRIPTION, docs_url=None, redoc_url=None
+    )
+    for router in ROUTERS:
+        app.include_router(router.router, prefix=API)
+    problems.install(app)
+    app.add_middleware(BodyLimit, limit=settings.max_body_bytes)
+    app.add_middleware(ServiceHeaders)
+
+    @app.get("/", include_in_schema=False)
+    async def page() -> FileResponse:
+        return FileResponse(STATIC / "index.html", headers={"cache-control": "no-cache"})
+
+    @app.get("/docs", include_in_schema=False)
+    async def docs() -> FileResponse:
+        return FileResponse(STATIC / "docs.html", headers={"cache-control": "no-cache"})
+
+    app.mount("/static", StaticFiles(directory=STATIC), name="static")
+    return app
+
+
+app = create_app()

@@ -1,0 +1,199 @@
+"""Errors as problem details (RFC 9457): one shape, one table from exception to status."""
+
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from http import HTTPStatus
+from typing import Any
+
+import orjson
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import Response
+from starlette.exceptions import HTTPException
+
+from app.schemas.base import FIELD_ERROR
+
+MEDIA_TYPE = "application/problem+json"
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorItem:
+    """What is wrong with one field.
+
+    Attributes
+    ----------
+    pointer : str
+        JSON pointer to the field; empty for the body as a whole.
+    detail : str
+        What is wrong, as the rest of a sentence that starts with the field.
+    """
+
+    pointer: str
+    detail: str
+
+
+@dataclass(slots=True)
+class Problem(Exception):
+    """A refusal, ready to be sent.
+
+    Attributes
+    ----------
+    status : int
+        HTTP status.
+    kind : str
+        Last part of the problem's type.
+    title, detail : str
+        Its kind and this occurrence, for people.
+    errors : list of ErrorItem
+        The fields it is about.
+    where : dict
+        Position at which it happens, by API names.
+    headers : dict
+        Headers of the answer.
+    """
+
+    status: int
+    kind: str
+    title: str
+    detail: str
+    errors: list[ErrorItem] = field(default_factory=list)
+    where: dict[str, float] = field(default_factory=dict)
+    headers: dict[str, str] = field(default_factory=dict)
+
+    def response(self) -> Response:
+        """The problem as an HTTP answer."""
+        body: dict[str, Any] = {
+            "type": f"/problems/{self.kind}",
+            "title": self.title,
+            "status": self.status,
+            "detail": self.detail,
+            "errors": [{"pointer": each.pointer, "detail": each.detail} for each in self.errors],
+        }
+        if self.where:
+            body["where"] = self.where
+        return Response(
+            orjson.dumps(body), self.status, headers=self.headers, media_type=MEDIA_TYPE
+        )
+
+
+def invalid_input(errors: list[ErrorItem]) -> Problem:
+    """Problem of a request whose fields are wrong."""
+    detail = "; ".join(
+        f"{each.pointer.lstrip('/').replace('/', '.') or 'The body'} {each.detail}"
+        for each in errors
+    )
+    return Problem(422, "invalid-input", "The input is wrong", detail, errors)
+
+
+def too_large(limit: int) -> Problem:
+    """Problem of a body above the limit."""
+    return Problem(413, "too-large", "The request is too large", f"The body exceeds {limit} bytes")
+
+
+def pointer(path: Iterable[str | int]) -> str:
+    """JSON pointer (RFC 6901) of a path."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
+
+
+_COMPARISONS = {
+    "greater_than": ("gt", "must be greater than {}"),
+    "greater_than_equal": ("ge", "must be at least {}"),
+    "less_than": ("lt", "must be less than {}"),
+    "less_than_equal": ("le", "must be at most {}"),
+    "too_long": ("max_length", "must have at most {} entries"),
+    "too_short": ("min_length", "must have at least {} entries"),
+    "multiple_of": ("multiple_of", "must be a multiple of {}"),
+    "literal_error": ("expected", "must be one of {}"),
+}
+_MESSAGES = {
+    "missing": "is needed",
+    "extra_forbidden": "is not a known field",
+    "finite_number": "must be a finite number",
+    "float_type": "must be a number",
+    "int_type": "must be a whole number",
+    "int_from_float": "must be a whole number",
+    "bool_type": "must be true or false",
+    "string_type": "must be a text",
+    "list_type": "must be a list",
+    "tuple_type": "must be a list",
+    "dict_type": "must be an object",
+    "model_type": "must be an object",
+    "model_attributes_type": "must be an object",
+}
+"""What pydantic's error types say to a user; the only place where they are worded."""
+
+
+def _worded(error: dict[str, Any]) -> str:
+    kind, context = error["type"], error.get("ctx", {})
+    if kind == FIELD_ERROR:
+        return str(context["message"])
+    if kind in _COMPARISONS:
+        name, text = _COMPARISONS[kind]
+        value = context.get(name)
+        return text.format(f"{value:g}" if isinstance(value, float) else value)
+    if kind == "json_invalid":
+        return f"is not valid JSON: {context.get('error', '')}".rstrip(": ")
+    return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
+
+
+def _items(errors: Iterable[dict[str, Any]]) -> list[ErrorItem]:
+    items: dict[str, ErrorItem] = {}
+    for error in errors:
+        path = list(error["loc"])
+        if error["type"] == "json_invalid":
+            path = []
+        elif path and path[0] == "body":
+            path = path[1:]
+        if error["type"] == FIELD_ERROR:
+            path.append(error["ctx"]["field"])
+        # Branches of a union name themselves in the path; no field of ours is written that way.
+        path = [part for part in path if not re.search(r"[\[(A-Z].*[\])]|^[A-Z]\w+Fields$|^literal", str(part))]
+        place = pointer(path)
+        items.setdefault(place, ErrorItem(place, _worded(error)))
+    return list(items.values())
+
+
+def install(app: FastAPI) -> None:
+    """Make every error of the app a problem."""
+
+    async def on_problem(_: Request, problem: Exception) -> Response:
+        assert isinstance(problem, Problem)
+        return problem.response()
+
+    async def on_validation(_: Request, error: Exception) -> Response:
+        assert isinstance(error, RequestValidationError)
+        return invalid_input(_items(error.errors())).response()
+
+    async def on_http(_: Request, error: Exception) -> Response:
+        assert isinstance(error, HTTPException)
+        phrase = HTTPStatus(error.status_code).phrase
+        return Problem(
+            error.status_code,
+            phrase.lower().replace(" ", "-"),
+            phrase,
+            str(error.detail),
+            headers=dict(error.headers or {}),
+        ).response()
+
+    async def on_failure(_: Request, __: Exception) -> Response:
+        return Problem(
+            500, "failure", "The service failed", "This is an error of the service, not of the input"
+        ).response()
+
+    app.add_exception_handler(Problem, on_problem)
+    app.add_exception_handler(RequestValidationError, on_validation)
+    app.add_exception_handler(HTTPException, on_http)
+    app.add_exception_handler(Exception, on_failure)
+
+
+def finite(value: Any) -> bool:
+    """Whether a JSON value holds finite numbers only."""
+    if isinstance(value, float):
+        return math.isfinite(value)
+    if isinstance(value, dict):
+        return all(finite(each) for each in value.values())
+    if isinstance(value, list):
+        return all(finite(each) for each in value)
+    return True

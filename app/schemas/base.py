@@ -1,0 +1,179 @@
+"""What every request and answer shares: strictness, units, accuracy, warnings."""
+
+import re
+from typing import Any, Self, cast
+
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+from app.units import core_name, from_si, shown_unit, to_si
+from core.results import Accuracy, Notice
+
+FIELD_ERROR = "field_error"
+"""Error type of `field_error`; its context names the field."""
+
+
+_API_NAMES: dict[str, str] = {}
+
+
+def _register(model: type[BaseModel]) -> None:
+    for name in model.model_fields:
+        _API_NAMES.setdefault(core_name(name), name)
+
+
+def api_text(text: str) -> str:
+    """Text of a core refusal or notice with the API's names for ``{core_name}``."""
+    return re.sub(r"\{(\w+)\}", lambda found: _API_NAMES.get(found[1], found[1]), text)
+
+
+def _units_in_schema(schema: dict[str, Any]) -> None:
+    """Write each field's unit, which its name ends in, into the JSON schema."""
+    for name, field in schema.get("properties", {}).items():
+        unit = shown_unit(name)
+        if unit:
+            field["unit"] = unit
+
+
+class RequestModel(BaseModel):
+    """A request: numbers only, finite only, nothing unknown."""
+
+    model_config = ConfigDict(
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        json_schema_extra=_units_in_schema,
+    )
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        _register(cls)
+
+    def to_core(self) -> dict[str, Any]:
+        """The given fields as the core's arguments, in SI units."""
+        return {
+            core_name(name): to_si(name, value) for name, value in self if value is not None
+        }
+
+
+def quantity(
+    title: str,
+    *,
+    symbol: str,
+    group: str,
+    help: str = "",
+    step: float | None = None,
+    advanced: bool = False,
+    **limits: Any,
+) -> Any:
+    """A field with what the form needs to show it; its unit follows from its name.
+
+    Parameters
+    ----------
+    title, symbol : str
+        Name and symbol, as engineers write them.
+    group : str
+        Group of the form that the field belongs to.
+    help : str
+        What it is, in a sentence.
+    step : float, optional
+        By how much the arrow keys change it.
+    advanced : bool
+        Whether the form may fold it away.
+    **limits
+        Default and limits, as pydantic's `Field` takes them.
+    """
+    extra = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
+    return Field(
+        title=title,
+        description=help or None,
+        json_schema_extra=cast(Any, {key: val for key, val in extra.items() if val is not None}),
+        **limits,
+    )
+
+
+def field_error(field: str, message: str) -> PydanticCustomError:
+    """Error of a model's validator that belongs to one field."""
+    return PydanticCustomError(FIELD_ERROR, "{message}", {"field": field, "message": message})
+
+
+class ResponseModel(BaseModel):
+    """An answer: read from a core result by names without units."""
+
+    model_config = ConfigDict(json_schema_extra=_units_in_schema)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        _register(cls)
+
+    @classmethod
+    def from_core(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Self:
+        """Answer from a core result.
+
+        Parameters
+        ----------
+        result : object
+            Core result, in SI units, with attributes named as the fields without their units.
+        run_time_us : float, optional
+            What the calculation cost, for `accuracy`.
+        **given
+            Fields that are not read from the result.
+        """
+        values: dict[str, Any] = dict(given)
+        for name, info in cls.model_fields.items():
+            if name in values:
+                continue
+            if name == "accuracy":
+                values[name] = AccuracyOut.of(result.accuracy, run_time_us or 0.0)
+            elif name == "warnings":
+                if result.notices:
+                    values[name] = [WarningOut.of(each) for each in result.notices]
+            else:
+                value = getattr(result, core_name(name))
+                if value is not None:
+                    values[name] = _nested(info.annotation, from_si(name, value))
+        return cls.model_validate(values)
+
+
+def _nested(annotation: Any, value: Any) -> Any:
+    """Core dataclasses in a field become the answers that the field holds."""
+    inner = [
+        each
+        for each in (annotation, *getattr(annotation, "__args__", ()))
+        if isinstance(each, type) and issubclass(each, ResponseModel)
+    ]
+    if not inner:
+        return value
+    if isinstance(value, (list, tuple)):
+        return [inner[0].from_core(each) for each in value]
+    return inner[0].from_core(value)
+
+
+class AccuracyOut(BaseModel):
+    """How the numbers were got, how wrong they may be, and what they cost."""
+
+    method: str
+    relative_error: float = Field(description="Bound or estimate of the relative error.")
+    evaluations: int = Field(description="Evaluations of the function behind the method.")
+    run_time_us: float = Field(description="Run time of the calculation, microseconds.")
+
+    @classmethod
+    def of(cls, accuracy: Accuracy, run_time_us: float) -> Self:
+        """Accuracy of a core result with its run time."""
+        return cls(
+            method=accuracy.method,
+            relative_error=accuracy.relative_error,
+            evaluations=accuracy.evaluations,
+            run_time_us=round(run_time_us, 1),
+        )
+
+
+class WarningOut(BaseModel):
+    """A limit of validity that the result strains; the number is given all the same."""
+
+    code: str
+    detail: str
+
+    @classmethod
+    def of(cls, notice: Notice) -> Self:
+        """Warning of a core notice; the app's names stand in for the core's."""
+        return cls(code=notice.code, detail=api_text(notice.detail))

@@ -1,0 +1,176 @@
+"""Request and answer of the contact force."""
+
+from dataclasses import replace
+from typing import Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from app.schemas.base import (
+    AccuracyOut,
+    RequestModel,
+    ResponseModel,
+    WarningOut,
+    field_error,
+    quantity,
+)
+from app.schemas.mechanism import MechanismFields
+from app.units import to_si
+from core.contact_force import (
+    FloatArray,
+    force_ratios,
+    output_torque_from_input,
+    reference_force,
+)
+from core.crank_planetary import ContactForce, contact_force, drawing_angles, force_curves
+from core.errors import InvalidInput
+from core.mechanism import Mechanism
+
+ForceSection = Literal["curves", "equal_sharing", "approximation"]
+
+MAX_SAMPLES = 10_001
+MAX_CURVE_VALUES = 1_000_000
+
+
+class LoadFields(RequestModel):
+    """Torque, lever and load sharing of the pins, and what is asked of the force."""
+
+    output_torque_Nm: float | None = quantity(
+        "Output torque", symbol="T", group="load", default=None, gt=0, le=1e15, step=10,
+        help="Torque on the output link.",
+    )
+    input_torque_Nm: float | None = quantity(
+        "Input torque", symbol="T₁", group="load", default=None, gt=0, le=1e15, step=1,
+        help="Torque on the crankshaft; T = T₁·u·η.",
+    )
+    efficiency: float | None = quantity(
+        "Efficiency", symbol="η", group="load", default=None, gt=0, le=1, step=0.01,
+        help="Efficiency of the reducer, needed with the input torque.",
+    )
+    pin_circle_radius_mm: float = quantity(
+        "Pin circle radius", symbol="R", group="load", gt=0, le=1e6, step=1,
+        help="Radius of the circle of pin centres.",
+    )
+    force_exponent: float = quantity(
+        "Force exponent", symbol="v", group="load", default=1.0, ge=0, le=1e6, step=0.1,
+        help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
+    )
+    include: list[ForceSection] = Field(
+        default=[], description="Optional results: what is not named is not computed."
+    )
+    samples: int = quantity(
+        "Samples", symbol="", group="load", default=361, ge=2, le=MAX_SAMPLES, step=1,
+        advanced=True, help="Number of crank angles of the curves over one turn.",
+    )
+
+    @model_validator(mode="after")
+    def _one_torque(self) -> Self:
+        if self.output_torque_Nm is not None:
+            for name in ("input_torque_Nm", "efficiency"):
+                if getattr(self, name) is not None:
+                    raise field_error(
+                        name, "give either output_torque_Nm or input_torque_Nm and efficiency"
+                    )
+        elif self.input_torque_Nm is None:
+            raise field_error(
+                "output_torque_Nm",
+                "is needed: output_torque_Nm, or input_torque_Nm and efficiency",
+            )
+        elif self.efficiency is None:
+            raise field_error("efficiency", "is needed with input_torque_Nm")
+        return self
+
+    def torque(self, mechanism: Mechanism) -> float:
+        """Torque on the output link, N*m."""
+        if self.output_torque_Nm is not None:
+            return self.output_torque_Nm
+        assert self.input_torque_Nm is not None and self.efficiency is not None
+        return output_torque_from_input(
+            input_torque=self.input_torque_Nm,
+            ratio=mechanism.ratio,
+            efficiency=self.efficiency,
+        )
+
+    def solve_for(self, mechanism: Mechanism) -> ContactForce:
+        """Contact force of a mechanism under this load; what is not included is not computed."""
+        curves = "curves" in self.include
+        pairs = mechanism.pins * mechanism.satellites
+        if curves and self.samples * pairs > MAX_CURVE_VALUES:
+            raise InvalidInput(
+                "samples", self.samples, f"must be at most {MAX_CURVE_VALUES // pairs} for "
+                f"{pairs} pairs"
+            )
+        return contact_force(
+            mechanism=mechanism,
+            output_torque=self.torque(mechanism),
+            pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+            force_exponent=self.force_exponent,
+            curve_samples=self.samples if curves else None,
+            equal_sharing="equal_sharing" in self.include,
+            approximation="approximation" in self.include,
+        )
+
+    def forces_at(self, mechanism: Mechanism, crank_angle: float) -> FloatArray:
+        """Force of every pair, N, shape (K, N), at a crank angle, rad."""
+        reference = reference_force(
+            output_torque=self.torque(mechanism),
+            pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+        )
+        ratios = force_ratios(
+            mechanism=mechanism,
+            crank_angles=np.array([crank_angle]),
+            force_exponent=self.force_exponent,
+        )
+        forces: FloatArray = reference * ratios[0]
+        return forces
+
+    def solve_for_drawing(self, mechanism: Mechanism) -> tuple[ContactForce, FloatArray]:
+        """Contact force with curves fit to be drawn, and the switching angles, rad."""
+        angles, switching = drawing_angles(mechanism=mechanism)
+        force = self.model_copy(update={"include": []}).solve_for(mechanism)
+        curves = force_curves(
+            mechanism=mechanism,
+            crank_angle=angles,
+            reference=force.reference_force,
+            force_exponent=self.force_exponent,
+        )
+        return replace(force, curves=curves), switching
+
+
+class ContactForceRequest(MechanismFields, LoadFields):
+    """A mechanism and its load."""
+
+    def solve(self) -> ContactForce:
+        """Contact force of the mechanism under the load."""
+        return self.solve_for(self.mechanism())
+
+
+class PairOut(ResponseModel):
+    """A pair of hole and pin by number."""
+
+    satellite: int
+    pin: int
+
+
+class ForceCurvesOut(ResponseModel):
+    """Force of every pair over the turn: one list for each pair, in the order of `pairs`."""
+
+    crank_angle_deg: list[float]
+    force_N: list[list[float]]
+    pairs: list[PairOut]
+
+
+class ContactForceResponse(ResponseModel):
+    """The exact peak of the contact force, and what was asked besides."""
+
+    reference_force_N: float
+    peak_force_N: float
+    peak_force_ratio: float
+    peak_crank_angle_deg: float
+    peak_pair: PairOut
+    curves: ForceCurvesOut | None = None
+    equal_sharing_peak_N: float | None = None
+    approximate_peak_N: float | None = None
+    approximate_peak_error: float | None = None
+    accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None

@@ -1,0 +1,184 @@
+"""Request and answer of the crank-planetary reducer as one job."""
+
+from functools import cached_property
+from typing import Literal, Self
+
+from pydantic import Field, model_validator
+
+from app.schemas.base import (
+    AccuracyOut,
+    RequestModel,
+    ResponseModel,
+    WarningOut,
+    field_error,
+    quantity,
+)
+from app.schemas.contact_force import ContactForceResponse, LoadFields
+from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
+from app.schemas.hertz import ContactFields, HertzResponse
+from app.schemas.mechanism import Angle
+from app.units import from_si, to_si
+from core.contact_force import FloatArray
+from core.crank_planetary import ContactForce
+from core.hertz import HertzContact
+from core.mechanism import Mechanism
+from core.pin_geometry import PinGeometry, pin_geometry
+
+Section = Literal["cyclogram", "contact_force", "hertz", "geometry"]
+
+_NEEDS: dict[Section, tuple[str, ...]] = {
+    "cyclogram": (),
+    "contact_force": ("load",),
+    "hertz": ("load", "contact"),
+    "geometry": ("load", "contact"),
+}
+"""Which parts of the request each section of the answer needs."""
+
+
+class PinContactFields(ContactFields):
+    """Pin, hole and crank."""
+
+    eccentricity_mm: float | None = quantity(
+        "Eccentricity", symbol="e", group="contact", default=None, gt=0, le=1e6, step=0.5,
+        help="Eccentricity of the cranks; hole radius − pin radius where not given.",
+    )
+
+    def geometry(self, mechanism: Mechanism, crank_angle: float, radius: float) -> PinGeometry:
+        """Pins and holes at a crank angle, rad, on a pin circle of a radius, m."""
+        sizes = {
+            name: to_si("size_mm", value)
+            for name, value in (
+                ("pin_radius", self.pin_radius_mm),
+                ("hole_radius", self.hole_radius_mm),
+                ("eccentricity", self.eccentricity_mm),
+            )
+            if value is not None
+        }
+        sizes.setdefault("eccentricity", sizes["hole_radius"] - sizes["pin_radius"])
+        return pin_geometry(
+            mechanism=mechanism, crank_angle=crank_angle, pin_circle_radius=radius, **sizes
+        )
+
+
+class CrankPlanetaryRequest(RequestModel):
+    """Mechanism, load and contact, and which sections of the answer are wanted."""
+
+    mechanism: CyclogramRequest
+    load: LoadFields | None = None
+    contact: PinContactFields | None = None
+    crank_angle_deg: Angle = quantity(
+        "Crank angle", symbol="φ", group="mechanism", default=0.0, step=5, advanced=True,
+        help="Crank angle of the section geometry.",
+    )
+    include: list[Section] = Field(
+        default=["cyclogram", "contact_force", "hertz"],
+        min_length=1,
+        description="Sections of the answer: what is not named is not computed.",
+    )
+
+    @model_validator(mode="after")
+    def _parts_for_sections(self) -> Self:
+        for section in self.include:
+            for part in _NEEDS[section]:
+                if getattr(self, part) is None:
+                    raise field_error(part, f"is needed for the section {section}")
+        return self
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """The mechanism, built once for all sections."""
+        return self.mechanism.mechanism()
+
+    def solve_force(self) -> ContactForce:
+        """Contact force; without its own section only what the others need of it."""
+        assert self.load is not None
+        load = self.load
+        if "contact_force" not in self.include:
+            load = load.model_copy(update={"include": []})
+        return load.solve_for(self.built)
+
+    def solve_hertz(self, force: ContactForce) -> HertzContact:
+        """Contact under the peak force."""
+        assert self.contact is not None
+        return self.contact.solve_for(force.peak_force)
+
+    def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
+        """Pins and holes at the crank angle, and the force of each pair there, N."""
+        assert self.load is not None and self.contact is not None
+        crank_angle = to_si("crank_angle_deg", self.crank_angle_deg)
+        radius = to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm)
+        forces = self.load.forces_at(self.built, crank_angle)
+        return self.contact.geometry(self.built, crank_angle, radius), forces
+
+
+class PointOut(ResponseModel):
+    """A pin with its centre."""
+
+    pin: int
+    centre_mm: tuple[float, float]
+
+
+class PairGeometryOut(ResponseModel):
+    """Hole, contact point and pressure angle of one pair."""
+
+    satellite: int
+    pin: int
+    hole_centre_mm: tuple[float, float]
+    contact_point_mm: tuple[float, float]
+    pressure_angle_deg: float
+    driving: bool
+    force_N: float
+
+
+class GeometryOut(ResponseModel):
+    """Pins and holes at a crank angle (Y up through pin 1 at crank angle 0, X right)."""
+
+    clearance_mm: float
+    pins: list[PointOut]
+    pairs: list[PairGeometryOut]
+    accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
+
+    @classmethod
+    def from_core(
+        cls,
+        result: tuple[PinGeometry, FloatArray],
+        run_time_us: float | None = None,
+        **given: object,
+    ) -> Self:
+        """Answer from the geometry and the forces of the pairs, N, satellite by satellite."""
+        geometry, forces = result
+        satellites, pins = geometry.driving.shape
+        force = from_si("force_N", forces)
+        centres = from_si("centre_mm", geometry.pin_centres)
+        holes = from_si("hole_centre_mm", geometry.hole_centres)
+        contacts = from_si("contact_point_mm", geometry.contact_points)
+        angles = from_si("pressure_angle_deg", geometry.pressure_angles)
+        return super().from_core(
+            geometry,
+            run_time_us,
+            pins=[PointOut(pin=n + 1, centre_mm=centres[n]) for n in range(pins)],
+            pairs=[
+                PairGeometryOut(
+                    satellite=j + 1,
+                    pin=n + 1,
+                    hole_centre_mm=holes[j][n],
+                    contact_point_mm=contacts[j][n],
+                    pressure_angle_deg=angles[j][n],
+                    driving=bool(geometry.driving[j, n]),
+                    force_N=force[j][n],
+                )
+                for j in range(satellites)
+                for n in range(pins)
+            ],
+            **given,
+        )
+
+
+class CrankPlanetaryResponse(ResponseModel):
+    """One section for each that was asked."""
+
+    cyclogram: CyclogramResponse | None = None
+    contact_force: ContactForceResponse | None = None
+    hertz: HertzResponse | None = None
+    geometry: GeometryOut | None = None

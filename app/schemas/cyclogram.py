@@ -1,0 +1,99 @@
+"""Request and answer of the cyclogram."""
+
+from typing import Self
+
+from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, quantity
+from app.schemas.mechanism import MechanismFields
+from app.units import from_si
+from core.cyclogram import Cyclogram, cyclogram
+from core.mechanism import AssemblyAngle, assembly_angles
+
+Range = tuple[float, float]
+
+
+class RangeFields(RequestModel):
+    """How much of the turn the cyclogram shows."""
+
+    revolutions: float = quantity(
+        "Crank revolutions", symbol="", group="mechanism", default=1.0, gt=0, le=1e6, step=1,
+        advanced=True, help="Length of the cyclogram, in turns of the crank.",
+    )
+
+
+class CyclogramRequest(MechanismFields, RangeFields):
+    """A mechanism and the range of its cyclogram."""
+
+    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
+        """Cyclogram, and the assembly angles where the numbers of teeth are given."""
+        mechanism = self.mechanism()
+        assembly = (
+            assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
+            if self.satellite_teeth is not None
+            else None
+        )
+        return cyclogram(mechanism=mechanism, revolutions=self.revolutions), assembly
+
+
+class DrivingPairOut(ResponseModel):
+    """When one pair drives."""
+
+    satellite: int
+    pin: int
+    driving_deg: list[Range]
+
+
+class CountIntervalOut(ResponseModel):
+    """A range of crank angle with one number of driving pairs."""
+
+    from_deg: float
+    to_deg: float
+    pairs: int
+
+
+class AssemblyAngleOut(ResponseModel):
+    """Rotation of one satellite's holes against its teeth."""
+
+    satellite: int
+    hole_rotation_deg: float
+    identical: bool
+
+
+class CyclogramResponse(ResponseModel):
+    """Which pairs drive, when, how many together."""
+
+    working_phase_deg: float
+    period_deg: float
+    pattern_period_deg: float
+    pairs: list[DrivingPairOut]
+    driving_count: list[CountIntervalOut]
+    min_driving: int
+    max_driving: int
+    mean_driving: float
+    dead_centres_deg: list[float]
+    dead_zones_deg: list[Range] | None = None
+    assembly: list[AssemblyAngleOut] | None = None
+    accuracy: AccuracyOut
+
+    @classmethod
+    def from_core(
+        cls,
+        result: tuple[Cyclogram, tuple[AssemblyAngle, ...] | None],
+        run_time_us: float,
+    ) -> Self:
+        """Answer from the core's result."""
+        found, assembly = result
+        zones = found.dead_zones
+        return super().from_core(
+            found,
+            run_time_us=run_time_us,
+            driving_count=[
+                CountIntervalOut(
+                    from_deg=from_si("from_deg", each.start),
+                    to_deg=from_si("to_deg", each.end),
+                    pairs=each.pairs,
+                )
+                for each in found.driving_count
+            ],
+            dead_zones_deg=from_si("dead_zones_deg", zones) if zones else None,
+            assembly=assembly and [AssemblyAngleOut.from_core(each) for each in assembly],
+        )

@@ -1,0 +1,128 @@
+"""Request and answer of the Hertz contact of pin and hole."""
+
+from typing import Literal
+
+from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, WarningOut, quantity
+from app.units import to_si
+from core.contact_force import FloatArray
+from core.hertz import HertzContact, conformal_profile, hertz, pressure_profile
+from core.materials import MATERIALS, ElasticMaterial, lower_allowable_pressure
+
+MaterialName = Literal[tuple(MATERIALS)]  # type: ignore[valid-type]
+
+
+class MaterialFields(RequestModel):
+    """A material by its values."""
+
+    youngs_modulus_GPa: float = quantity(
+        "Young's modulus", symbol="E", group="material", gt=0, le=1e6, step=1,
+    )
+    poissons_ratio: float = quantity(
+        "Poisson's ratio", symbol="ν", group="material", ge=0, lt=0.5, step=0.01,
+    )
+    allowable_pressure_MPa: float | None = quantity(
+        "Allowable pressure", symbol="p_zul", group="material", default=None, gt=0, le=1e6,
+        step=10, help="Allowable contact pressure; gives the safety factor.",
+    )
+
+    def material(self) -> ElasticMaterial:
+        """The material in SI units."""
+        return ElasticMaterial(**self.to_core())
+
+
+def material_of(given: str | MaterialFields) -> ElasticMaterial:
+    """Material of a name of the table or of its values."""
+    return given.material() if isinstance(given, MaterialFields) else MATERIALS[given].material
+
+
+class ContactFields(RequestModel):
+    """Pin and hole: sizes, materials, load factors."""
+
+    contact_length_mm: float = quantity(
+        "Contact length", symbol="b", group="contact", gt=0, le=1e6, step=1,
+        help="Length of the contact along the pin: the width of the satellite.",
+    )
+    pin_radius_mm: float = quantity(
+        "Pin radius", symbol="r_in", group="contact", gt=0, le=1e6, step=0.5,
+        help="Radius of the pin, or of its sleeve.",
+    )
+    hole_radius_mm: float = quantity(
+        "Hole radius", symbol="r_out", group="contact", gt=0, le=1e6, step=0.5,
+        help="Radius of the hole in the satellite: pin radius + eccentricity.",
+    )
+    pin_material: MaterialName | MaterialFields = quantity(
+        "Pin material", symbol="", group="contact", default="steel_bearing",
+        help="A name of the table of materials, or values.",
+    )
+    hole_material: MaterialName | MaterialFields = quantity(
+        "Hole material", symbol="", group="contact", default="steel_through_hardened",
+        help="A name of the table of materials, or values.",
+    )
+    dynamic_factor: float = quantity(
+        "Dynamic factor", symbol="K_A", group="contact", default=1.0, gt=0, le=1e6, step=0.05,
+        help="Factor of the dynamic load.",
+    )
+    distribution_factor: float = quantity(
+        "Distribution factor", symbol="K_α", group="contact", default=1.0, gt=0, le=1e6,
+        step=0.05, help="Factor of uneven load sharing between the pairs.",
+    )
+
+    def allowable_pressure(self) -> float | None:
+        """Smaller allowable pressure of the two materials, Pa."""
+        return lower_allowable_pressure(
+            material_of(self.pin_material), material_of(self.hole_material)
+        )
+
+    def solve_for(self, force: float) -> HertzContact:
+        """Contact under a force, N."""
+        return hertz(
+            force=force,
+            contact_length=to_si("contact_length_mm", self.contact_length_mm),
+            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
+            hole_radius=to_si("hole_radius_mm", self.hole_radius_mm),
+            pin_material=material_of(self.pin_material),
+            hole_material=material_of(self.hole_material),
+            dynamic_factor=self.dynamic_factor,
+            distribution_factor=self.distribution_factor,
+        )
+
+
+class HertzRequest(ContactFields):
+    """Pin, hole and the force between them."""
+
+    force_N: float = quantity(
+        "Contact force", symbol="F", group="contact", ge=0, le=1e15, step=100,
+        help="Force between pin and hole.",
+    )
+
+    def solve(self) -> HertzContact:
+        """Contact under the force."""
+        return self.solve_for(self.force_N)
+
+    def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
+        """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
+        contact = self.solve()
+        profiles = [("Hertz", *pressure_profile(contact=contact))]
+        if contact.conformal_pressure is not None:
+            profiles.append(
+                ("Conformal (Persson)", *conformal_profile(contact=contact))
+            )
+        return profiles
+
+
+class HertzResponse(ResponseModel):
+    """Stress of the line contact of pin and hole."""
+
+    max_pressure_MPa: float
+    mean_pressure_MPa: float
+    half_width_mm: float
+    half_width_ratio: float
+    max_shear_MPa: float
+    max_shear_depth_mm: float
+    reduced_radius_mm: float
+    effective_modulus_GPa: float
+    conformal_pressure_MPa: float | None = None
+    conformal_half_angle_deg: float | None = None
+    safety_factor: float | None = None
+    accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None

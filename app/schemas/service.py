@@ -1,0 +1,64 @@
+"""Answers of the service about itself: health, materials, examples."""
+
+from typing import Any
+
+from app.schemas.base import ResponseModel
+from app.units import from_si
+from core.materials import TableMaterial
+
+
+class Health(ResponseModel):
+    """Whether the service works, and which it is."""
+
+    status: str
+    version: str
+
+
+class MaterialOut(ResponseModel):
+    """A material of the table."""
+
+    name: str
+    title: str
+    group: str
+    youngs_modulus_GPa: float
+    poissons_ratio: float
+    allowable_pressure_MPa: float | None = None
+    source: str
+
+    @classmethod
+    def of(cls, entry: TableMaterial) -> "MaterialOut":
+        """Answer of a table entry."""
+        values = {
+            name: from_si(name, getattr(entry.material, name.rsplit("_", 1)[0]))
+            for name in ("youngs_modulus_GPa", "allowable_pressure_MPa")
+        }
+        return cls(
+            name=entry.name,
+            title=entry.title,
+            group=entry.group,
+            poissons_ratio=entry.material.poissons_ratio,
+            source=entry.source,
+            **values,
+        )
+
+
+class Materials(ResponseModel):
+    """The table of materials."""
+
+    materials: list[MaterialOut]
+
+
+class Example(ResponseModel):
+    """A paper's figure or number as a ready request."""
+
+    id: str
+    title: str
+    source: str
+    calculation: str
+    input: dict[str, Any]
+
+
+class Examples(ResponseModel):
+    """All examples, in the order in which the page offers them."""
+
+    examples: list[Example]

@@ -1,0 +1,254 @@
+"""The load of the pins as one job: reference force, exact peak, and what is asked besides."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.contact_force import (
+    FloatArray,
+    approximate_peak_ratio,
+    approximation_notices,
+    force_ratios,
+    reference_force,
+)
+from core.errors import InvalidInput
+from core.mechanism import Mechanism
+from core.peak_force import peak_force
+from core.results import Accuracy, Notice
+
+
+@dataclass(frozen=True, slots=True)
+class PairNumber:
+    """A pair of hole and pin.
+
+    Attributes
+    ----------
+    satellite, pin : int
+        Numbers, from 1.
+    """
+
+    satellite: int
+    pin: int
+
+
+@dataclass(frozen=True, slots=True)
+class ForceCurves:
+    """Contact force of every pair over the turn.
+
+    Attributes
+    ----------
+    pairs : tuple of PairNumber
+        The pairs, satellite by satellite.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+    force : array, shape (K*N, n)
+        Force of each pair, N, satellite by satellite.
+    """
+
+    pairs: tuple[PairNumber, ...]
+    crank_angle: FloatArray
+    force: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class ContactForce:
+    """Contact force of the pairs.
+
+    Attributes
+    ----------
+    reference_force : float
+        F0 = T/R, N.
+    peak_force : float
+        Exact peak over the turn, N.
+    peak_force_ratio : float
+        Peak over F0, dimensionless.
+    peak_crank_angle : float
+        Smallest crank angle >= 0 of the peak, rad.
+    peak_pair : PairNumber
+        The pair that carries it there.
+    curves : ForceCurves or None
+        Forces over one turn of the crank, where asked.
+    equal_sharing_peak : float or None
+        Peak if all driving pairs carried the same (Zyl), N, where asked.
+    approximate_peak : float or None
+        Peak by Yanchevsky et al. 2018, eq. (5), N, where asked.
+    approximate_peak_error : float or None
+        Its relative error against the exact peak, dimensionless, signed.
+    accuracy : Accuracy
+        Of the peak.
+    notices : tuple of Notice
+        Limits that the approximation breaks, where it was asked.
+    """
+
+    reference_force: float
+    peak_force: float
+    peak_force_ratio: float
+    peak_crank_angle: float
+    peak_pair: PairNumber
+    curves: ForceCurves | None
+    equal_sharing_peak: float | None
+    approximate_peak: float | None
+    approximate_peak_error: float | None
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def contact_force(
+    *,
+    mechanism: Mechanism,
+    output_torque: float,
+    pin_circle_radius: float,
+    force_exponent: float = 1.0,
+    curve_samples: int | None = None,
+    equal_sharing: bool = False,
+    approximation: bool = False,
+) -> ContactForce:
+    """Contact force of the pairs: the exact peak, and what else is asked.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    output_torque : float
+        Torque T on the output link, N*m.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    curve_samples : int, optional
+        Number of evenly spaced crank angles from 0 to a full turn at which the force of every
+        pair is wanted, at least 2.
+    equal_sharing, approximation : bool
+        Whether the peaks of Zyl and of Yanchevsky et al. 2018, eq. (5), are wanted.
+
+    Returns
+    -------
+    ContactForce
+
+    Raises
+    ------
+    InvalidInput
+        If the exponent, the radius or the number of samples is out of range.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10); Yanchevsky et al. 2018, eq. (5); Zyl,
+    eq. (1), which is the exponent 0 of the former.
+
+    Examples
+    --------
+    Zyl's example: T = 50 N*m, R = 32.5 mm, six pins, one satellite: 888.23 N.
+
+    >>> m = Mechanism.evenly_spaced(pins=6, satellites=1, ratio=20.0)
+    >>> force = contact_force(mechanism=m, output_torque=50.0, pin_circle_radius=0.0325,
+    ...                       equal_sharing=True)
+    >>> round(force.equal_sharing_peak, 2), round(force.peak_force, 2)
+    (888.23, 512.82)
+    """
+    reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
+    peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
+    curves = None
+    if curve_samples is not None:
+        if curve_samples < 2:
+            raise InvalidInput("samples", curve_samples, "must be at least 2")
+        curves = force_curves(
+            mechanism=mechanism,
+            crank_angle=np.linspace(0.0, 2 * math.pi, curve_samples),
+            reference=reference,
+            force_exponent=force_exponent,
+        )
+    equal = (
+        reference * peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio
+        if equal_sharing
+        else None
+    )
+    approximate = (
+        approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)
+        if approximation
+        else None
+    )
+    return ContactForce(
+        reference_force=reference,
+        peak_force=reference * peak.peak_force_ratio,
+        peak_force_ratio=peak.peak_force_ratio,
+        peak_crank_angle=peak.peak_crank_angle,
+        peak_pair=PairNumber(peak.peak_satellite, peak.peak_pin),
+        curves=curves,
+        equal_sharing_peak=equal,
+        approximate_peak=None if approximate is None else reference * approximate,
+        approximate_peak_error=(
+            None if approximate is None else approximate / peak.peak_force_ratio - 1
+        ),
+        accuracy=peak.accuracy,
+        notices=(
+            approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
+            if approximation
+            else ()
+        ),
+    )
+
+
+def force_curves(
+    *, mechanism: Mechanism, crank_angle: FloatArray, reference: float, force_exponent: float
+) -> ForceCurves:
+    """Force of every pair at given crank angles.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+    reference : float
+        Reference force F0, N.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Returns
+    -------
+    ForceCurves
+    """
+    ratios = force_ratios(
+        mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
+    )
+    pairs = tuple(
+        PairNumber(satellite + 1, pin + 1)
+        for satellite in range(mechanism.satellites)
+        for pin in range(mechanism.pins)
+    )
+    return ForceCurves(
+        pairs=pairs,
+        crank_angle=crank_angle,
+        force=reference * ratios.reshape(len(crank_angle), len(pairs)).T,
+    )
+
+
+def drawing_angles(*, mechanism: Mechanism, samples: int = 361) -> tuple[FloatArray, FloatArray]:
+    """Crank angles that show forces over the turn faithfully, and the switching angles among them.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    samples : int
+        Number of evenly spaced angles.
+
+    Returns
+    -------
+    angles, switching : array
+        Evenly spaced angles with both sides of every switching angle between them, and the
+        switching angles, rad; over one turn, or over 12 periods of a pair where the turn has
+        more than 60.
+    """
+    period = mechanism.crank_angle_per_wave
+    end = 2 * math.pi if period >= 2 * math.pi / 60 else 12 * period
+    sector = period / mechanism.pins
+    first = period * np.array(mechanism.phases.switching())
+    switching = np.add.outer(sector * np.arange(math.ceil(end / sector)), first).ravel()
+    switching = switching[switching <= end]
+    beside = 1e-9 * period
+    angles = np.concatenate((np.linspace(0.0, end, samples), switching - beside, switching + beside))
+    return np.unique(np.clip(angles, 0.0, end)), switching
