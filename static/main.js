@@ -16,7 +16,10 @@ const live = document.getElementById("live");
 const kept = new Map(); // what was typed in calculators that are not open now
 let open = null;
 
-const service = Promise.all([client.get("/openapi.json"), client.get("/examples")]);
+const service = Promise.all([
+  createClient({ base: "" }).get("/openapi.json"),
+  client.get("/examples"),
+]);
 
 async function cataloguesOf(calculator) {
   const lists = new Map();

@@ -137,7 +137,7 @@ export function formModel(openapi, { path, groups, choices = [], hidden = [] }) 
     const section = id === null ? schema : resolve(schema.properties[id]);
     const own = choices.filter((choice) => id === null || choice.options[0].fields[0].startsWith(`${id}.`));
     const items = sectionItems(section, id ?? "", resolve, hidden);
-    return { id: id ?? "", title: section.title ?? "", items: withChoices(items, own) };
+    return { id: id ?? "", items: withChoices(items, own) };
   });
   const items = parts.flatMap((part) => part.items);
   const fields = new Map(

@@ -11,10 +11,11 @@ import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textOf
 import { query } from "./url_state.js";
 import { createExamples } from "./views/examples.js";
 import { createFigure } from "./views/figure.js";
-import { createForm } from "./views/form.js";
+import { createForm, problemText } from "./views/form.js";
 import { createResults, warningsOf } from "./views/results.js";
 import { currentTheme } from "./views/theme.js";
 import { createVerdict, spoken } from "./views/verdict.js";
+import { inWords } from "./wording.js";
 
 const DEBOUNCE_MS = 120;
 
@@ -34,20 +35,24 @@ async function askSections({ client, calculator, input, tables, signal }) {
   return { answer: null, refusal };
 }
 
-/** Part a refusal into what belongs to boxes on the screen and what does not. */
-function placed(refusal, shown) {
+/** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
+function placed(refusal, shown, titles) {
   const refused = {};
   const elsewhere = [];
   for (const { pointer = "", detail } of refusal?.errors ?? []) {
     const field = fieldAtPointer(shown, pointer);
-    if (field) refused[field.path] ??= detail;
-    else elsewhere.push(detail);
+    if (field) refused[field.path] ??= inWords(detail, titles);
+    else elsewhere.push(inWords(`${pointer.split("/").pop()} ${detail}`.trim(), titles));
   }
-  if (refusal && refusal.errors.length === 0) elsewhere.push(refusal.message);
+  if (refusal && refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
   return { refused, elsewhere };
 }
 
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, state, on }) {
+  const words = new Map([
+    ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
+    ...[...model.fields.values()].map(({ name, title }) => [name, title]),
+  ]);
   const newest = newestOnly();
   const tables = new Set();
   let reading = readState(model, state);
@@ -97,7 +102,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
   const verdict = createVerdict();
-  const results = createResults({ calculator });
+  const results = createResults({ calculator, words });
   const figures = calculator.figures.map((figure) => createFigure({
     figure,
     client,
@@ -141,9 +146,17 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     form.update({ state, input: reading.input, readings: reading.readings, refused });
   }
 
-  function show(status) {
+  /** `stale` says that the results on the screen are not of the inputs on the screen. */
+  function show(status, stale = status !== "fresh") {
     host.dataset.state = status;
-    verdict.setState(status);
+    host.dataset.stale = String(stale);
+    verdict.setState(status, stale);
+  }
+
+  function fieldWords(wrong) {
+    return Object.entries(wrong)
+      .map(([path, said]) => message("verdict.field", { title: model.fields.get(path).title, words: said }))
+      .join("; ");
   }
 
   /** After any change: what is typed is checked and shown at once, the answer follows. */
@@ -164,8 +177,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   function showWrong() {
     show("wrong");
-    const names = reading.wrong.map((at) => model.fields.get(at).title).join(", ");
-    verdict.setMessage("bad", message("verdict.fields", { titles: names }));
+    const said = reading.wrong.map((path) => [path, problemText(reading.readings[path])]);
+    const text = fieldWords(Object.fromEntries(said));
+    verdict.setMessage("bad", text);
+    return text;
   }
 
   async function compute() {
@@ -175,8 +190,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     on.state(state, asked);
     const { input, wrong } = reading;
     if (wrong.length > 0) {
-      showWrong();
-      on.say(message("verdict.fields", { titles: wrong.map((at) => model.fields.get(at).title).join(", ") }));
+      on.say(showWrong());
       return;
     }
     show("computing");
@@ -195,15 +209,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   }
 
   function settle(input, { answer, refusal }) {
-    const { refused: atFields, elsewhere } = placed(refusal, shownFields(model, state));
+    const { refused: atFields, elsewhere } = placed(refusal, shownFields(model, state), words);
     refused = atFields;
     showForm();
-    const titlesOfWrong = Object.keys(refused).map((path) => model.fields.get(path).title);
-    const words = [
-      ...elsewhere,
-      ...(titlesOfWrong.length > 0 ? [message("verdict.fields", { titles: titlesOfWrong.join(", ") })] : []),
-    ].join(" ");
-    show(!refusal ? "fresh" : titlesOfWrong.length > 0 ? "wrong" : "refused");
+    const atBoxes = fieldWords(refused);
+    const refusalText = [...elsewhere, atBoxes].filter(Boolean).join("; ");
+    show(!refusal ? "fresh" : atBoxes ? "wrong" : "refused", answer === null);
     if (answer) {
       drawn = { input, answer };
       const cells = calculator.verdict(answer);
@@ -211,7 +222,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       results.update(answer);
       for (const figure of figures) {
         if (answer[figure.section]) figure.setTables(answer);
-        else figure.clear(words);
+        else figure.clear(refusalText);
       }
       redraw();
       if (!refusal) {
@@ -221,15 +232,15 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       }
     }
     if (refusal) {
-      verdict.setMessage("bad", words);
-      on.say(words);
+      verdict.setMessage("bad", refusalText);
+      on.say(refusalText);
     }
   }
 
   function warningLine(warnings) {
     if (warnings.length === 0) return ["good", message("verdict.noWarnings")];
     const key = warnings.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
-    return ["warning", message(key, { count: warnings.length, first: warnings[0].detail })];
+    return ["warning", message(key, { count: warnings.length, first: inWords(warnings[0].detail, words) })];
   }
 
   function redraw() {

@@ -22,6 +22,10 @@ function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
   return { ...contact, force_N: answer.contact_force.peak_force_N };
 }
 
+function positive(value) {
+  return value > 0 ? value : NaN;
+}
+
 /** Tooth numbers of exactly this ratio, with a difference as small as usual; none where there are none. */
 function teethOf(ratio) {
   const difference = [2, 1, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
@@ -84,8 +88,7 @@ function pressureCell(section) {
   return {
     ...cell,
     level: within ? "good" : "bad",
-    note: message("verdict.limit", {
-      verdict: message(within ? "verdict.within" : "verdict.over"),
+    note: message(within ? "verdict.within" : "verdict.over", {
       limit: formatQuantity(section.max_pressure_MPa * safety, "MPa", 4),
       safety: formatNumber(safety, 3),
     }),
@@ -156,8 +159,12 @@ export default {
       value: ({ mechanism }) => 360 / (mechanism?.satellites ?? 2),
     },
     "contact.hole_radius_mm": {
-      formula: "r + e",
+      formula: "r_in + e",
       value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm),
+    },
+    "contact.eccentricity_mm": {
+      formula: "r_out − r_in",
+      value: ({ contact }) => positive(tidy(contact?.hole_radius_mm - contact?.pin_radius_mm)),
     },
   },
 
@@ -179,7 +186,7 @@ export default {
   },
 
   /** The sections in the order in which each needs the one before. */
-  sections: ["cyclogram", "contact_force", "hertz"],
+  sections: ["cyclogram", "contact_force", "hertz", "geometry"],
 
   request(input, sections, tables) {
     const optional = ["equal_sharing", "approximation", ...(tables.has("force") ? ["curves"] : [])];
@@ -195,8 +202,8 @@ export default {
     return [peakCell(answer.contact_force), pairsCell(answer.cyclogram), pressureCell(answer.hertz)];
   },
 
-  /** Lists that a figure shows, and so the results do not. */
-  tabled: ["pairs", "driving_count", "curves"],
+  /** Values of the answer that the figures and their tables show, or that only place the others. */
+  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg"],
 
   figures: [
     {

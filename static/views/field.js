@@ -25,7 +25,7 @@ export function createField(field, { suggestion, on }) {
     <div class="field kind-${field.kind}" data-path="${field.path}">
       <label for="${id}" title="${field.help}">${titleOf(field)}</label>
       <span class="entry">
-        ${suggestion && html`<button type="button" class="suggest" tabindex="0">${suggestion.formula}</button>`}
+        ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
         ${box(field, id)}
       </span>
       <span class="unit">${field.unit}</span>

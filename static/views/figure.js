@@ -5,8 +5,12 @@ import { message } from "../messages/index.js";
 import { loadPlotly } from "./plotly.js";
 import { tableMarkup } from "./table.js";
 
+// With a finger, dragging scrolls the page and does not zoom the figure.
+const HOVERS = matchMedia("(hover: hover)").matches;
+const NARROW_PX = 520;
 const CONFIG = {
   displaylogo: false,
+  displayModeBar: HOVERS ? "hover" : false,
   responsive: true,
   modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d"],
 };
@@ -71,8 +75,11 @@ export function createFigure({ figure, client, on }) {
       }
       const Plotly = await loadPlotly();
       complain("");
-      const layout = { ...chart.layout, height: undefined, width: undefined, autosize: true };
-      await Plotly.react(plot, chart.data, layout, CONFIG);
+      const { height, width, ...layout } = chart.layout; // the room kept on the page decides
+      if (!HOVERS) layout.dragmode = false;
+      // Half as many labels where they would not fit side by side.
+      if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis.dtick *= 2;
+      await Plotly.react(plot, chart.data, { ...layout, autosize: true }, CONFIG);
     },
     /** Say in the figure's place why there is none. */
     clear(detail) {

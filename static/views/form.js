@@ -15,7 +15,8 @@ function choiceAbout(choice) {
   };
 }
 
-function errorText(reading) {
+/** What is wrong with a box, in words; nothing for one that can be read. */
+export function problemText(reading) {
   if (!reading?.problem) return "";
   const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
   return message(`problem.${reading.problem}`, { limit });
@@ -70,7 +71,7 @@ export function createForm({ model, calculator, catalogues, on }) {
 
   for (const group of model.groups) {
     const part = element(html`
-      <fieldset class="group card" data-group="${group.id}"><legend>${group.title}</legend></fieldset>`);
+      <fieldset class="group card" data-group="${group.id}"><legend>${message(`group.${group.id}`)}</legend></fieldset>`);
     const rarely = group.items.filter((item) => item.advanced);
     for (const item of group.items.filter((one) => !one.advanced)) {
       if (item.path) {
@@ -113,7 +114,7 @@ export function createForm({ model, calculator, catalogues, on }) {
         if (names) view.setNames(names, state.texts[path]);
         view.setText(state.texts[path]);
         view.setMessage({
-          error: errorText(reading) || (refused[path] ?? ""),
+          error: problemText(reading) || (refused[path] ?? ""),
           note: noteOf(field, reading, state),
         });
       }

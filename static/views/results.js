@@ -2,10 +2,11 @@
 import { formatDuration, formatNumber, shownDigits, unitOf } from "../format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { inWords } from "../wording.js";
 import { symbolMarkup } from "./symbol.js";
 import { tableMarkup } from "./table.js";
 
-const ASIDE = ["accuracy", "warnings"];
+const ASIDE = ["accuracy", "warnings"]; // have their own place in each section
 
 function isScalar(value) {
   return ["number", "boolean", "string"].includes(typeof value);
@@ -29,8 +30,9 @@ function row([name, value], digits) {
   const text = asText(value, digits);
   if (text === null) return null;
   const [title, symbol = ""] = message(`quantity.${name}`);
+  const unit = value.length === 0 ? "" : unitOf(name);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
-    <td class="value">${text}</td><td class="unit-cell">${unitOf(name)}</td></tr>`;
+    <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${unit}</td></tr>`;
 }
 
 /** A list of flat records that no figure shows, as a table of its own. */
@@ -57,24 +59,25 @@ function accuracyMarkup({ method, relative_error: error, evaluations, run_time_u
   })}</p>`;
 }
 
-function warningsMarkup(warnings = []) {
+function warningsMarkup(warnings = [], words) {
   if (warnings.length === 0) return "";
   return html`<ul class="warnings">${warnings.map(({ detail }) =>
-    html`<li><span class="sign warning" aria-hidden="true">▲</span>${detail}</li>`)}</ul>`;
+    html`<li><span class="sign warning" aria-hidden="true">▲</span><span>${inWords(detail, words)}</span></li>`)}</ul>`;
 }
 
-function sectionMarkup(id, section, tabled) {
+function sectionMarkup(id, section, elsewhere, words) {
   if (!section) {
     return html`<section class="card result" data-section="${id}"><h3>${message(`section.${id}`)}</h3>
       <p class="missing">${message("results.missing")}</p></section>`;
   }
   const digits = shownDigits(section.accuracy.relative_error);
-  const entries = Object.entries(section).filter(([name]) => !ASIDE.includes(name));
-  const lists = entries.filter(([name, value]) => Array.isArray(value) && !tabled.includes(name));
+  const entries = Object.entries(section)
+    .filter(([name]) => !ASIDE.includes(name) && !elsewhere.includes(name));
+  const lists = entries.filter(([, value]) => Array.isArray(value));
   return html`
     <section class="card result" data-section="${id}">
       <h3>${message(`section.${id}`)}</h3>
-      ${warningsMarkup(section.warnings)}
+      ${warningsMarkup(section.warnings, words)}
       <table class="quantities">
         <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
           <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
@@ -86,13 +89,16 @@ function sectionMarkup(id, section, tabled) {
     </section>`;
 }
 
-/** `calculator.tabled` names the lists that figures show, and so the results do not. */
-export function createResults({ calculator }) {
+/**
+ * `calculator.elsewhere` names the values that are shown elsewhere or not at all; `words` the
+ * titles that stand for API names in warnings.
+ */
+export function createResults({ calculator, words }) {
   const root = element(html`<div class="results" aria-label="${message("results.label")}" role="region"></div>`);
   return {
     root,
     update: (answer) => fill(root, html`${calculator.sections.map((id) =>
-      sectionMarkup(id, answer[id], calculator.tabled))}`),
+      sectionMarkup(id, answer[id], calculator.elsewhere, words))}`),
   };
 }
 

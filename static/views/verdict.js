@@ -15,13 +15,14 @@ function cellMarkup({ label, value, unit, note, level }) {
     </div>`;
 }
 
-function stateMarkup(state) {
+function stateMarkup(state, stale) {
+  const note = message(stale ? `state.${state}Note` : state === "fresh" ? "state.freshNote" : "state.partNote");
   return html`
     <div class="cell state ${state}">
       <dt>${message("state.label")}</dt>
       <dd><span class="figures"><span class="sign ${state === "fresh" ? "good" : state === "computing" ? "" : "bad"}"
         aria-hidden="true">${STATE_SIGNS[state]}</span>${message(`state.${state}`)}</span>
-        <span class="note">${message(`state.${state}Note`)}</span></dd>
+        <span class="note">${note}</span></dd>
     </div>`;
 }
 
@@ -37,10 +38,7 @@ export function createVerdict() {
   return {
     root,
     setCells: (cells) => fill(numbers, html`${cells.map(cellMarkup)}`),
-    setState(state) {
-      root.dataset.state = state;
-      fill(now, stateMarkup(state));
-    },
+    setState: (state, stale) => fill(now, stateMarkup(state, stale)),
     /** One line that is always there: the problem, the first warning, or that there is none. */
     setMessage(level, text) {
       say.dataset.level = level;

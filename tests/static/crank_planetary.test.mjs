@@ -25,7 +25,7 @@ test("the verdict says over the limit in words, and what has not been computed",
   const [peak, pairs, pressure] = calculator.verdict({ cyclogram: CYCLOGRAM, hertz: HERTZ });
   assert.equal(peak.value, undefined);
   assert.equal(pairs.value, "2–4");
-  assert.match(pairs.note, /of 6, mean 3/);
+  assert.match(pairs.note, /of 6 pairs, mean 3/);
   assert.equal(pressure.level, "bad");
   assert.match(pressure.note, /Over the limit.*400.*0\.5/);
 });
