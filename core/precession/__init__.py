@@ -1,0 +1,16 @@
+"""Precessional gear with a roller wheel: from the contact lines to the shaft's deflection.
+
+The rollers of the central wheel stand parallel to its axis z at the radius R_C; z is measured
+from the precession centre. Roller frame: y from the axis through the roller's axis, z along the
+axis, x completing it; the polar angle phi of a contact point on the roller counts from the side
+that faces the axis. The wheel's frame is that of a roller with position angle phi1 = 0.
+
+Modules, in reading order
+-------------------------
+rollers           the rollers, one by one or as a wheel
+contact_curve     where one roller can touch the satellite's teeth, and quadrature along it
+contact_line      the lines between their limits, their lengths, points for drawing
+meshing_load      line load, force and moment that the satellite passes on
+shaft             sections of the input shaft, reactions on it, its diagrams
+shaft_deflection  deflection of the shaft at its bearings
+"""

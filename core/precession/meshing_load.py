@@ -1,0 +1,286 @@
+"""Line load of the contact lines, and the force and moment that the satellite passes on.
+
+With ``arm = -R_C*sin(phi)`` the direction of the load over its arm is free of angles:
+
+    n_x/arm = A/(R_C*z),   n_y/arm = -y/(R_C*z*sin(phi1)),   y = z + A*cos(phi1)
+
+so that force and moment are integrals of rational functions of z times ds/dz, the same for both
+flanks of a roller, and smooth but for z = 0.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.errors import InvalidInput
+from core.precession.contact_curve import FloatArray
+from core.precession.contact_line import ContactLine, contact_lines
+from core.precession.rollers import Roller
+from core.quadrature import TRUNCATION
+from core.results import ROUNDING, Accuracy, Notice
+
+Vector = tuple[float, float, float]
+
+SMALL_ARM = 0.1
+"""Arm over R_C below which the line load grows so steeply that lines in truth share it."""
+
+
+@dataclass(frozen=True, slots=True)
+class MeshingLoad:
+    """Load of the precessional gear's mesh.
+
+    Attributes
+    ----------
+    force : tuple of float, shape (3,)
+        Force F on the satellite and, through it, on the input shaft, N.
+    moment : tuple of float, shape (3,)
+        Its moment M_C about the point ``z = reference_z`` of the axis, N*m; its z is M1.
+    max_line_load : float
+        Largest load per length, N/m.
+    total_length : float
+        Sum of the lengths of the contact lines, m.
+    lines : tuple of ContactLine
+        The lines, on their loaded flanks.
+    force_error, moment_error : float
+        Bounds of the error of `force` and `moment`, N and N*m.
+    accuracy : Accuracy
+        Of `force` over its size, or over M1/R_C where that is larger because the rollers'
+        forces cancel out; and of `moment` over its size.
+    notices : tuple of Notice
+        Assumptions that the load strains.
+    """
+
+    force: Vector
+    moment: Vector
+    max_line_load: float
+    total_length: float
+    lines: tuple[ContactLine, ...]
+    force_error: float
+    moment_error: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def meshing_load(
+    *,
+    roller_circle_radius: float,
+    roller_radius: float,
+    nutation_angle: float,
+    ratio_u12: float,
+    rollers: Sequence[Roller],
+    torque: float,
+    reference_z: float,
+) -> MeshingLoad:
+    """Line load, force and moment of the mesh: ``q = M1/(sum s)/arm`` on every contact line.
+
+    Parameters
+    ----------
+    roller_circle_radius : float
+        Radius R_C of the circle of roller axes, m.
+    roller_radius : float
+        Radius rho of a roller, m.
+    nutation_angle : float
+        Nutation angle theta, rad.
+    ratio_u12 : float
+        Ratio u12 with the input shaft held, dimensionless.
+    rollers : sequence of RollerByLength or RollerByAngle
+        The rollers in mesh. Limits in z mean the loaded flank; limits in phi name a flank.
+    torque : float
+        Torque M1 on the central wheel, N*m, not 0; its sign chooses the flanks.
+    reference_z : float
+        Place l of the point C on the axis, m from the precession centre.
+
+    Returns
+    -------
+    MeshingLoad
+
+    Raises
+    ------
+    InvalidInput
+        As `contact_lines`; if the torque is 0.
+    ImpossibleMechanism
+        As `contact_lines`; if a line reaches phi = 0 (z = 0), where its load is unbounded.
+
+    Notes
+    -----
+    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10) prints ``n_y = cos(phi)``; the
+    outward normal, and the one of their own (22), (25), (26), has ``-cos(phi)``, with which the
+    arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from core.precession.rollers import RollerByLength
+    >>> load = meshing_load(
+    ...     roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=radians(6),
+    ...     ratio_u12=24/25, torque=10.0, reference_z=0.02,
+    ...     rollers=[RollerByLength(radians(angle), 0.015, 0.025) for angle in (30, 60, 90, 120)])
+    >>> [round(component, 7) for component in load.force]
+    [168.7561467, -337.6069542, 0.0]
+    >>> [round(component, 10) for component in load.moment]
+    [-0.0316199045, -0.0724918335, 10.0]
+    """
+    if not (torque != 0 and math.isfinite(torque)):
+        raise InvalidInput("torque", torque, "must not be 0")
+    if not math.isfinite(reference_z):
+        raise InvalidInput("reference_z", reference_z, "must be a finite number")
+    contacts = contact_lines(
+        roller_circle_radius=roller_circle_radius,
+        roller_radius=roller_radius,
+        nutation_angle=nutation_angle,
+        ratio_u12=ratio_u12,
+        rollers=rollers,
+        torque_sign=1 if torque > 0 else -1,
+    )
+    factor = torque / contacts.total_length / roller_circle_radius
+    shares = [_line_integrals(line, reference_z) for line in contacts.lines]
+    integrals = np.array([share[0] for share in shares])
+    errors = np.array([share[1] for share in shares])
+    x, y, moment_x, moment_y = (factor * math.fsum(column) for column in integrals.T)
+    force = (x, y, 0.0)
+    moment = (moment_x, moment_y, torque)
+    error_x, error_y, error_mx, error_my = (
+        abs(factor) * np.sum(errors, axis=0)
+        + (contacts.accuracy.relative_error + 3 * ROUNDING) * np.abs([x, y, moment_x, moment_y])
+    ).tolist()
+    force_error = math.hypot(error_x, error_y)
+    moment_error = math.hypot(error_mx, error_my)
+    least_arm = min(
+        _arm_ratio(line, z) for line in contacts.lines for z in (line.z_min, line.z_max)
+    )
+    return MeshingLoad(
+        force=force,
+        moment=moment,
+        max_line_load=abs(factor) / least_arm,
+        total_length=contacts.total_length,
+        lines=contacts.lines,
+        force_error=force_error,
+        moment_error=moment_error,
+        accuracy=Accuracy(
+            method=contacts.accuracy.method,
+            relative_error=max(
+                force_error / max(math.hypot(x, y), abs(torque) / roller_circle_radius),
+                moment_error / math.hypot(*moment),
+                contacts.accuracy.relative_error,
+            ),
+            evaluations=contacts.accuracy.evaluations + sum(share[2] for share in shares),
+        ),
+        notices=_notices(contacts.lines, torque, least_arm),
+    )
+
+
+def line_load(*, load: MeshingLoad, line: ContactLine, z: FloatArray) -> FloatArray:
+    """Load per length along a contact line: ``q = M1/(sum s)/(R_C*|sin(phi)|)``.
+
+    Parameters
+    ----------
+    load : MeshingLoad
+        The load.
+    line : ContactLine
+        One of its lines.
+    z : array
+        Places along the axis, m.
+
+    Returns
+    -------
+    array
+        N/m, as `z`.
+    """
+    curve = line.curve
+    factor = abs(load.moment[2]) / load.total_length / curve.roller_circle_radius
+    q: FloatArray = factor * np.hypot(z + curve.offset, curve.width) / np.abs(z * curve.sine)
+    return q
+
+
+def _arm_ratio(line: ContactLine, z: float) -> float:
+    """Arm over R_C, |sin(phi)|: along a line it is least at one of the ends."""
+    curve = line.curve
+    return abs(z * curve.sine) / math.hypot(z + curve.offset, curve.width)
+
+
+def _line_integrals(line: ContactLine, reference_z: float) -> tuple[FloatArray, FloatArray, int]:
+    """Integrals of ``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` over a line.
+
+    Returns them with their absolute errors and the number of nodes. The errors are those of
+    rounding, of the curve's width, and of its place: the integrals change by
+    ``[h*f] - integral h'*f`` where the stretch f = ds/dz moves along z under the rest h.
+    """
+    curve = line.curve
+    y, z, weight = curve.nodes(start=line.start, end=line.end, extent=line.extent, loaded=True)
+    slope = curve.slope(y)
+    stretch = np.hypot(1.0, slope)
+    scale, sine, offset = curve.scale, curve.sine, curve.offset
+    angle = curve.position_angle
+
+    def directions(y: FloatArray, z: FloatArray) -> FloatArray:
+        arm = z - reference_z
+        return np.array(
+            [scale / z, -y / (z * sine), y * arm / (z * sine), scale * arm / z], dtype=float
+        )
+
+    size = np.abs(directions(y, z))
+    integrals = np.array([math.fsum(row) for row in directions(y, z) * (weight * stretch)])
+    total = size @ (weight * stretch)
+    curved = size @ (weight * slope * (slope / stretch))
+
+    shift = curve.offset_error + ROUNDING * max(abs(line.start.y), abs(line.end.y))
+    places = np.array([[line.start.y, line.end.y], [line.start.z, line.end.z]])
+    ends = np.abs(directions(places[0], places[1]))
+    steepest = np.array([curve.steepest_stretch(float(place), shift) for place in places[0]])
+    inverse = np.abs(1 / z)
+    falling = np.array(
+        [
+            abs(scale) * inverse**2,
+            np.abs(offset / sine) * inverse**2,
+            np.abs((1 + offset * reference_z / z**2) / sine),
+            abs(scale * reference_z) * inverse**2,
+        ]
+    )
+    # y itself moves with the offset; z - l carries a rounding of its own
+    moving = np.array([0 * z, inverse / abs(sine), np.abs(1 - reference_z / z) / abs(sine), 0 * z])
+    rounded = np.array([0 * z, 0 * z, np.abs(y / (z * sine)), abs(scale) * inverse])
+    largest = max(abs(line.z_min), abs(line.z_max), abs(reference_z))
+    moved = shift * (ends @ steepest + (falling + moving) @ (weight * stretch))
+    factors = np.array(
+        [
+            curve.scale_error,
+            ROUNDING * abs(angle / math.tan(angle)),
+            ROUNDING * abs(angle / math.tan(angle)),
+            curve.scale_error,
+        ]
+    )
+    errors = (
+        (6 * ROUNDING + TRUNCATION + factors) * total
+        + curve.width_error * curved
+        + moved
+        + ROUNDING * largest * (rounded @ (weight * stretch))
+        + ends @ (steepest * np.array(line.end_errors))
+    )
+    return integrals, errors, len(y)
+
+
+def _notices(lines: tuple[ContactLine, ...], torque: float, least_arm: float) -> tuple[Notice, ...]:
+    found = [
+        Notice(
+            code="unloaded_flank",
+            detail=f"The limits of roller {index + 1} lie on the flank that the torque unloads: "
+            "the loaded one is half a turn of phi further, with the same force.",
+            value=float(line.arm_sign),
+            limit=math.copysign(1.0, torque),
+        )
+        for index, line in enumerate(lines)
+        if line.arm_sign * torque < 0
+    ]
+    if least_arm < SMALL_ARM:
+        found.append(
+            Notice(
+                code="small_arm",
+                detail="A contact line comes close to phi = 0, where the load has no arm: the "
+                "line load is concentrated there, more than elastic rollers would let it be.",
+                value=least_arm,
+                limit=SMALL_ARM,
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,115 @@
+"""Rollers of the precessional gear, one by one or as a wheel."""
+
+import math
+from dataclasses import dataclass
+
+from core.errors import InvalidInput
+from core.results import ROUNDING
+
+SAME = 8 * ROUNDING
+"""Relative difference below which two doubles stand for the same number."""
+
+
+@dataclass(frozen=True, slots=True)
+class RollerByLength:
+    """A roller and its working length.
+
+    Attributes
+    ----------
+    position_angle : float
+        Position angle phi1, rad.
+    z_min, z_max : float
+        Ends of the working length, m from the precession centre.
+    """
+
+    position_angle: float
+    z_min: float
+    z_max: float
+
+
+@dataclass(frozen=True, slots=True)
+class RollerByAngle:
+    """A roller and the polar angles at which its contact line begins and ends.
+
+    Attributes
+    ----------
+    position_angle : float
+        Position angle phi1, rad.
+    phi_min, phi_max : float
+        Polar angles of the ends, rad.
+    """
+
+    position_angle: float
+    phi_min: float
+    phi_max: float
+
+
+Roller = RollerByLength | RollerByAngle
+
+
+def stands_in_line(position_angle: float) -> bool:
+    """Whether sin(phi1) = 0, within the rounding of the angle.
+
+    Parameters
+    ----------
+    position_angle : float
+        Position angle phi1, rad.
+
+    Returns
+    -------
+    bool
+    """
+    return abs(math.sin(position_angle)) <= SAME * max(1.0, abs(position_angle))
+
+
+def wheel_rollers(
+    *,
+    rollers_total: int,
+    position_angle: float,
+    z_min: float,
+    z_max: float,
+    rollers_in_mesh: int | None = None,
+) -> tuple[RollerByLength, ...]:
+    """Evenly spaced rollers of a wheel: ``phi1 = position_angle + 2*pi*i/rollers_total``.
+
+    Which flank of each is loaded follows from the torque's sign, see `contact_lines`.
+
+    Parameters
+    ----------
+    rollers_total : int
+        Number z1 of rollers of the wheel, >= 1.
+    position_angle : float
+        Position angle phi1 of the first roller, rad.
+    z_min, z_max : float
+        Ends of the working length, m.
+    rollers_in_mesh : int, optional
+        How many of them touch the satellite, from the first one on; all without it.
+
+    Returns
+    -------
+    tuple of RollerByLength
+
+    Raises
+    ------
+    InvalidInput
+        If a number is below 1, more rollers are in mesh than there are, the working length is
+        not positive, or one of the rollers in mesh stands where sin(phi1) = 0.
+    """
+    if rollers_total < 1:
+        raise InvalidInput("rollers_total", rollers_total, "must be at least 1")
+    count = rollers_total if rollers_in_mesh is None else rollers_in_mesh
+    if not 1 <= count <= rollers_total:
+        raise InvalidInput(
+            "rollers_in_mesh", rollers_in_mesh, "must be at least 1 and at most {rollers_total}"
+        )
+    if not z_min < z_max:
+        raise InvalidInput("z_max", z_max, "must be larger than {z_min}")
+    angles = [position_angle + 2 * math.pi * (i / rollers_total) for i in range(count)]
+    for i, angle in enumerate(angles):
+        if stands_in_line(angle):
+            raise InvalidInput(
+                "position_angle",
+                position_angle,
+                f"puts roller {i + 1} at a multiple of half a turn: there its contact has no arm",
+            )
+    return tuple(RollerByLength(angle, z_min, z_max) for angle in angles)

@@ -1,0 +1,275 @@
+"""The precessional gear's input shaft: its sections, the reactions on it, its diagrams.
+
+The shaft is clamped at one end and free at the other, C; the satellite sits on it by two
+bearings, at C and at B, a distance a behind it towards the clamp, which is b behind B. Places
+along the shaft count from C.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from core.errors import InvalidInput
+from core.precession.contact_curve import FloatArray
+from core.results import ROUNDING
+
+Vector = tuple[float, float, float]
+Plane = tuple[float, float]
+
+SAME_LENGTH = 16 * ROUNDING
+"""Relative difference up to which the lengths of the sections add up to the shaft's."""
+
+
+@dataclass(frozen=True, slots=True)
+class ShaftSection:
+    """A stretch of the shaft of one diameter.
+
+    Attributes
+    ----------
+    length : float
+        Length, m, > 0.
+    diameter : float
+        Diameter, m, > 0.
+    """
+
+    length: float
+    diameter: float
+
+
+@dataclass(frozen=True, slots=True)
+class ShaftDiagram:
+    """Shear force, bending moment and deflection along the shaft.
+
+    Attributes
+    ----------
+    position : array, shape (n,)
+        Place along the shaft from C to the clamp, m; B occurs twice, before and after its load.
+    shear_force : array, shape (n, 2)
+        In the two planes, N: sum of the satellite's forces from C up to the place.
+    bending_moment : array, shape (n, 2)
+        In the two planes, N*m: moment of those forces about the place.
+    deflection : array, shape (n, 2)
+        In the two planes, m.
+    """
+
+    position: FloatArray
+    shear_force: FloatArray
+    bending_moment: FloatArray
+    deflection: FloatArray
+
+
+def bearing_reactions(
+    *, force: Vector, moment: Vector, bearing_distance: float
+) -> tuple[Plane, Plane]:
+    """Reactions at B and C: ``B = (-M_Cy, M_Cx)/a``, ``C = -F - B``.
+
+    Parameters
+    ----------
+    force : tuple of float, shape (3,)
+        Force F of the mesh on the satellite, N.
+    moment : tuple of float, shape (3,)
+        Its moment about C, N*m.
+    bearing_distance : float
+        Distance a from C to B, m, > 0.
+
+    Returns
+    -------
+    reaction_b, reaction_c : tuple of float, shape (2,)
+        N.
+
+    Raises
+    ------
+    InvalidInput
+        If the distance is not positive.
+
+    Notes
+    -----
+    Source: Khatetovsky et al. 2020, eqs (28)-(31). Erratum: the paper solves (28) as
+    ``C_x = F_x - B_x``; with it the forces in x do not add up to zero.
+    """
+    if not bearing_distance > 0:
+        raise InvalidInput("bearing_distance", bearing_distance, "must be larger than 0")
+    b = (-moment[1] / bearing_distance, moment[0] / bearing_distance)
+    return b, (-force[0] - b[0], -force[1] - b[1])
+
+
+def shaft_stretches(
+    *,
+    bearing_distance: float,
+    overhang: float,
+    youngs_modulus: float,
+    shaft_diameter: float | None,
+    shaft_sections: Sequence[ShaftSection] | None,
+) -> list[ShaftSection]:
+    """Check the shaft's sizes and give it as a list of sections.
+
+    Parameters
+    ----------
+    bearing_distance, overhang : float
+        Distances a and b, m; a has been checked with the reactions.
+    youngs_modulus : float
+        Young's modulus E, Pa.
+    shaft_diameter : float or None
+        Diameter of a shaft of one diameter, m.
+    shaft_sections : sequence of ShaftSection or None
+        The sections of a stepped shaft, from C to the clamp.
+
+    Returns
+    -------
+    list of ShaftSection
+
+    Raises
+    ------
+    InvalidInput
+        If a size is not positive, not exactly one of diameter and sections is given, or the
+        lengths of the sections do not add up to a + b.
+    """
+    for name, value in (("overhang", overhang), ("youngs_modulus", youngs_modulus)):
+        if not value > 0:
+            raise InvalidInput(name, value, "must be larger than 0")
+    length = bearing_distance + overhang
+    if shaft_sections is None:
+        if shaft_diameter is None:
+            raise InvalidInput("shaft_diameter", None, "or {shaft_sections} must be given")
+        if not shaft_diameter > 0:
+            raise InvalidInput("shaft_diameter", shaft_diameter, "must be larger than 0")
+        return [ShaftSection(length, shaft_diameter)]
+    if shaft_diameter is not None:
+        raise InvalidInput(
+            "shaft_sections", shaft_sections, "and {shaft_diameter} exclude each other"
+        )
+    for index, section in enumerate(shaft_sections):
+        for name, value in (("length", section.length), ("diameter", section.diameter)):
+            if not value > 0:
+                raise InvalidInput(
+                    f"shaft_sections[{index}].{name}", value, "must be larger than 0"
+                )
+    total = math.fsum(section.length for section in shaft_sections)
+    if not abs(total - length) <= SAME_LENGTH * length:
+        raise InvalidInput(
+            "shaft_sections",
+            total,
+            "must have lengths that add up to {bearing_distance} plus {overhang}",
+        )
+    return list(shaft_sections)
+
+
+def shaft_pieces(
+    *, sections: Sequence[ShaftSection], bearing_distance: float
+) -> list[tuple[float, float, float]]:
+    """Stretches of the shaft, cut at B.
+
+    Parameters
+    ----------
+    sections : sequence of ShaftSection
+        The shaft from C to the clamp.
+    bearing_distance : float
+        Place a of B, m.
+
+    Returns
+    -------
+    list of tuple
+        Start, end and diameter of each stretch, m.
+    """
+    ends = [0.0]
+    for section in sections:
+        ends.append(ends[-1] + section.length)
+    pieces = []
+    for (start, end), section in zip(pairwise(ends), sections, strict=True):
+        cuts = [start, bearing_distance, end] if start < bearing_distance < end else [start, end]
+        pieces += [(left, right, section.diameter) for left, right in pairwise(cuts)]
+    return pieces
+
+
+def bending_stiffness(*, youngs_modulus: float, diameter: float) -> float:
+    """Bending stiffness ``E*I = E*pi*d^4/64`` of a round section.
+
+    Parameters
+    ----------
+    youngs_modulus : float
+        Young's modulus E, Pa.
+    diameter : float
+        Diameter d, m.
+
+    Returns
+    -------
+    float
+        N*m^2.
+    """
+    return youngs_modulus * (math.pi / 64) * diameter**4
+
+
+def shaft_diagram(
+    *,
+    force: Vector,
+    moment: Vector,
+    bearing_distance: float,
+    overhang: float,
+    youngs_modulus: float,
+    shaft_diameter: float | None = None,
+    shaft_sections: Sequence[ShaftSection] | None = None,
+    samples: int = 101,
+) -> ShaftDiagram:
+    """Shear force, bending moment and deflected shape along the shaft, for drawing.
+
+    Parameters
+    ----------
+    force, moment : tuple of float, shape (3,)
+        Force of the mesh, N, and its moment about C, N*m.
+    bearing_distance, overhang : float
+        Distances a and b, m.
+    youngs_modulus : float
+        Young's modulus E, Pa.
+    shaft_diameter : float, optional
+        Diameter of the shaft, m; this or `shaft_sections`.
+    shaft_sections : sequence of ShaftSection, optional
+        The shaft's stretches from C to the clamp.
+    samples : int
+        Number of places, at least 2, besides B and the ends of the sections.
+
+    Returns
+    -------
+    ShaftDiagram
+
+    Raises
+    ------
+    InvalidInput
+        As `shaft_deflection`.
+    """
+    reaction_b, reaction_c = bearing_reactions(
+        force=force, moment=moment, bearing_distance=bearing_distance
+    )
+    sections = shaft_stretches(
+        bearing_distance=bearing_distance,
+        overhang=overhang,
+        youngs_modulus=youngs_modulus,
+        shaft_diameter=shaft_diameter,
+        shaft_sections=shaft_sections,
+    )
+    pieces = shaft_pieces(sections=sections, bearing_distance=bearing_distance)
+    at_b, at_c = -np.array(reaction_b), -np.array(reaction_c)
+    regular = np.linspace(0.0, bearing_distance + overhang, samples)
+    breaks = [piece[0] for piece in pieces[1:]]
+    position = np.sort(np.concatenate((np.setdiff1d(regular, breaks), breaks, [bearing_distance])))
+    behind = np.zeros(len(position), dtype=bool)
+    behind[np.searchsorted(position, bearing_distance) + 1 :] = True
+    place = position[:, None]
+    deflection = np.zeros((len(position), 2))
+    for start, end, diameter in pieces:
+        loads = at_c + at_b if start >= bearing_distance else at_c
+        zero = at_b * bearing_distance if start >= bearing_distance else 0.0
+        near, far = np.clip(place, start, end) - place, np.maximum(end - place, 0.0)
+        here = loads * place - zero
+        deflection += (
+            here * (far - near) * (far + near) / 2
+            + loads * (far - near) * (far * far + far * near + near * near) / 3
+        ) / bending_stiffness(youngs_modulus=youngs_modulus, diameter=diameter)
+    return ShaftDiagram(
+        position=position,
+        shear_force=at_c + behind[:, None] * at_b,
+        bending_moment=at_c * place + behind[:, None] * at_b * (place - bearing_distance),
+        deflection=deflection,
+    )
