@@ -148,6 +148,7 @@ export default {
     table: "Table",
     showTable: "Show as a table",
     failed: "No figure: {detail}",
+    noPlotly: "the drawing library could not be loaded",
     cyclogram: "Cyclogram",
     cyclogramLabel: "Cyclogram: which pin of which satellite drives at which crank angle, and how many drive at once.",
     force: "Contact forces",

@@ -65,15 +65,16 @@ export function createFigure({ figure, client, on }) {
     /** Draw the figure of this input; an older request that is still under way is given up. */
     async draw(input, answer, theme) {
       if (tabled) return;
-      loadPlotly();
-      const { answer: chart, problem, superseded } = await newest.ask((signal) =>
-        client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }));
+      const [{ answer: chart, problem, superseded }, Plotly] = await Promise.all([
+        newest.ask((signal) =>
+          client.post(figure.path, figure.body(input, answer), { signal, query: { theme } })),
+        loadPlotly().catch(() => null),
+      ]);
       if (superseded) return;
-      if (problem) {
-        complain(message("figure.failed", { detail: problem.message }));
+      if (problem || !Plotly) {
+        complain(message("figure.failed", { detail: problem?.message ?? message("figure.noPlotly") }));
         return;
       }
-      const Plotly = await loadPlotly();
       complain("");
       const { height, width, ...layout } = chart.layout; // the room kept on the page decides
       if (!HOVERS) layout.dragmode = false;

@@ -20,7 +20,10 @@ function runScript() {
 function settled(node) {
   return new Promise((resolve, reject) => {
     node.addEventListener("load", resolve);
-    node.addEventListener("error", () => reject(new Error(`cannot load ${node.src ?? node.href}`)));
+    node.addEventListener("error", () => {
+      node.remove();
+      reject(new Error(`cannot load ${node.src ?? node.href}`));
+    });
     document.head.append(node);
   });
 }
@@ -28,6 +31,9 @@ function settled(node) {
 let loading = null;
 
 export function loadPlotly() {
-  loading ??= Promise.all([linkStyles(), runScript()]).then(() => globalThis.Plotly);
+  loading ??= Promise.all([linkStyles(), runScript()]).then(() => globalThis.Plotly, (error) => {
+    loading = null; // the next figure tries again
+    throw error;
+  });
   return loading;
 }

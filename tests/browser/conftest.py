@@ -1,0 +1,137 @@
+"""The page in a real headless Chromium against a running service; every page is watched."""
+
+import os
+import shutil
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+import uvicorn
+from playwright import sync_api
+
+HERE = Path(__file__).parent
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if HERE in item.path.parents:
+            item.add_marker(pytest.mark.browser)
+
+
+def _chromium() -> str:
+    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+    if found:
+        return found
+    reason = (
+        "no Chromium on this machine: the page is not tested (Debian: apt-get install chromium)"
+    )
+    if os.environ.get("CI"):
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="session")
+def service() -> Iterator[str]:
+    """Address of the running service."""
+    from app.main import create_app
+
+    server = uvicorn.Server(
+        uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="warning")
+    )
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    deadline = time.monotonic() + 20
+    while not server.started and thread.is_alive() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert server.started, "the service did not start"
+    port = server.servers[0].sockets[0].getsockname()[1]
+    yield f"http://127.0.0.1:{port}"
+    server.should_exit = True
+    thread.join(timeout=10)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[sync_api.Browser]:
+    path = _chromium()
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=path, args=["--no-proxy-server", "--no-sandbox"]
+        )
+        yield browser
+        browser.close()
+
+
+@dataclass
+class Watch:
+    """What a page asked for and complained about."""
+
+    requests: list[str] = field(default_factory=list)
+    complaints: list[str] = field(default_factory=list)
+
+    def paths(self) -> list[str]:
+        """Paths of all requests, in order."""
+        return [urlsplit(url).path for url in self.requests]
+
+    def calculations(self) -> list[str]:
+        """Paths of what was asked of the API."""
+        return [path for path in self.paths() if path.startswith("/api/")]
+
+
+WATCH_SCRIPT = """
+globalThis.watched = { shift: 0, violations: [] };
+document.addEventListener("securitypolicyviolation", (event) => {
+  watched.violations.push(`${event.violatedDirective} ${event.blockedURI}`);
+});
+new PerformanceObserver((list) => {
+  for (const entry of list.getEntries()) {
+    if (!entry.hadRecentInput) watched.shift += entry.value;
+  }
+}).observe({ type: "layout-shift", buffered: true });
+"""
+
+
+@pytest.fixture
+def watch() -> Watch:
+    return Watch()
+
+
+@pytest.fixture
+def context(browser: sync_api.Browser) -> Iterator[sync_api.BrowserContext]:
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def page(context: sync_api.BrowserContext, service: str, watch: Watch) -> Iterator[sync_api.Page]:
+    """An empty page, watched: other hosts, console errors, broken policy fail the test at its end.
+
+    A refused request (422) is part of what is tested and no complaint.
+    """
+    context.add_init_script(WATCH_SCRIPT)
+    page = context.new_page()
+    page.set_default_timeout(10_000)
+    sync_api.expect.set_options(timeout=10_000)
+    page.on("request", lambda request: watch.requests.append(request.url))
+    page.on("pageerror", lambda error: watch.complaints.append(str(error)))
+    page.on(
+        "console",
+        lambda line: (
+            watch.complaints.append(line.text)
+            if line.type in ("error", "warning") and "status of 422" not in line.text
+            else None
+        ),
+    )
+    yield page
+    foreign = [
+        url
+        for url in watch.requests
+        if urlsplit(url).scheme in ("http", "https") and not url.startswith(service)
+    ]
+    assert foreign == [], "requests to other hosts"
+    assert watch.complaints == [], "errors in the console"
+    assert page.evaluate("() => watched.violations") == []

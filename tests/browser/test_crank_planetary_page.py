@@ -1,0 +1,451 @@
+"""The crank-planetary calculator as its user sees it: effects, not presence."""
+
+import json
+import re
+import time
+
+import httpx
+import pytest
+from playwright.sync_api import Error, expect
+
+ZYL = {
+    "mechanism.pins": "6",
+    "mechanism.satellites": "1",
+    "mechanism.ratio": "20",
+    "load.output_torque_Nm": "50",
+    "load.pin_circle_radius_mm": "32.5",
+    "load.force_exponent": "0",
+    "contact.contact_length_mm": "20",
+    "contact.pin_radius_mm": "5",
+    "contact.hole_radius_mm": "6.5",
+}
+DEAD = ZYL | {"mechanism.pins": "2"}
+
+
+TYPE = """([path, texts]) => {
+  const box = document.querySelector(`[data-path="${path}"] .box`);
+  for (const text of texts) {
+    box.value = text;
+    box.dispatchEvent(new Event("input", { bubbles: true }));
+  }
+}"""
+
+
+def query(fields: dict[str, str]) -> str:
+    return str(httpx.QueryParams({"calculator": "crank-planetary", "v": "1"} | fields))
+
+
+def show(page, service: str, fields: dict[str, str] | None = None, state: str = "fresh") -> None:
+    """Open the page (with these inputs) and wait until it has computed."""
+    page.goto(f"{service}/?{query(fields)}" if fields else service)
+    settled(page, state)
+
+
+def settled(page, state: str = "fresh") -> None:
+    expect(page.locator("#panel")).to_have_attribute("data-state", state)
+
+
+def box(page, path: str):
+    return page.locator(f'[data-path="{path}"] .box')
+
+
+def option(page, choice: str, name: str):
+    return page.locator(f'[data-choice="{choice}"] input[value="{name}"]')
+
+
+def add_digits(page, path: str, digits: str) -> None:
+    box(page, path).press("End")
+    box(page, path).press_sequentially(digits)
+
+
+def words_at(page, path: str):
+    return page.locator(f'[data-path="{path}"] .field-message')
+
+
+def number(text: str) -> float:
+    return float(re.sub(r"\s", "", text).replace("\u2212", "-"))
+
+
+def result(page, name: str) -> float:
+    return number(page.locator(f'.results [data-name="{name}"] .value').inner_text())
+
+
+def peak_cell(page):
+    return page.locator(".verdict .cell").first.locator(".figures")
+
+
+def change(page, action) -> None:
+    """Do something to the inputs and wait for the numbers of the new ones."""
+    with page.expect_response(
+        lambda response: response.url.endswith("/crank-planetary") and response.ok
+    ):
+        action()
+    settled(page)
+
+
+def test_opens_with_a_computed_example(page, service: str) -> None:
+    show(page, service)
+    first = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"][0]
+    body = first["input"] | {"include": ["cyclogram", "contact_force", "hertz"]}
+    answer = httpx.post(f"{service}/api/v1/crank-planetary", json=body, trust_env=False).json()
+    force = answer["contact_force"]
+    assert result(page, "peak_force_N") == pytest.approx(force["peak_force_N"], rel=1e-5)
+    assert result(page, "max_pressure_MPa") == pytest.approx(
+        answer["hertz"]["max_pressure_MPa"], rel=1e-5
+    )
+    expect(page.locator("#example")).to_have_value(first["id"])
+    expect(page.locator('[data-figure="cyclogram"] .barlayer path').first).to_be_visible()
+    pairs = first["input"]["mechanism"]["pins"] * first["input"]["mechanism"]["satellites"]
+    expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(pairs)
+
+
+def test_the_number_of_the_paper(page, service: str) -> None:
+    show(page, service, ZYL)
+    assert result(page, "peak_force_N") == pytest.approx(888.231, abs=5e-4)
+    assert number(peak_cell(page).inner_text()) == pytest.approx(888.231, abs=5e-4)
+    change(page, lambda: box(page, "mechanism.pins").fill("4"))
+    assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
+
+
+def test_typing_changes_numbers_and_figures(page, service: str) -> None:
+    show(page, service, ZYL)
+    lines = page.locator('[data-figure="force"] .scatterlayer .js-line')
+    expect(lines).to_have_count(6)
+    change(page, lambda: add_digits(page, "load.output_torque_Nm", "0"))
+    assert result(page, "peak_force_N") == pytest.approx(8882.31, abs=5e-3)
+    change(page, lambda: box(page, "mechanism.pins").fill("5"))
+    expect(lines).to_have_count(5)
+
+
+@pytest.mark.parametrize("typed", ["65,0", "65.0", "6.5e1", "0,065e3"])
+def test_every_way_to_write_a_number(page, service: str, typed: str) -> None:
+    show(page, service, ZYL)
+    change(page, lambda: box(page, "load.pin_circle_radius_mm").fill(typed))
+    assert result(page, "peak_force_N") == pytest.approx(888.2307692 / 2, rel=1e-5)
+    expect(box(page, "load.pin_circle_radius_mm")).to_have_value(typed)
+
+
+def test_thousands_commas_are_refused_with_words_and_kept(page, service: str, watch) -> None:
+    show(page, service, ZYL)
+    before = len(watch.calculations())
+    torque = box(page, "load.output_torque_Nm")
+    torque.fill("1,000.5")
+    settled(page, "wrong")
+    expect(words_at(page, "load.output_torque_Nm")).to_contain_text("One decimal sign")
+    expect(torque).to_have_attribute("aria-invalid", "true")
+    assert torque.get_attribute("aria-describedby") == words_at(
+        page, "load.output_torque_Nm"
+    ).get_attribute("id")
+    page.wait_for_timeout(300)
+    assert watch.calculations()[before:] == [], "nothing is asked with a box that cannot be read"
+    page.reload()
+    expect(torque).to_have_value("1,000.5")
+    change(page, lambda: torque.fill("50"))
+    expect(words_at(page, "load.output_torque_Nm")).not_to_contain_text("One decimal sign")
+    assert torque.get_attribute("aria-invalid") is None
+
+
+def test_the_services_words_stand_at_the_box_they_mean(page, service: str) -> None:
+    show(page, service, ZYL)
+    hole = box(page, "contact.hole_radius_mm")
+    hole.fill("4")
+    settled(page, "wrong")
+    expect(hole).to_have_attribute("aria-invalid", "true")
+    expect(words_at(page, "contact.hole_radius_mm")).to_contain_text("larger")
+    expect(hole).to_have_value("4")
+    # What does not need the wrong box is still there, and of the inputs on the screen.
+    assert result(page, "peak_force_N") == pytest.approx(888.231, abs=5e-4)
+    expect(page.locator('[data-section="hertz"]')).to_contain_text("Not computed")
+    change(page, lambda: hole.fill("6.5"))
+    assert hole.get_attribute("aria-invalid") is None
+
+
+def test_a_list_of_the_wrong_length_is_said_at_the_list(page, service: str) -> None:
+    show(page, service, ZYL | {"mechanism.satellites": "2"})
+    change(page, lambda: option(page, "cranks", "list").check())
+    angles = box(page, "mechanism.crank_angles_deg")
+    expect(angles).to_have_value("0; 180")
+    expect(box(page, "mechanism.crank_spacing_deg")).not_to_be_visible()
+    angles.fill("0; 90; 180")
+    settled(page, "wrong")
+    expect(angles).to_have_attribute("aria-invalid", "true")
+    change(page, lambda: angles.fill("0; 90"))
+
+
+def test_a_dead_centre_is_a_cyclogram_and_words(page, service: str) -> None:
+    show(page, service, DEAD, state="refused")
+    expect(page.locator(".say")).to_contain_text(re.compile("transmit", re.IGNORECASE))
+    expect(page.locator(".verdict .cell.bad").first).to_contain_text("none at")
+    expect(page.locator('[data-figure="cyclogram"] .barlayer path').first).to_be_visible()
+    expect(page.locator('[data-figure="force"] .figure-message')).to_be_visible()
+    assert "∞" not in page.inner_text("body") and "NaN" not in page.inner_text("body")
+
+
+def test_other_options_start_from_the_same_design(page, service: str) -> None:
+    show(page, service, ZYL)
+    change(page, lambda: option(page, "ratio", "teeth").check())
+    change(page, lambda: option(page, "torque", "input").check())
+    own = option(page, "contact.pin_material", "own")
+    pressure = result(page, "max_pressure_MPa")
+    change(page, own.check)
+    assert result(page, "peak_force_N") == pytest.approx(888.231, abs=5e-4)
+    assert result(page, "max_pressure_MPa") == pressure
+    assert page.locator('[data-section="cyclogram"] table.data').inner_text().count("yes") >= 1
+
+
+def test_the_suggested_size_is_put_in(page, service: str) -> None:
+    show(page, service, ZYL | {"mechanism.satellites": "4"})
+    field = page.locator('[data-path="mechanism.crank_spacing_deg"]')
+    assert field.locator(".box").get_attribute("placeholder") == "90"
+    change(page, field.locator("button").click)
+    expect(field.locator(".box")).to_have_value("90")
+
+
+def test_an_example_picked_fills_the_form(page, service: str) -> None:
+    show(page, service)
+    examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
+    zyl = next(one for one in examples if "888" in one["title"])
+    change(page, lambda: page.locator("#example").select_option(zyl["id"]))
+    expect(box(page, "mechanism.pins")).to_have_value("6")
+    expect(page.locator("#example-source")).to_contain_text("Zyl")
+    change(page, lambda: box(page, "mechanism.pins").fill("7"))
+    expect(page.locator("#example")).to_have_value("")
+
+
+def test_the_address_reopened_gives_the_same_numbers(page, service: str) -> None:
+    show(page, service)
+    change(page, lambda: box(page, "mechanism.pins").fill("5"))
+    change(page, lambda: box(page, "load.pin_circle_radius_mm").fill("41,5"))
+    change(page, lambda: option(page, "cranks", "list").check())
+    change(page, lambda: box(page, "mechanism.crank_angles_deg").fill("0; 100,5"))
+    numbers = page.locator(".results .value").all_inner_texts()
+    address = page.url
+    assert "mechanism.crank_angles_deg=0%3B100.5" in address and "force_exponent" not in address
+    page.goto("about:blank")
+    page.goto(address)
+    settled(page)
+    assert page.locator(".results .value").all_inner_texts() == numbers
+    assert page.url == address
+
+
+def test_stale_numbers_are_greyed_and_late_answers_dropped(page, service: str) -> None:
+    show(page, service, ZYL)
+    release = []
+
+    def hold(route) -> None:
+        if '"pins":9' in (route.request.post_data or ""):
+            release.append(route)
+        else:
+            route.continue_()
+
+    page.route("**/api/v1/crank-planetary", hold)
+    box(page, "mechanism.pins").fill("9")
+    settled(page, "computing")
+    deadline = time.monotonic() + 5
+    while not release and time.monotonic() < deadline:
+        page.wait_for_timeout(20)
+    page.wait_for_timeout(150)
+    opacity = page.locator(".results").evaluate("node => getComputedStyle(node).opacity")
+    assert float(opacity) < 0.9
+    change(page, lambda: box(page, "mechanism.pins").fill("4"))
+    try:
+        release[0].continue_()
+    except Error:
+        pass  # The browser has already given the request up.
+    page.wait_for_timeout(200)
+    assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
+
+
+def test_typing_quickly_asks_once(page, service: str, watch) -> None:
+    show(page, service, ZYL)
+    before = watch.paths().count("/api/v1/crank-planetary")
+    texts = ["5", "50", "500", "5000", "50000"]
+    change(page, lambda: page.evaluate(TYPE, ["load.output_torque_Nm", texts]))
+    assert result(page, "peak_force_N") == pytest.approx(888230.77, rel=1e-5)
+    assert watch.paths().count("/api/v1/crank-planetary") == before + 1
+
+
+def test_enter_does_not_wait(page, service: str) -> None:
+    show(page, service, ZYL)
+    with page.expect_request("**/api/v1/crank-planetary") as asked:
+        page.evaluate(
+            """() => {
+              const box = document.querySelector('[data-path="mechanism.pins"] .box');
+              box.value = "8";
+              box.dispatchEvent(new Event("input", { bubbles: true }));
+              globalThis.typedAt = performance.now();
+              box.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+            }"""
+        )
+    assert json.loads(asked.value.post_data)["mechanism"]["pins"] == 8
+    settled(page)
+    started = page.evaluate(
+        """() => performance.getEntriesByType("resource")
+          .filter((entry) => entry.name.endsWith("/crank-planetary")).at(-1).startTime - typedAt"""
+    )
+    assert started < 60
+
+
+def test_only_what_is_shown_is_asked(page, service: str) -> None:
+    show(page, service, ZYL)
+    toggle = page.locator('[data-figure="force"] .toggle')
+    with page.expect_request("**/api/v1/crank-planetary") as asked:
+        change(page, toggle.click)
+    body = json.loads(asked.value.post_data)
+    assert "curves" in body["load"]["include"]
+    rows = page.locator('[data-figure="force"] table.data tbody tr')
+    shown = [number(cell) for cell in rows.nth(10).locator("td").all_inner_texts()]
+    answer = httpx.post(f"{service}/api/v1/crank-planetary", json=body, trust_env=False).json()[
+        "contact_force"
+    ]["curves"]
+    assert rows.count() == len(answer["crank_angle_deg"])
+    assert shown == pytest.approx(
+        [answer["crank_angle_deg"][10], *(pair[10] for pair in answer["force_N"])],
+        rel=1e-5,
+        abs=1e-9,
+    )
+    with page.expect_request("**/api/v1/crank-planetary") as asked:
+        change(page, toggle.click)
+    assert "curves" not in json.loads(asked.value.post_data)["load"]["include"]
+    expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(6)
+
+
+def test_keyboard_alone(page, service: str) -> None:
+    show(page, service, ZYL)
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("() => document.activeElement.closest('[data-path]')?.dataset.path") == (
+            "mechanism.pins"
+        ):
+            break
+    else:
+        pytest.fail("the box of the pins cannot be reached with Tab")
+    change(page, lambda: page.keyboard.press("ArrowDown"))
+    expect(box(page, "mechanism.pins")).to_have_value("5")
+    change(page, lambda: page.keyboard.press("Shift+ArrowUp"))
+    expect(box(page, "mechanism.pins")).to_have_value("15")
+    page.keyboard.press("?")
+    expect(page.get_by_role("dialog")).to_be_visible()
+    expect(box(page, "mechanism.pins")).to_have_value("15")
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog")).not_to_be_visible()
+    expect(box(page, "mechanism.pins")).to_be_focused()
+    page.keyboard.press("Alt+1")
+    expect(page.get_by_role("tab", name="Crank planetary")).to_be_focused()
+    option(page, "ratio", "value").focus()
+    change(page, lambda: page.keyboard.press("ArrowRight"))
+    expect(box(page, "mechanism.satellite_teeth")).to_be_visible()
+
+
+def test_enter_with_a_wrong_box_goes_to_it(page, service: str) -> None:
+    show(page, service, ZYL)
+    box(page, "mechanism.ratio").fill("u")
+    box(page, "contact.pin_radius_mm").press("Enter")
+    expect(box(page, "mechanism.ratio")).to_be_focused()
+
+
+def test_the_verdict_is_spoken(page, service: str) -> None:
+    show(page, service, ZYL)
+    live = page.locator("#live")
+    expect(live).to_contain_text("Peak force 888.231 N")
+    box(page, "mechanism.pins").fill("0")
+    expect(live).to_contain_text("Pins: Must be 1 or more")
+    expect(page.locator("[aria-live]")).to_have_count(1)
+
+
+@pytest.mark.parametrize("width", [390, 360, 320])
+def test_narrow_pages_do_not_scroll_sideways(page, service: str, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 844})
+    show(page, service)
+    expect(page.locator('[data-figure="force"] .scatterlayer .js-line').first).to_be_attached()
+    wide = page.evaluate(
+        """() => [...document.querySelectorAll("body *")]
+          .filter((node) => node.getBoundingClientRect().right > innerWidth + 0.5
+                            && !node.closest(".figure-table, .tabs, .plot, .unseen"))
+          .map((node) => node.outerHTML.slice(0, 120))"""
+    )
+    assert wide == []
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_nothing_moves_while_the_page_comes_up_or_computes(page, service: str, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    show(page, service)
+    expect(page.locator('[data-figure="hertz"] .scatterlayer .js-line').first).to_be_attached()
+    page.wait_for_timeout(300)
+    assert page.evaluate("() => watched.shift") < 0.01
+    # Later changes are asked for without a key or pointer, which would excuse every shift.
+    boxes = [("mechanism.ratio", "0"), ("mechanism.ratio", "20"), ("contact.hole_radius_mm", "1")]
+    for path, text in boxes:
+        page.evaluate(TYPE, [path, [text]])
+        page.wait_for_timeout(500)
+    assert page.evaluate("() => watched.shift") < 0.05
+
+
+def luminance(colour: str) -> float:
+    red, green, blue = (int(part) / 255 for part in re.findall(r"\d+", colour)[:3])
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def look(page) -> tuple[float, float]:
+    """Luminance of the page and of the text in a figure."""
+    paper = page.evaluate("() => getComputedStyle(document.body).backgroundColor")
+    text = page.locator('[data-figure="force"] .xtick text').first.evaluate(
+        "node => getComputedStyle(node).fill"
+    )
+    return luminance(paper), luminance(text)
+
+
+def test_dark_follows_the_system_and_the_switch_and_is_remembered(page, service: str) -> None:
+    page.emulate_media(color_scheme="dark")
+    show(page, service)
+    expect(page.locator('[data-figure="force"] .xtick text').first).to_be_attached()
+    paper, ink = look(page)
+    assert paper < 0.2 < 0.6 < ink
+    with page.expect_response("**/contact-force/chart?theme=light"):
+        page.get_by_label("Theme").select_option("light")
+    expect(page.locator('[data-figure="force"] .xtick text').first).to_have_css(
+        "fill", re.compile(r"rgb\((\d|[1-9]\d), ")
+    )
+    paper, ink = look(page)
+    assert ink < 0.4 < 0.8 < paper
+    page.reload()
+    settled(page)
+    assert luminance(page.evaluate("() => getComputedStyle(document.body).backgroundColor")) > 0.8
+
+
+def test_plotly_is_loaded_once_and_not_without_a_figure(page, service: str, watch) -> None:
+    script = re.compile(r"/vendor/plotly/.*\.js$")
+    show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
+    page.wait_for_timeout(300)
+    assert not any(map(script.search, watch.paths()))
+    for pins in ("3", "4", "5"):
+        change(page, lambda pins=pins: box(page, "mechanism.pins").fill(pins))
+    expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(5)
+    assert len(list(filter(script.search, watch.paths()))) == 1
+
+
+def test_figures_offer_no_upload(page, service: str) -> None:
+    show(page, service)
+    plot = page.locator('[data-figure="force"] .plot')
+    expect(plot.locator(".modebar-btn").first).to_be_attached()
+    titles = plot.locator(".modebar-btn").evaluate_all("all => all.map(one => one.dataset.title)")
+    assert not [
+        title for title in titles if re.search("share|cloud|edit", title or "", re.IGNORECASE)
+    ]
+    expect(plot.locator(".plotlyjsicon")).to_have_count(0)
+    assert plot.get_attribute("role") == "img" and plot.get_attribute("aria-label")
+
+
+def test_without_the_service_everything_typed_stays(page, service: str, watch) -> None:
+    show(page, service, ZYL)
+    page.route("**/api/v1/**", lambda route: route.abort())
+    box(page, "mechanism.pins").fill("4")
+    settled(page, "offline")
+    expect(page.locator(".say")).to_contain_text("cannot be reached")
+    expect(box(page, "mechanism.pins")).to_have_value("4")
+    page.unroute("**/api/v1/**")
+    change(page, lambda: box(page, "mechanism.pins").press("Enter"))
+    assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
+    watch.complaints = [line for line in watch.complaints if "ERR_FAILED" not in line]
