@@ -80,9 +80,7 @@ def _fields(body: BaseModel) -> Iterator[tuple[tuple[str, ...], str]]:
                 yield (name, *path), inner
 
 
-def _deeper(
-    body: BaseModel, path: tuple[str, ...], rest: list[str]
-) -> Iterator[str | int]:
+def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator[str | int]:
     """The rest of a path, below a field: indices, and names with the units they have there."""
     value: object = body
     for part in path:

@@ -1,6 +1,7 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
 from pathlib import Path
+from typing import Any
 
 from fastapi import FastAPI
 from fastapi.responses import FileResponse
@@ -9,17 +10,43 @@ from fastapi.staticfiles import StaticFiles
 from app import VERSION, problems
 from app.middleware import BodyLimit, ServiceHeaders
 from app.routers import contact_force, crank_planetary, cyclogram, hertz, service
+from app.schemas.service import ProblemOut
 from app.settings import Settings
 
 API = "/api/v1"
 STATIC = Path(__file__).parent.parent / "static"
 ROUTERS = (service, crank_planetary, cyclogram, contact_force, hertz)
 
+PROBLEMS: dict[int | str, dict[str, Any]] = {
+    status: {
+        "description": text,
+        "content": {problems.MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
+    }
+    for status, text in (
+        (413, "The request is too large"),
+        (422, "The input is wrong, or the mechanism cannot work"),
+    )
+}
+
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
 A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
 accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields.
 """
+
+
+def describe_problems(app: FastAPI) -> None:
+    """Put the schema of a problem into the API's description; FastAPI would call it JSON."""
+    generate = app.openapi
+
+    def openapi() -> dict[str, Any]:
+        schema = generate()
+        models = ProblemOut.model_json_schema(ref_template="#/components/schemas/{model}")
+        nested = models.pop("$defs")
+        schema["components"]["schemas"] |= nested | {"ProblemOut": models}
+        return schema
+
+    app.openapi = openapi  # type: ignore[method-assign]
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -39,8 +66,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         title="KHV Calc", version=VERSION, description=DESCRIPTION, docs_url=None, redoc_url=None
     )
     for router in ROUTERS:
-        app.include_router(router.router, prefix=API)
+        app.include_router(router.router, prefix=API, responses=PROBLEMS)
     problems.install(app)
+    describe_problems(app)
     app.add_middleware(BodyLimit, limit=settings.max_body_bytes)
     app.add_middleware(ServiceHeaders)
 

@@ -1,7 +1,5 @@
 """Errors as problem details (RFC 9457): one shape, one table from exception to status."""
 
-import math
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from http import HTTPStatus
@@ -97,6 +95,9 @@ def pointer(path: Iterable[str | int]) -> str:
     return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
 
 
+UNION_TAGS = ("name", "values")
+"""Names of the branches of our unions: pydantic puts them into the path; they are no fields."""
+
 _COMPARISONS = {
     "greater_than": ("gt", "must be greater than {}"),
     "greater_than_equal": ("ge", "must be at least {}"),
@@ -148,8 +149,7 @@ def _items(errors: Iterable[dict[str, Any]]) -> list[ErrorItem]:
             path = path[1:]
         if error["type"] == FIELD_ERROR:
             path.append(error["ctx"]["field"])
-        # Branches of a union name themselves in the path; no field of ours is written that way.
-        path = [part for part in path if not re.search(r"[\[(A-Z].*[\])]|^[A-Z]\w+Fields$|^literal", str(part))]
+        path = [part for part in path if part not in UNION_TAGS]
         place = pointer(path)
         items.setdefault(place, ErrorItem(place, _worded(error)))
     return list(items.values())
@@ -179,21 +179,13 @@ def install(app: FastAPI) -> None:
 
     async def on_failure(_: Request, __: Exception) -> Response:
         return Problem(
-            500, "failure", "The service failed", "This is an error of the service, not of the input"
+            500,
+            "failure",
+            "The service failed",
+            "This is an error of the service, not of the input",
         ).response()
 
     app.add_exception_handler(Problem, on_problem)
     app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(HTTPException, on_http)
     app.add_exception_handler(Exception, on_failure)
-
-
-def finite(value: Any) -> bool:
-    """Whether a JSON value holds finite numbers only."""
-    if isinstance(value, float):
-        return math.isfinite(value)
-    if isinstance(value, dict):
-        return all(finite(each) for each in value.values())
-    if isinstance(value, list):
-        return all(finite(each) for each in value)
-    return True

@@ -267,6 +267,6 @@ def refuse_dead_centre(crank_angle: float) -> NoReturn:
         The crank angle of the position, rad.
     """
     raise ImpossibleMechanism(
-        "The mechanism cannot transmit torque: no pair drives at its dead centre",
+        "The mechanism cannot transmit torque: no pair drives",
         {"crank_angle": crank_angle},
     )

@@ -139,7 +139,7 @@ class WavePhases:
     symmetry : int
         How many times the pattern repeats within a sector.
     snapped : float
-        Largest distance by which a phase was moved to merge it, in turns.
+        Largest distance by which a phase is taken to be elsewhere, by merging or symmetry, in turns.
     """
 
     pins: int
@@ -193,6 +193,7 @@ class WavePhases:
         distinct = sorted(set(keys))
         sector_phases = tuple((whole + part) / cells for whole, part in distinct)
         multiplicity = tuple(keys.count(key) for key in distinct)
+        symmetry, off = _symmetry(sector_phases, multiplicity, 1 / pins)
         return cls(
             pins=pins,
             satellite_phase=tuple(
@@ -200,8 +201,8 @@ class WavePhases:
             ),
             sector_phases=sector_phases,
             multiplicity=multiplicity,
-            symmetry=_symmetry(sector_phases, multiplicity, 1 / pins),
-            snapped=snapped / cells,
+            symmetry=symmetry,
+            snapped=snapped / cells + off,
         )
 
     def all_phases(self) -> list[tuple[float, int]]:
@@ -266,26 +267,29 @@ class WavePhases:
         return sorted(zones)
 
 
-def _symmetry(phases: Sequence[float], multiplicity: Sequence[int], sector: float) -> int:
-    """How many times the pattern of phases repeats within a sector."""
+def _symmetry(
+    phases: Sequence[float], multiplicity: Sequence[int], sector: float
+) -> tuple[int, float]:
+    """How many times the pattern of phases repeats within a sector, and how far it is off that."""
     size = len(phases)
     for repeats in range(size, 1, -1):
         step, remainder = divmod(size, repeats)
-        if remainder:
+        if remainder or any(
+            multiplicity[(i + step) % size] != multiplicity[i] for i in range(size)
+        ):
             continue
-        if all(
+        off = max(
             abs(
                 phases[(i + step) % size]
                 + sector * ((i + step) // size)
                 - phases[i]
                 - sector / repeats
             )
-            <= SAME_PHASE
-            and multiplicity[(i + step) % size] == multiplicity[i]
             for i in range(size)
-        ):
-            return repeats
-    return 1
+        )
+        if off <= SAME_PHASE:
+            return repeats, off * repeats
+    return 1, 0.0
 
 
 @dataclass(frozen=True, slots=True)

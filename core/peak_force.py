@@ -192,9 +192,9 @@ def _segments(phases: WavePhases) -> Iterator[tuple[float, float, float, _Drivin
         relative = values - phase
         relative -= np.rint(relative)
         switches = np.concatenate((0.25 - relative, -0.25 - relative))
-        inner = np.sort(switches[(switches > low + SAME_PHASE) & (switches < high - SAME_PHASE)])
-        if len(inner):
-            inner = inner[np.concatenate(([True], np.diff(inner) > SAME_PHASE))]
+        apart = 4 * ROUNDING
+        inner = np.sort(switches[(switches > low + apart) & (switches < high - apart)])
+        inner = inner[np.diff(inner, prepend=low) > apart]
         limits = [low, *inner.tolist(), high]
         for start, stop in zip(limits[:-1], limits[1:], strict=True):
             driving = np.abs((start + stop) / 2 + relative) < 0.25

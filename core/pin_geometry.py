@@ -107,7 +107,7 @@ def pin_geometry(
     >>> g = pin_geometry(mechanism=m, crank_angle=0.0, pin_circle_radius=0.05,
     ...                  pin_radius=0.006, hole_radius=0.008, eccentricity=0.002)
     >>> g.contact_points[0, 0].round(9).tolist(), g.clearance
-    ([-0.0, 0.044], 0.0)
+    ([0.0, 0.044], 0.0)
     """
     for name, value in (
         ("pin_circle_radius", pin_circle_radius),
@@ -138,10 +138,11 @@ def pin_geometry(
     wave = np.add.outer(crank, pin_angle) + math.pi / 2
     pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
     turns = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    # Adding 0.0 turns the zero of a negative sine into a plain zero.
     return PinGeometry(
-        pin_centres=pin_centres,
-        hole_centres=pin_centres + eccentricity * direction,
-        contact_points=pin_centres - pin_radius * direction,
+        pin_centres=pin_centres + 0.0,
+        hole_centres=pin_centres + eccentricity * direction + 0.0,
+        contact_points=pin_centres - pin_radius * direction + 0.0,
         pressure_angles=pressure_angles,
         driving=pressure_cosines(mechanism=mechanism, crank_angles=np.array([crank_angle]))[0] > 0,
         clearance=clearance,

@@ -51,8 +51,12 @@ def contact_force_figure(
             "name": "Peak",
             "x": [peak["x"]],
             "y": [peak["y"]],
-            "marker": {"symbol": "diamond-open", "size": 12, "color": ink["alert"],
-                       "line": {"width": 2}},
+            "marker": {
+                "symbol": "diamond-open",
+                "size": 12,
+                "color": ink["alert"],
+                "line": {"width": 2},
+            },
             "hovertemplate": f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite "
             f"{answer.peak_pair.satellite}, pin {answer.peak_pair.pin}<extra></extra>",
         }
@@ -66,8 +70,15 @@ def contact_force_figure(
             yaxis=axis(theme, "Contact force, N", range=[0, 1.15 * answer.peak_force_N]),
             shapes=[vertical_line(theme, round(place, 4)) for place in switching_deg],
             annotations=[
-                note(theme, f"{answer.peak_force_N:.5g} N", xref="x", yref="y", **peak,
-                     yshift=16, xanchor="left" if peak["x"] < 180 else "right"),
+                note(
+                    theme,
+                    f"{answer.peak_force_N:.5g} N",
+                    xref="x",
+                    yref="y",
+                    **peak,
+                    yshift=16,
+                    xanchor="left" if peak["x"] < 180 else "right",
+                ),
             ],
         ),
     }

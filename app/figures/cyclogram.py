@@ -26,17 +26,43 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
     rows = [f"{pair.satellite}.{pair.pin}" for pair in answer.pairs]
     alert = INK[theme]["alert"]
     shapes = [
-        {"type": "rect", "xref": "x", "yref": "paper", "x0": start, "x1": stop, "y0": 0, "y1": 1,
-         "fillcolor": alert, "opacity": 0.18, "line": {"width": 0}}
+        {
+            "type": "rect",
+            "xref": "x",
+            "yref": "paper",
+            "x0": start,
+            "x1": stop,
+            "y0": 0,
+            "y1": 1,
+            "fillcolor": alert,
+            "opacity": 0.18,
+            "line": {"width": 0},
+        }
         for start, stop in answer.dead_zones_deg or []
     ] + [
-        {"type": "line", "xref": "x", "yref": "paper", "x0": place, "x1": place, "y0": 0, "y1": 1,
-         "line": {"color": alert, "width": 2, "dash": "dot"}}
+        {
+            "type": "line",
+            "xref": "x",
+            "yref": "paper",
+            "x0": place,
+            "x1": place,
+            "y0": 0,
+            "y1": 1,
+            "line": {"color": alert, "width": 2, "dash": "dot"},
+        }
         for place in answer.dead_centres_deg
     ]
     notes = [
-        note(theme, "dead centre", x=place, y=1, xref="x", yref="paper", yanchor="bottom",
-             font={"size": 11, "color": alert})
+        note(
+            theme,
+            "dead centre",
+            x=place,
+            y=1,
+            xref="x",
+            yref="paper",
+            yanchor="bottom",
+            font={"size": 11, "color": alert},
+        )
         for place in answer.dead_centres_deg[:1]
     ]
     turns = end / 360
@@ -50,11 +76,23 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
             showlegend=satellites > 1,
             height=190 + 22 * len(rows),
             xaxis=axis(theme, "Crank angle, °", range=[0, end], dtick=step, anchor="y2"),
-            yaxis=axis(theme, "Satellite.pin", type="category", categoryorder="array",
-                       categoryarray=rows[::-1], domain=[0.3, 1], showgrid=False),
-            yaxis2=axis(theme, "Driving", domain=[0, 0.22], rangemode="tozero",
-                        dtick=max(1, round(answer.max_driving / 4)),
-                        range=[0, answer.max_driving + 0.5]),
+            yaxis=axis(
+                theme,
+                "Satellite.pin",
+                type="category",
+                categoryorder="array",
+                categoryarray=rows[::-1],
+                domain=[0.3, 1],
+                showgrid=False,
+            ),
+            yaxis2=axis(
+                theme,
+                "Driving",
+                domain=[0, 0.22],
+                rangemode="tozero",
+                dtick=max(1, round(answer.max_driving / 4)),
+                range=[0, answer.max_driving + 0.5],
+            ),
             shapes=shapes,
             annotations=notes,
         ),
@@ -77,12 +115,16 @@ def _bars(answer: CyclogramResponse, satellite: int, theme: Theme) -> Figure:
         "y": [f"{satellite}.{pin}" for pin, _, _ in phases],
         "base": [round(start, 6) for _, start, _ in phases],
         "x": [round(stop - start, 6) for _, start, stop in phases],
-        "customdata": [[satellite, pin, round(start, 4), round(stop, 4)]
-                       for pin, start, stop in phases],
+        "customdata": [
+            [satellite, pin, round(start, 4), round(stop, 4)] for pin, start, stop in phases
+        ],
         "hovertemplate": "satellite %{customdata[0]}, pin %{customdata[1]}<br>"
-                         "drives from %{customdata[2]}° to %{customdata[3]}°<extra></extra>",
-        "marker": {"color": colour, "line": {"color": colour, "width": 1},
-                   "pattern": {"shape": hatch, "fillmode": "overlay", "size": 7}},
+        "drives from %{customdata[2]}° to %{customdata[3]}°<extra></extra>",
+        "marker": {
+            "color": colour,
+            "line": {"color": colour, "width": 1},
+            "pattern": {"shape": hatch, "fillmode": "overlay", "size": 7},
+        },
     }
 
 

@@ -1,0 +1,1 @@
+"""Endpoints: each calls one calculation and words nothing of its own."""

@@ -21,9 +21,7 @@ async def contact_force(body: ContactForceRequest) -> ContactForceResponse:
 async def contact_force_chart(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)
-    (force, switching), run_time_us = run(
-        body, lambda: body.solve_for_drawing(body.mechanism())
-    )
+    (force, switching), run_time_us = run(body, lambda: body.solve_for_drawing(body.mechanism()))
     return contact_force_figure(
         ContactForceResponse.from_core(force, run_time_us),
         from_si("switching_deg", switching),

@@ -40,9 +40,7 @@ async def crank_planetary(body: CrankPlanetaryRequest) -> CrankPlanetaryResponse
 async def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)
-    pattern = cyclogram_figure(
-        CyclogramResponse.from_core(*run(body, body.mechanism.solve)), theme
-    )
+    pattern = cyclogram_figure(CyclogramResponse.from_core(*run(body, body.mechanism.solve)), theme)
     if body.load is None:
         return pattern
     load = body.load

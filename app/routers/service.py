@@ -1,7 +1,5 @@
 """What the service says about itself."""
 
-
-
 from fastapi import APIRouter
 
 from app import VERSION

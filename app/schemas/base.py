@@ -50,9 +50,7 @@ class RequestModel(BaseModel):
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
-        return {
-            core_name(name): to_si(name, value) for name, value in self if value is not None
-        }
+        return {core_name(name): to_si(name, value) for name, value in self if value is not None}
 
 
 def quantity(

@@ -36,31 +36,67 @@ class LoadFields(RequestModel):
     """Torque, lever and load sharing of the pins, and what is asked of the force."""
 
     output_torque_Nm: float | None = quantity(
-        "Output torque", symbol="T", group="load", default=None, gt=0, le=1e15, step=10,
+        "Output torque",
+        symbol="T",
+        group="load",
+        default=None,
+        gt=0,
+        le=1e15,
+        step=10,
         help="Torque on the output link.",
     )
     input_torque_Nm: float | None = quantity(
-        "Input torque", symbol="T₁", group="load", default=None, gt=0, le=1e15, step=1,
+        "Input torque",
+        symbol="T₁",
+        group="load",
+        default=None,
+        gt=0,
+        le=1e15,
+        step=1,
         help="Torque on the crankshaft; T = T₁·u·η.",
     )
     efficiency: float | None = quantity(
-        "Efficiency", symbol="η", group="load", default=None, gt=0, le=1, step=0.01,
+        "Efficiency",
+        symbol="η",
+        group="load",
+        default=None,
+        gt=0,
+        le=1,
+        step=0.01,
         help="Efficiency of the reducer, needed with the input torque.",
     )
     pin_circle_radius_mm: float = quantity(
-        "Pin circle radius", symbol="R", group="load", gt=0, le=1e6, step=1,
+        "Pin circle radius",
+        symbol="R",
+        group="load",
+        gt=0,
+        le=1e6,
+        step=1,
         help="Radius of the circle of pin centres.",
     )
     force_exponent: float = quantity(
-        "Force exponent", symbol="v", group="load", default=1.0, ge=0, le=1e6, step=0.1,
+        "Force exponent",
+        symbol="v",
+        group="load",
+        default=1.0,
+        ge=0,
+        le=1e6,
+        step=0.1,
         help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
     )
     include: list[ForceSection] = Field(
         default=[], description="Optional results: what is not named is not computed."
     )
     samples: int = quantity(
-        "Samples", symbol="", group="load", default=361, ge=2, le=MAX_SAMPLES, step=1,
-        advanced=True, help="Number of crank angles of the curves over one turn.",
+        "Samples",
+        symbol="",
+        group="load",
+        default=361,
+        ge=2,
+        le=MAX_SAMPLES,
+        step=1,
+        advanced=True,
+        help="Number of crank angles of the curves over one turn.",
     )
 
     @model_validator(mode="after")
@@ -97,8 +133,9 @@ class LoadFields(RequestModel):
         pairs = mechanism.pins * mechanism.satellites
         if curves and self.samples * pairs > MAX_CURVE_VALUES:
             raise InvalidInput(
-                "samples", self.samples, f"must be at most {MAX_CURVE_VALUES // pairs} for "
-                f"{pairs} pairs"
+                "samples",
+                self.samples,
+                f"must be at most {MAX_CURVE_VALUES // pairs} for {pairs} pairs",
             )
         return contact_force(
             mechanism=mechanism,

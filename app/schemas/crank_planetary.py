@@ -39,7 +39,13 @@ class PinContactFields(ContactFields):
     """Pin, hole and crank."""
 
     eccentricity_mm: float | None = quantity(
-        "Eccentricity", symbol="e", group="contact", default=None, gt=0, le=1e6, step=0.5,
+        "Eccentricity",
+        symbol="e",
+        group="contact",
+        default=None,
+        gt=0,
+        le=1e6,
+        step=0.5,
         help="Eccentricity of the cranks; hole radius − pin radius where not given.",
     )
 
@@ -67,7 +73,12 @@ class CrankPlanetaryRequest(RequestModel):
     load: LoadFields | None = None
     contact: PinContactFields | None = None
     crank_angle_deg: Angle = quantity(
-        "Crank angle", symbol="φ", group="mechanism", default=0.0, step=5, advanced=True,
+        "Crank angle",
+        symbol="φ",
+        group="mechanism",
+        default=0.0,
+        step=5,
+        advanced=True,
         help="Crank angle of the section geometry.",
     )
     include: list[Section] = Field(

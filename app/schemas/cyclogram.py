@@ -15,8 +15,15 @@ class RangeFields(RequestModel):
     """How much of the turn the cyclogram shows."""
 
     revolutions: float = quantity(
-        "Crank revolutions", symbol="", group="mechanism", default=1.0, gt=0, le=1e6, step=1,
-        advanced=True, help="Length of the cyclogram, in turns of the crank.",
+        "Crank revolutions",
+        symbol="",
+        group="mechanism",
+        default=1.0,
+        gt=0,
+        le=1e6,
+        step=1,
+        advanced=True,
+        help="Length of the cyclogram, in turns of the crank.",
     )
 
 
@@ -78,14 +85,16 @@ class CyclogramResponse(ResponseModel):
     def from_core(
         cls,
         result: tuple[Cyclogram, tuple[AssemblyAngle, ...] | None],
-        run_time_us: float,
+        run_time_us: float | None = None,
+        **given: object,
     ) -> Self:
         """Answer from the core's result."""
         found, assembly = result
         zones = found.dead_zones
         return super().from_core(
             found,
-            run_time_us=run_time_us,
+            run_time_us,
+            **given,
             driving_count=[
                 CountIntervalOut(
                     from_deg=from_si("from_deg", each.start),

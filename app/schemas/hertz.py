@@ -1,6 +1,8 @@
 """Request and answer of the Hertz contact of pin and hole."""
 
-from typing import Literal
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Discriminator, Tag
 
 from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, WarningOut, quantity
 from app.units import to_si
@@ -8,21 +10,40 @@ from core.contact_force import FloatArray
 from core.hertz import HertzContact, conformal_profile, hertz, pressure_profile
 from core.materials import MATERIALS, ElasticMaterial, lower_allowable_pressure
 
-MaterialName = Literal[tuple(MATERIALS)]  # type: ignore[valid-type]
+if TYPE_CHECKING:
+    MaterialName = str
+else:
+    MaterialName = Literal[tuple(MATERIALS)]
 
 
 class MaterialFields(RequestModel):
     """A material by its values."""
 
     youngs_modulus_GPa: float = quantity(
-        "Young's modulus", symbol="E", group="material", gt=0, le=1e6, step=1,
+        "Young's modulus",
+        symbol="E",
+        group="material",
+        gt=0,
+        le=1e6,
+        step=1,
     )
     poissons_ratio: float = quantity(
-        "Poisson's ratio", symbol="ν", group="material", ge=0, lt=0.5, step=0.01,
+        "Poisson's ratio",
+        symbol="ν",
+        group="material",
+        ge=0,
+        lt=0.5,
+        step=0.01,
     )
     allowable_pressure_MPa: float | None = quantity(
-        "Allowable pressure", symbol="p_zul", group="material", default=None, gt=0, le=1e6,
-        step=10, help="Allowable contact pressure; gives the safety factor.",
+        "Allowable pressure",
+        symbol="p_zul",
+        group="material",
+        default=None,
+        gt=0,
+        le=1e6,
+        step=10,
+        help="Allowable contact pressure; gives the safety factor.",
     )
 
     def material(self) -> ElasticMaterial:
@@ -35,36 +56,80 @@ def material_of(given: str | MaterialFields) -> ElasticMaterial:
     return given.material() if isinstance(given, MaterialFields) else MATERIALS[given].material
 
 
+def _kind(given: object) -> str:
+    """Which of the two forms of a material is given, so that errors speak of that one only."""
+    return "name" if isinstance(given, str) else "values"
+
+
+Material = Annotated[
+    Annotated[MaterialName, Tag("name")] | Annotated[MaterialFields, Tag("values")],
+    Discriminator(_kind),
+]
+
+
 class ContactFields(RequestModel):
     """Pin and hole: sizes, materials, load factors."""
 
     contact_length_mm: float = quantity(
-        "Contact length", symbol="b", group="contact", gt=0, le=1e6, step=1,
+        "Contact length",
+        symbol="b",
+        group="contact",
+        gt=0,
+        le=1e6,
+        step=1,
         help="Length of the contact along the pin: the width of the satellite.",
     )
     pin_radius_mm: float = quantity(
-        "Pin radius", symbol="r_in", group="contact", gt=0, le=1e6, step=0.5,
+        "Pin radius",
+        symbol="r_in",
+        group="contact",
+        gt=0,
+        le=1e6,
+        step=0.5,
         help="Radius of the pin, or of its sleeve.",
     )
     hole_radius_mm: float = quantity(
-        "Hole radius", symbol="r_out", group="contact", gt=0, le=1e6, step=0.5,
+        "Hole radius",
+        symbol="r_out",
+        group="contact",
+        gt=0,
+        le=1e6,
+        step=0.5,
         help="Radius of the hole in the satellite: pin radius + eccentricity.",
     )
-    pin_material: MaterialName | MaterialFields = quantity(
-        "Pin material", symbol="", group="contact", default="steel_bearing",
+    pin_material: Material = quantity(
+        "Pin material",
+        symbol="",
+        group="contact",
+        default="steel_bearing",
         help="A name of the table of materials, or values.",
     )
-    hole_material: MaterialName | MaterialFields = quantity(
-        "Hole material", symbol="", group="contact", default="steel_through_hardened",
+    hole_material: Material = quantity(
+        "Hole material",
+        symbol="",
+        group="contact",
+        default="steel_through_hardened",
         help="A name of the table of materials, or values.",
     )
     dynamic_factor: float = quantity(
-        "Dynamic factor", symbol="K_A", group="contact", default=1.0, gt=0, le=1e6, step=0.05,
+        "Dynamic factor",
+        symbol="K_A",
+        group="contact",
+        default=1.0,
+        gt=0,
+        le=1e6,
+        step=0.05,
         help="Factor of the dynamic load.",
     )
     distribution_factor: float = quantity(
-        "Distribution factor", symbol="K_α", group="contact", default=1.0, gt=0, le=1e6,
-        step=0.05, help="Factor of uneven load sharing between the pairs.",
+        "Distribution factor",
+        symbol="K_α",
+        group="contact",
+        default=1.0,
+        gt=0,
+        le=1e6,
+        step=0.05,
+        help="Factor of uneven load sharing between the pairs.",
     )
 
     def allowable_pressure(self) -> float | None:
@@ -91,7 +156,12 @@ class HertzRequest(ContactFields):
     """Pin, hole and the force between them."""
 
     force_N: float = quantity(
-        "Contact force", symbol="F", group="contact", ge=0, le=1e15, step=100,
+        "Contact force",
+        symbol="F",
+        group="contact",
+        ge=0,
+        le=1e15,
+        step=100,
         help="Force between pin and hole.",
     )
 
@@ -104,9 +174,7 @@ class HertzRequest(ContactFields):
         contact = self.solve()
         profiles = [("Hertz", *pressure_profile(contact=contact))]
         if contact.conformal_pressure is not None:
-            profiles.append(
-                ("Conformal (Persson)", *conformal_profile(contact=contact))
-            )
+            profiles.append(("Conformal (Persson)", *conformal_profile(contact=contact)))
         return profiles
 
 

@@ -22,35 +22,76 @@ class MechanismFields(RequestModel):
     """Pins, satellites, cranks and ratio."""
 
     pins: int = quantity(
-        "Pins", symbol="N", group="mechanism", ge=1, le=MAX_PAIRS, step=1,
+        "Pins",
+        symbol="N",
+        group="mechanism",
+        ge=1,
+        le=MAX_PAIRS,
+        step=1,
         help="Number of pins of the output link, evenly spaced on the pin circle.",
     )
     satellites: int = quantity(
-        "Satellites", symbol="K", group="mechanism", default=2, ge=1, le=100, step=1,
+        "Satellites",
+        symbol="K",
+        group="mechanism",
+        default=2,
+        ge=1,
+        le=100,
+        step=1,
         help="Number of satellites, each on its own crank.",
     )
     crank_spacing_deg: Angle | None = quantity(
-        "Crank spacing", symbol="α", group="mechanism", default=None, step=15,
+        "Crank spacing",
+        symbol="α",
+        group="mechanism",
+        default=None,
+        step=15,
         help="Angle between neighbouring cranks; 360°/K where not given.",
     )
     crank_angles_deg: list[Angle] | None = quantity(
-        "Crank angles", symbol="α₁ … α_K", group="mechanism", default=None,
+        "Crank angles",
+        symbol="α₁ … α_K",
+        group="mechanism",
+        default=None,
         help="Angle of each crank, one for each satellite, instead of an even spacing.",
     )
     ratio: float | None = quantity(
-        "Ratio", symbol="u", group="mechanism", default=None, ge=1e-6, le=1e9, step=1,
+        "Ratio",
+        symbol="u",
+        group="mechanism",
+        default=None,
+        ge=1e-6,
+        le=1e9,
+        step=1,
         help="Speed of the crank over speed of the output, u = z₂/(z₃ − z₂).",
     )
     satellite_teeth: int | None = quantity(
-        "Satellite teeth", symbol="z₂", group="mechanism", default=None, ge=1, le=10**6, step=1,
+        "Satellite teeth",
+        symbol="z₂",
+        group="mechanism",
+        default=None,
+        ge=1,
+        le=10**6,
+        step=1,
         help="Number of teeth of a satellite; gives the ratio and the assembly angles.",
     )
     ring_teeth: int | None = quantity(
-        "Ring teeth", symbol="z₃", group="mechanism", default=None, ge=2, le=10**6, step=1,
+        "Ring teeth",
+        symbol="z₃",
+        group="mechanism",
+        default=None,
+        ge=2,
+        le=10**6,
+        step=1,
         help="Number of teeth of the ring, more than the satellite has.",
     )
     initial_crank_angle_deg: Angle = quantity(
-        "Initial wave angle", symbol="φ₀", group="mechanism", default=0.0, step=15, advanced=True,
+        "Initial wave angle",
+        symbol="φ₀",
+        group="mechanism",
+        default=0.0,
+        step=15,
+        advanced=True,
         help="0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what "
         "reversing the torque does.",
     )
@@ -89,8 +130,9 @@ class MechanismFields(RequestModel):
                     raise field_error(name, "is needed beside the other number of teeth")
         if self.pins * self.satellites > MAX_PAIRS:
             raise field_error(
-                "pins", f"must be at most {MAX_PAIRS // self.satellites} for "
-                f"{self.satellites} satellites ({MAX_PAIRS} pairs)"
+                "pins",
+                f"must be at most {MAX_PAIRS // self.satellites} for "
+                f"{self.satellites} satellites ({MAX_PAIRS} pairs)",
             )
         return self
 
@@ -104,7 +146,8 @@ class MechanismFields(RequestModel):
         """
         if self.pins * self.satellites > MAX_DRAWN_PAIRS:
             raise InvalidInput(
-                "pins", self.pins,
+                "pins",
+                self.pins,
                 f"must be at most {MAX_DRAWN_PAIRS // self.satellites} for {self.satellites} "
                 f"satellites to be drawn ({MAX_DRAWN_PAIRS} pairs)",
             )

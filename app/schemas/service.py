@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from pydantic import Field
+
 from app.schemas.base import ResponseModel
 from app.units import from_si
 from core.materials import TableMaterial
@@ -12,6 +14,26 @@ class Health(ResponseModel):
 
     status: str
     version: str
+
+
+class FieldProblem(ResponseModel):
+    """What is wrong with one field."""
+
+    pointer: str = Field(description="JSON pointer to the field; empty for the body.")
+    detail: str
+
+
+class ProblemOut(ResponseModel):
+    """A refusal (RFC 9457)."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    errors: list[FieldProblem]
+    where: dict[str, float] | None = Field(
+        default=None, description="Position at which the mechanism cannot work."
+    )
 
 
 class MaterialOut(ResponseModel):

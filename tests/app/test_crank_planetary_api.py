@@ -1,0 +1,271 @@
+"""The crank-planetary endpoints as another program uses them."""
+
+import json
+import math
+from unittest.mock import patch
+
+import pytest
+
+MECHANISM = {"pins": 3, "ratio": 20}
+LOAD = {"output_torque_Nm": 500, "pin_circle_radius_mm": 50}
+CONTACT = {"contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
+JOB = {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT}
+
+pytestmark = pytest.mark.anyio
+
+
+async def test_the_cyclogram_of_the_standard_reducer(api):
+    answer = (await api.post("cyclogram", json=MECHANISM)).json()
+    assert answer["working_phase_deg"] == pytest.approx(180 * 20 / 21, rel=1e-14)
+    assert answer["driving_count"] == [{"from_deg": 0.0, "to_deg": 360.0, "pairs": 3}]
+    assert (answer["min_driving"], answer["max_driving"], answer["mean_driving"]) == (3, 3, 3.0)
+    assert answer["dead_centres_deg"] == []
+    assert "assembly" not in answer and "dead_zones_deg" not in answer
+
+
+async def test_numbers_of_teeth_give_the_ratio_and_the_assembly_angles(api):
+    teeth = {"pins": 3, "satellite_teeth": 40, "ring_teeth": 42}
+    answer = (await api.post("cyclogram", json=teeth)).json()
+    assert answer["working_phase_deg"] == pytest.approx(180 * 20 / 21, rel=1e-14)
+    assert [each["identical"] for each in answer["assembly"]] == [True, True]
+
+
+async def test_zyls_two_numbers_come_from_equal_sharing(api):
+    for pins, force in ((6, 888.23), (4, 1538.46)):
+        body = {
+            "pins": pins,
+            "satellites": 1,
+            "ratio": 20,
+            "output_torque_Nm": 50,
+            "pin_circle_radius_mm": 32.5,
+            "include": ["equal_sharing"],
+        }
+        answer = (await api.post("contact-force", json=body)).json()
+        assert answer["equal_sharing_peak_N"] == pytest.approx(force, abs=0.005)
+
+
+async def test_input_torque_and_efficiency_give_the_output_torque(api):
+    by_input = {**MECHANISM, "input_torque_Nm": 10, "efficiency": 0.9, "pin_circle_radius_mm": 50}
+    answer = (await api.post("contact-force", json=by_input)).json()
+    assert answer["reference_force_N"] == pytest.approx(10 * 20 * 0.9 / 0.05, rel=1e-15)
+
+
+async def test_curves_have_the_pairs_in_order_and_reach_the_peak(api):
+    body = {**MECHANISM, **LOAD, "include": ["curves"], "samples": 3601}
+    answer = (await api.post("contact-force", json=body)).json()
+    curves = answer["curves"]
+    assert [(p["satellite"], p["pin"]) for p in curves["pairs"]] == [
+        (j, n) for j in (1, 2) for n in (1, 2, 3)
+    ]
+    assert len(curves["force_N"]) == 6 and len(curves["crank_angle_deg"]) == 3601
+    largest = max(max(force) for force in curves["force_N"])
+    assert largest == pytest.approx(answer["peak_force_N"], rel=1e-6)
+
+
+async def test_only_what_is_asked_is_in_the_answer(api):
+    answer = (await api.post("contact-force", json={**MECHANISM, **LOAD})).json()
+    assert set(answer) == {
+        "reference_force_N",
+        "peak_force_N",
+        "peak_force_ratio",
+        "peak_crank_angle_deg",
+        "peak_pair",
+        "accuracy",
+    }
+    assert "null" not in (await api.post("hertz", json={**CONTACT, "force_N": 1000})).text
+
+
+@pytest.mark.parametrize(
+    ("asked", "not_run"),
+    [
+        (
+            ["cyclogram"],
+            ["contact_force.contact_force", "hertz.hertz", "crank_planetary.pin_geometry"],
+        ),
+        (["contact_force"], ["cyclogram.cyclogram", "hertz.hertz", "crank_planetary.pin_geometry"]),
+        (["hertz"], ["cyclogram.cyclogram", "crank_planetary.pin_geometry"]),
+        (["geometry"], ["cyclogram.cyclogram", "hertz.hertz", "contact_force.contact_force"]),
+    ],
+)
+async def test_what_is_not_asked_is_not_run(api, asked, not_run):
+    def refuse(**_):
+        raise AssertionError("ran what nobody asked for")
+
+    patches = [patch(f"app.schemas.{name}", side_effect=refuse) for name in not_run]
+    for each in patches:
+        each.start()
+    try:
+        response = await api.post("crank-planetary", json={**JOB, "include": asked})
+    finally:
+        for each in patches:
+            each.stop()
+    assert response.status_code == 200 and set(response.json()) == set(asked)
+
+
+@pytest.mark.parametrize("option", ["curves", "equal_sharing", "approximation"])
+async def test_options_of_the_force_run_only_when_named(api, option):
+    called = {
+        "curves": "force_curves",
+        "equal_sharing": "peak_force",
+        "approximation": "approximate_peak_ratio",
+    }[option]
+    import core.crank_planetary as module
+
+    real = getattr(module, called)
+    with patch.object(module, called, side_effect=real) as spy:
+        await api.post("contact-force", json={**MECHANISM, **LOAD})
+        without = spy.call_count
+        await api.post("contact-force", json={**MECHANISM, **LOAD, "include": [option]})
+        assert spy.call_count - without == without + 1
+
+
+async def test_no_figure_is_built_without_chart(api):
+    with patch("app.routers.cyclogram.cyclogram_figure", side_effect=AssertionError):
+        assert (await api.post("cyclogram", json=MECHANISM)).status_code == 200
+
+
+async def test_sections_agree_with_their_own_endpoints(api):
+    job = (await api.post("crank-planetary", json=JOB)).json()
+    alone = {
+        "cyclogram": (await api.post("cyclogram", json=MECHANISM)).json(),
+        "contact_force": (await api.post("contact-force", json={**MECHANISM, **LOAD})).json(),
+    }
+    force = alone["contact_force"]["peak_force_N"]
+    alone["hertz"] = (await api.post("hertz", json={**CONTACT, "force_N": force})).json()
+    for section, answer in alone.items():
+        for given in (answer, job[section]):
+            del given["accuracy"]["run_time_us"]
+        assert job[section] == answer
+
+
+async def test_geometry_gives_forces_in_equilibrium_with_the_torque(api):
+    body = {**JOB, "crank_angle_deg": 77.7, "include": ["geometry"]}
+    geometry = (await api.post("crank-planetary", json=body)).json()["geometry"]
+    torque = sum(
+        pair["force_N"] * 0.05 * math.cos(math.radians(pair["pressure_angle_deg"]))
+        for pair in geometry["pairs"]
+    )
+    assert torque == pytest.approx(500, rel=1e-12)
+    assert geometry["clearance_mm"] == 0.0
+    for pair in geometry["pairs"]:
+        assert (pair["force_N"] > 0) == pair["driving"]
+        assert math.dist(pair["hole_centre_mm"], pair["contact_point_mm"]) == pytest.approx(10)
+
+
+async def test_every_answer_carries_its_accuracy_and_its_time(api):
+    for path, body in (
+        ("cyclogram", MECHANISM),
+        ("contact-force", {**MECHANISM, **LOAD}),
+        ("hertz", {**CONTACT, "force_N": 1000}),
+    ):
+        response = await api.post(path, json=body)
+        accuracy = response.json()["accuracy"]
+        assert set(accuracy) == {"method", "relative_error", "evaluations", "run_time_us"}
+        assert 0 < accuracy["relative_error"] < 1e-12 and accuracy["run_time_us"] > 0
+        assert "calculation;dur=" in response.headers["server-timing"]
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"pins": 0}, "/pins"),
+        ({"pins": 2.5}, "/pins"),
+        ({"pins": "5"}, "/pins"),
+        ({"pins": True}, "/pins"),
+        ({"ratio": 0}, "/ratio"),
+        ({"ratio": None}, "/ratio"),
+        ({"crank_angles_deg": [0, 90, 180], "satellites": 2}, "/crank_angles_deg"),
+        ({"crank_angles_deg": [0, 90], "crank_spacing_deg": 90}, "/crank_angles_deg"),
+        ({"crank_angles_deg": [0, "90"]}, "/crank_angles_deg/1"),
+        ({"satellite_teeth": 40}, "/ratio"),
+        ({"ratio": None, "satellite_teeth": 40}, "/ring_teeth"),
+        ({"ratio": None, "satellite_teeth": 40, "ring_teeth": 40}, "/ring_teeth"),
+        ({"force_exponent": -1}, "/force_exponent"),
+        ({"output_torque_Nm": 5, "input_torque_Nm": 1}, "/input_torque_Nm"),
+        ({"output_torque_Nm": None, "input_torque_Nm": 1}, "/efficiency"),
+        ({"output_torque_Nm": None}, "/output_torque_Nm"),
+        ({"pin_circle_radius_mm": 0}, "/pin_circle_radius_mm"),
+        ({"include": ["curves", "nonsense"]}, "/include/1"),
+        ({"include": ["curves"], "samples": 1}, "/samples"),
+        ({"a/b": 1}, "/a~1b"),
+    ],
+)
+async def test_wrong_input_is_refused_by_the_fields_name(api, change, field):
+    body = {**MECHANISM, **LOAD, **change}
+    body = {name: value for name, value in body.items() if value is not None}
+    response = await api.post("contact-force", json=body)
+    problem = response.json()
+    assert response.status_code == 422, problem
+    assert response.headers["content-type"] == "application/problem+json"
+    assert set(problem) == {"type", "title", "status", "detail", "errors"}
+    assert [error["pointer"] for error in problem["errors"]] == [field]
+
+
+@pytest.mark.parametrize("number", ["1e999", "NaN", "-Infinity"])
+async def test_no_number_is_refused_by_the_fields_name(api, number):
+    response = await api.post(
+        "cyclogram",
+        content=f'{{"pins": 3, "ratio": {number}}}',
+        headers={"content-type": "application/json"},
+    )
+    assert response.status_code == 422
+    assert response.json()["errors"] == [{"pointer": "/ratio", "detail": "must be a finite number"}]
+
+
+async def test_a_hole_smaller_than_the_pin_is_refused_in_its_section(api):
+    contact = {**CONTACT, "hole_radius_mm": 7.9}
+    response = await api.post("crank-planetary", json={**JOB, "contact": contact})
+    assert response.status_code == 422
+    assert response.json()["errors"] == [
+        {"pointer": "/contact/hole_radius_mm", "detail": "must be larger than pin_radius_mm"}
+    ]
+
+
+@pytest.mark.parametrize(
+    "mechanism",
+    [
+        {"pins": 2, "satellites": 1},
+        {"pins": 1, "satellites": 1},
+        {"pins": 2, "satellites": 3, "crank_angles_deg": [0, 0, 180]},
+        {"pins": 1, "satellites": 2, "crank_spacing_deg": 120},
+    ],
+)
+async def test_a_dead_centre_is_shown_in_the_cyclogram_and_refused_for_the_force(api, mechanism):
+    body = {"ratio": 20, "initial_crank_angle_deg": 30, **mechanism}
+    cyclogram = (await api.post("cyclogram", json=body)).json()
+    response = await api.post("contact-force", json={**body, **LOAD})
+    assert response.status_code == 422
+    where = response.json()["where"]["crank_angle_deg"]
+    assert any(abs(where - each) < 1e-9 for each in cyclogram["dead_centres_deg"])
+    assert "no pair drives" in response.json()["detail"]
+
+
+async def test_warnings_say_when_the_approximation_is_out_of_its_range(api):
+    body = {"pins": 8, "satellites": 1, "ratio": 20, **LOAD, "include": ["approximation"]}
+    answer = (await api.post("contact-force", json=body)).json()
+    assert answer["approximate_peak_error"] == pytest.approx(0.2, abs=0.005)
+    assert [each["code"] for each in answer["warnings"]] == ["approximation_range"]
+    assert "pins" in answer["warnings"][0]["detail"]
+
+
+async def test_every_example_works_as_it_stands(api):
+    examples = (await api.get("examples")).json()["examples"]
+    assert len({each["id"] for each in examples}) == len(examples) >= 11
+    for example in examples:
+        response = await api.post(example["calculation"], json=example["input"])
+        assert response.status_code == 200, example["id"]
+
+
+async def test_materials_have_values_and_sources(api):
+    for material in (await api.get("materials")).json()["materials"]:
+        assert 0.1 < material["youngs_modulus_GPa"] < 300 and material["source"]
+        body = {**CONTACT, "force_N": 1000, "pin_material": material["name"]}
+        assert (await api.post("hertz", json=body)).status_code == 200
+
+
+async def test_the_same_body_gives_the_same_numbers(api):
+    first, second = [(await api.post("crank-planetary", json=JOB)).json() for _ in range(2)]
+    for answer in (first, second):
+        for section in answer.values():
+            del section["accuracy"]["run_time_us"]
+    assert json.dumps(first) == json.dumps(second)
