@@ -6,7 +6,7 @@ from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.calculation import timings_us
-from app.problems import too_large
+from app.problems import TooLarge, failure, http_problem
 
 CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
@@ -14,17 +14,18 @@ CONTENT_SECURITY_POLICY = (
     "frame-ancestors 'none'"
 )
 
-SECURITY_HEADERS = {
+HEADERS = {
     "content-security-policy": CONTENT_SECURITY_POLICY,
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
     "cross-origin-opener-policy": "same-origin",
     "cross-origin-resource-policy": "same-origin",
+    "cache-control": "no-cache",
 }
 
 
 class ServiceHeaders:
-    """Security headers on every answer; the parts of the time on every answer of the API."""
+    """Headers of every answer, the last-resort one included; the time on those of the API."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -37,11 +38,14 @@ class ServiceHeaders:
         start = time.perf_counter()
         parts: list[float] = []
         timings_us.set(parts)
+        started = False
 
         async def with_headers(message: Message) -> None:
+            nonlocal started
+            started = True
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
-                for name, value in SECURITY_HEADERS.items():
+                for name, value in HEADERS.items():
                     headers.setdefault(name, value)
                 if scope["path"].startswith("/api/"):
                     total = (time.perf_counter() - start) * 1e3
@@ -49,7 +53,12 @@ class ServiceHeaders:
                     headers["server-timing"] = f"{calculation}total;dur={total:.3f}"
             await send(message)
 
-        await self.app(scope, receive, with_headers)
+        try:
+            await self.app(scope, receive, with_headers)
+        except Exception:
+            if not started:
+                await failure().response()(scope, receive, with_headers)
+            raise
 
 
 class BodyLimit:
@@ -66,7 +75,7 @@ class BodyLimit:
             return
         announced = dict(scope["headers"]).get(b"content-length", b"0")
         if announced.isdigit() and int(announced) > self.limit:
-            await too_large(self.limit).response()(scope, receive, send)
+            await http_problem(TooLarge(self.limit)).response()(scope, receive, send)
             return
         received = 0
 
@@ -75,7 +84,7 @@ class BodyLimit:
             message = await receive()
             received += len(message.get("body", b""))
             if received > self.limit:
-                raise too_large(self.limit)
+                raise TooLarge(self.limit)
             return message
 
         await self.app(scope, limited, send)

@@ -85,9 +85,30 @@ def invalid_input(errors: list[ErrorItem]) -> Problem:
     return Problem(422, "invalid-input", "The input is wrong", detail, errors)
 
 
-def too_large(limit: int) -> Problem:
-    """Problem of a body above the limit."""
-    return Problem(413, "too-large", "The request is too large", f"The body exceeds {limit} bytes")
+class TooLarge(HTTPException):
+    """A body above the limit; an HTTP exception, as FastAPI lets no other out of reading a body."""
+
+    def __init__(self, limit: int) -> None:
+        super().__init__(413, f"The body exceeds {limit} bytes")
+
+
+def http_problem(error: HTTPException) -> Problem:
+    """Problem of an HTTP error: no such path, wrong method, body too large."""
+    title = "Too large" if error.status_code == 413 else HTTPStatus(error.status_code).phrase
+    return Problem(
+        error.status_code,
+        title.lower().replace(" ", "-"),
+        title,
+        str(error.detail),
+        headers=dict(error.headers or {}),
+    )
+
+
+def failure() -> Problem:
+    """Problem of an error of our own; what it was is for the log only."""
+    return Problem(
+        500, "failure", "The service failed", "This is an error of the service, not of the input"
+    )
 
 
 def pointer(path: Iterable[str | int]) -> str:
@@ -122,6 +143,7 @@ _MESSAGES = {
     "dict_type": "must be an object",
     "model_type": "must be an object",
     "model_attributes_type": "must be an object",
+    "string_unicode": "is not valid text",
 }
 """What pydantic's error types say to a user; the only place where they are worded."""
 
@@ -133,9 +155,11 @@ def _worded(error: dict[str, Any]) -> str:
     if kind in _COMPARISONS:
         name, text = _COMPARISONS[kind]
         value = context.get(name)
-        return text.format(f"{value:g}" if isinstance(value, float) else value)
+        return text.format(f"{value:.15g}" if isinstance(value, float) else value)
     if kind == "json_invalid":
-        return f"is not valid JSON: {context.get('error', '')}".rstrip(": ")
+        return f"is not valid JSON at character {error['loc'][-1]}: {context['error']}"
+    if kind == "model_attributes_type" and error["loc"] == ("body",):
+        return "must be an object, sent as application/json"
     return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
 
 
@@ -156,7 +180,7 @@ def _items(errors: Iterable[dict[str, Any]]) -> list[ErrorItem]:
 
 
 def install(app: FastAPI) -> None:
-    """Make every error of the app a problem."""
+    """Make every refusal a problem; errors of our own are left to `ServiceHeaders`."""
 
     async def on_problem(_: Request, problem: Exception) -> Response:
         assert isinstance(problem, Problem)
@@ -168,24 +192,8 @@ def install(app: FastAPI) -> None:
 
     async def on_http(_: Request, error: Exception) -> Response:
         assert isinstance(error, HTTPException)
-        phrase = HTTPStatus(error.status_code).phrase
-        return Problem(
-            error.status_code,
-            phrase.lower().replace(" ", "-"),
-            phrase,
-            str(error.detail),
-            headers=dict(error.headers or {}),
-        ).response()
-
-    async def on_failure(_: Request, __: Exception) -> Response:
-        return Problem(
-            500,
-            "failure",
-            "The service failed",
-            "This is an error of the service, not of the input",
-        ).response()
+        return http_problem(error).response()
 
     app.add_exception_handler(Problem, on_problem)
     app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(HTTPException, on_http)
-    app.add_exception_handler(Exception, on_failure)

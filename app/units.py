@@ -55,15 +55,21 @@ def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; arrays become lists."""
     unit = suffix(field)
     if isinstance(value, np.ndarray):
-        return (value if unit is None else value / UNITS[unit][1]).tolist()
+        if unit == "deg":
+            return np.round(np.degrees(value), DECIMALS_OF_DEGREES).tolist()
+        return (value if unit is None else _from_si(unit, value)).tolist()
     if unit is None or value is None:
         return value
     if isinstance(value, (list, tuple)):
         return [from_si(field, each) for each in value]
-    if unit == "deg":
-        return _degrees(value)
-    return value / UNITS[unit][1]
+    return float(f"{_from_si(unit, value):.15g}") if unit in NOISY else _from_si(unit, value)
 
+
+NOISY = ("deg", "mm")
+"""Units whose conversion leaves noise in the 16th digit: 60 degrees, not 59.99999999999999."""
+
+DECIMALS_OF_DEGREES = 12
+"""To which arrays of angles are rounded, against the same noise."""
 
 QUANTITIES = {"angle": "deg", "position": "mm", "force": "N"}
 """Units of quantities that only refusals name: last word of the core's name to its suffix."""
@@ -76,6 +82,7 @@ def api_value(name: str, value: float) -> tuple[str, float]:
     return field, from_si(field, value)
 
 
-def _degrees(angle: float) -> float:
-    """Degrees without the noise of pi: 60 and not 59.99999999999999."""
-    return float(f"{math.degrees(angle):.15g}")
+def _from_si(unit: str, value: Any) -> Any:
+    """The inverse of `to_si`, with the same care for the nearest double."""
+    size = UNITS[unit][1]
+    return value / size if size >= 1 else value * (1 / size)
