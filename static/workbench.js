@@ -155,7 +155,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   function fieldWords(wrong) {
     return Object.entries(wrong)
-      .map(([path, said]) => message("verdict.field", { title: model.fields.get(path).title, words: said }))
+      .map(([path, said]) => message("verdict.field", {
+        title: model.fields.get(path).title,
+        words: said.charAt(0).toLowerCase() + said.slice(1),
+      }))
       .join("; ");
   }
 

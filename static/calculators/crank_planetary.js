@@ -44,7 +44,7 @@ function pairsCell(section) {
     const more = dead.length > 3 ? ` ${message("verdict.more")}` : "";
     return {
       label,
-      value: `${least}–${most}`,
+      value: `0–${most}`,
       note: message("verdict.dead", { angles: angles + more }),
       level: "bad",
     };

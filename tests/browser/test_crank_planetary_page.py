@@ -3,10 +3,12 @@
 import json
 import re
 import time
+from collections.abc import Callable
+from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Error, expect
+from playwright.sync_api import Error, Locator, Page, Route, expect
 
 ZYL = {
     "mechanism.pins": "6",
@@ -35,30 +37,30 @@ def query(fields: dict[str, str]) -> str:
     return str(httpx.QueryParams({"calculator": "crank-planetary", "v": "1"} | fields))
 
 
-def show(page, service: str, fields: dict[str, str] | None = None, state: str = "fresh") -> None:
+def show(page: Page, service: str, fields: dict[str, str] | None = None, state: str = "fresh") -> None:
     """Open the page (with these inputs) and wait until it has computed."""
     page.goto(f"{service}/?{query(fields)}" if fields else service)
     settled(page, state)
 
 
-def settled(page, state: str = "fresh") -> None:
+def settled(page: Page, state: str = "fresh") -> None:
     expect(page.locator("#panel")).to_have_attribute("data-state", state)
 
 
-def box(page, path: str):
+def box(page: Page, path: str) -> Locator:
     return page.locator(f'[data-path="{path}"] .box')
 
 
-def option(page, choice: str, name: str):
+def option(page: Page, choice: str, name: str) -> Locator:
     return page.locator(f'[data-choice="{choice}"] input[value="{name}"]')
 
 
-def add_digits(page, path: str, digits: str) -> None:
+def add_digits(page: Page, path: str, digits: str) -> None:
     box(page, path).press("End")
     box(page, path).press_sequentially(digits)
 
 
-def words_at(page, path: str):
+def words_at(page: Page, path: str) -> Locator:
     return page.locator(f'[data-path="{path}"] .field-message')
 
 
@@ -66,15 +68,15 @@ def number(text: str) -> float:
     return float(re.sub(r"\s", "", text).replace("\u2212", "-"))
 
 
-def result(page, name: str) -> float:
+def result(page: Page, name: str) -> float:
     return number(page.locator(f'.results [data-name="{name}"] .value').inner_text())
 
 
-def peak_cell(page):
+def peak_cell(page: Page) -> Locator:
     return page.locator(".verdict .cell").first.locator(".figures")
 
 
-def change(page, action) -> None:
+def change(page: Page, action: Callable[[], object]) -> None:
     """Do something to the inputs and wait for the numbers of the new ones."""
     with page.expect_response(
         lambda response: response.url.endswith("/crank-planetary") and response.ok
@@ -83,7 +85,7 @@ def change(page, action) -> None:
     settled(page)
 
 
-def test_opens_with_a_computed_example(page, service: str) -> None:
+def test_opens_with_a_computed_example(page: Page, service: str) -> None:
     show(page, service)
     first = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"][0]
     body = first["input"] | {"include": ["cyclogram", "contact_force", "hertz"]}
@@ -99,7 +101,7 @@ def test_opens_with_a_computed_example(page, service: str) -> None:
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(pairs)
 
 
-def test_the_number_of_the_paper(page, service: str) -> None:
+def test_the_number_of_the_paper(page: Page, service: str) -> None:
     show(page, service, ZYL)
     assert result(page, "peak_force_N") == pytest.approx(888.231, abs=5e-4)
     assert number(peak_cell(page).inner_text()) == pytest.approx(888.231, abs=5e-4)
@@ -107,7 +109,7 @@ def test_the_number_of_the_paper(page, service: str) -> None:
     assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
 
 
-def test_typing_changes_numbers_and_figures(page, service: str) -> None:
+def test_typing_changes_numbers_and_figures(page: Page, service: str) -> None:
     show(page, service, ZYL)
     lines = page.locator('[data-figure="force"] .scatterlayer .js-line')
     expect(lines).to_have_count(6)
@@ -118,14 +120,14 @@ def test_typing_changes_numbers_and_figures(page, service: str) -> None:
 
 
 @pytest.mark.parametrize("typed", ["65,0", "65.0", "6.5e1", "0,065e3"])
-def test_every_way_to_write_a_number(page, service: str, typed: str) -> None:
+def test_every_way_to_write_a_number(page: Page, service: str, typed: str) -> None:
     show(page, service, ZYL)
     change(page, lambda: box(page, "load.pin_circle_radius_mm").fill(typed))
     assert result(page, "peak_force_N") == pytest.approx(888.2307692 / 2, rel=1e-5)
     expect(box(page, "load.pin_circle_radius_mm")).to_have_value(typed)
 
 
-def test_thousands_commas_are_refused_with_words_and_kept(page, service: str, watch) -> None:
+def test_thousands_commas_are_refused_with_words_and_kept(page: Page, service: str, watch: Any) -> None:
     show(page, service, ZYL)
     before = len(watch.calculations())
     torque = box(page, "load.output_torque_Nm")
@@ -145,7 +147,7 @@ def test_thousands_commas_are_refused_with_words_and_kept(page, service: str, wa
     assert torque.get_attribute("aria-invalid") is None
 
 
-def test_the_services_words_stand_at_the_box_they_mean(page, service: str) -> None:
+def test_the_services_words_stand_at_the_box_they_mean(page: Page, service: str) -> None:
     show(page, service, ZYL)
     hole = box(page, "contact.hole_radius_mm")
     hole.fill("4")
@@ -160,7 +162,7 @@ def test_the_services_words_stand_at_the_box_they_mean(page, service: str) -> No
     assert hole.get_attribute("aria-invalid") is None
 
 
-def test_a_list_of_the_wrong_length_is_said_at_the_list(page, service: str) -> None:
+def test_a_list_of_the_wrong_length_is_said_at_the_list(page: Page, service: str) -> None:
     show(page, service, ZYL | {"mechanism.satellites": "2"})
     change(page, lambda: option(page, "cranks", "list").check())
     angles = box(page, "mechanism.crank_angles_deg")
@@ -172,7 +174,7 @@ def test_a_list_of_the_wrong_length_is_said_at_the_list(page, service: str) -> N
     change(page, lambda: angles.fill("0; 90"))
 
 
-def test_a_dead_centre_is_a_cyclogram_and_words(page, service: str) -> None:
+def test_a_dead_centre_is_a_cyclogram_and_words(page: Page, service: str) -> None:
     show(page, service, DEAD, state="refused")
     expect(page.locator(".say")).to_contain_text(re.compile("transmit", re.IGNORECASE))
     expect(page.locator(".verdict .cell.bad").first).to_contain_text("none at")
@@ -181,7 +183,7 @@ def test_a_dead_centre_is_a_cyclogram_and_words(page, service: str) -> None:
     assert "∞" not in page.inner_text("body") and "NaN" not in page.inner_text("body")
 
 
-def test_other_options_start_from_the_same_design(page, service: str) -> None:
+def test_other_options_start_from_the_same_design(page: Page, service: str) -> None:
     show(page, service, ZYL)
     change(page, lambda: option(page, "ratio", "teeth").check())
     change(page, lambda: option(page, "torque", "input").check())
@@ -193,7 +195,7 @@ def test_other_options_start_from_the_same_design(page, service: str) -> None:
     assert page.locator('[data-section="cyclogram"] table.data').inner_text().count("yes") >= 1
 
 
-def test_the_suggested_size_is_put_in(page, service: str) -> None:
+def test_the_suggested_size_is_put_in(page: Page, service: str) -> None:
     show(page, service, ZYL | {"mechanism.satellites": "4"})
     field = page.locator('[data-path="mechanism.crank_spacing_deg"]')
     assert field.locator(".box").get_attribute("placeholder") == "90"
@@ -201,7 +203,7 @@ def test_the_suggested_size_is_put_in(page, service: str) -> None:
     expect(field.locator(".box")).to_have_value("90")
 
 
-def test_an_example_picked_fills_the_form(page, service: str) -> None:
+def test_an_example_picked_fills_the_form(page: Page, service: str) -> None:
     show(page, service)
     examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
     zyl = next(one for one in examples if "888" in one["title"])
@@ -212,7 +214,7 @@ def test_an_example_picked_fills_the_form(page, service: str) -> None:
     expect(page.locator("#example")).to_have_value("")
 
 
-def test_the_address_reopened_gives_the_same_numbers(page, service: str) -> None:
+def test_the_address_reopened_gives_the_same_numbers(page: Page, service: str) -> None:
     show(page, service)
     change(page, lambda: box(page, "mechanism.pins").fill("5"))
     change(page, lambda: box(page, "load.pin_circle_radius_mm").fill("41,5"))
@@ -228,11 +230,11 @@ def test_the_address_reopened_gives_the_same_numbers(page, service: str) -> None
     assert page.url == address
 
 
-def test_stale_numbers_are_greyed_and_late_answers_dropped(page, service: str) -> None:
+def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: str) -> None:
     show(page, service, ZYL)
-    release = []
+    release: list[Route] = []
 
-    def hold(route) -> None:
+    def hold(route: Route) -> None:
         if '"pins":9' in (route.request.post_data or ""):
             release.append(route)
         else:
@@ -256,7 +258,7 @@ def test_stale_numbers_are_greyed_and_late_answers_dropped(page, service: str) -
     assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
 
 
-def test_typing_quickly_asks_once(page, service: str, watch) -> None:
+def test_typing_quickly_asks_once(page: Page, service: str, watch: Any) -> None:
     show(page, service, ZYL)
     before = watch.paths().count("/api/v1/crank-planetary")
     texts = ["5", "50", "500", "5000", "50000"]
@@ -265,7 +267,7 @@ def test_typing_quickly_asks_once(page, service: str, watch) -> None:
     assert watch.paths().count("/api/v1/crank-planetary") == before + 1
 
 
-def test_enter_does_not_wait(page, service: str) -> None:
+def test_enter_does_not_wait(page: Page, service: str) -> None:
     show(page, service, ZYL)
     with page.expect_request("**/api/v1/crank-planetary") as asked:
         page.evaluate(
@@ -286,7 +288,7 @@ def test_enter_does_not_wait(page, service: str) -> None:
     assert started < 60
 
 
-def test_only_what_is_shown_is_asked(page, service: str) -> None:
+def test_only_what_is_shown_is_asked(page: Page, service: str) -> None:
     show(page, service, ZYL)
     toggle = page.locator('[data-figure="force"] .toggle')
     with page.expect_request("**/api/v1/crank-planetary") as asked:
@@ -310,7 +312,7 @@ def test_only_what_is_shown_is_asked(page, service: str) -> None:
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(6)
 
 
-def test_keyboard_alone(page, service: str) -> None:
+def test_keyboard_alone(page: Page, service: str) -> None:
     show(page, service, ZYL)
     for _ in range(60):
         page.keyboard.press("Tab")
@@ -337,24 +339,24 @@ def test_keyboard_alone(page, service: str) -> None:
     expect(box(page, "mechanism.satellite_teeth")).to_be_visible()
 
 
-def test_enter_with_a_wrong_box_goes_to_it(page, service: str) -> None:
+def test_enter_with_a_wrong_box_goes_to_it(page: Page, service: str) -> None:
     show(page, service, ZYL)
     box(page, "mechanism.ratio").fill("u")
     box(page, "contact.pin_radius_mm").press("Enter")
     expect(box(page, "mechanism.ratio")).to_be_focused()
 
 
-def test_the_verdict_is_spoken(page, service: str) -> None:
+def test_the_verdict_is_spoken(page: Page, service: str) -> None:
     show(page, service, ZYL)
     live = page.locator("#live")
     expect(live).to_contain_text("Peak force 888.231 N")
     box(page, "mechanism.pins").fill("0")
-    expect(live).to_contain_text("Pins: Must be 1 or more")
+    expect(live).to_contain_text("Pins: must be 1 or more")
     expect(page.locator("[aria-live]")).to_have_count(1)
 
 
 @pytest.mark.parametrize("width", [390, 360, 320])
-def test_narrow_pages_do_not_scroll_sideways(page, service: str, width: int) -> None:
+def test_narrow_pages_do_not_scroll_sideways(page: Page, service: str, width: int) -> None:
     page.set_viewport_size({"width": width, "height": 844})
     show(page, service)
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line').first).to_be_attached()
@@ -369,7 +371,7 @@ def test_narrow_pages_do_not_scroll_sideways(page, service: str, width: int) -> 
 
 
 @pytest.mark.parametrize("width", [1440, 390])
-def test_nothing_moves_while_the_page_comes_up_or_computes(page, service: str, width: int) -> None:
+def test_nothing_moves_while_the_page_comes_up_or_computes(page: Page, service: str, width: int) -> None:
     page.set_viewport_size({"width": width, "height": 900})
     show(page, service)
     expect(page.locator('[data-figure="hertz"] .scatterlayer .js-line').first).to_be_attached()
@@ -388,7 +390,7 @@ def luminance(colour: str) -> float:
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
-def look(page) -> tuple[float, float]:
+def look(page: Page) -> tuple[float, float]:
     """Luminance of the page and of the text in a figure."""
     paper = page.evaluate("() => getComputedStyle(document.body).backgroundColor")
     text = page.locator('[data-figure="force"] .xtick text').first.evaluate(
@@ -397,7 +399,7 @@ def look(page) -> tuple[float, float]:
     return luminance(paper), luminance(text)
 
 
-def test_dark_follows_the_system_and_the_switch_and_is_remembered(page, service: str) -> None:
+def test_dark_follows_the_system_and_the_switch_and_is_remembered(page: Page, service: str) -> None:
     page.emulate_media(color_scheme="dark")
     show(page, service)
     expect(page.locator('[data-figure="force"] .xtick text').first).to_be_attached()
@@ -415,7 +417,7 @@ def test_dark_follows_the_system_and_the_switch_and_is_remembered(page, service:
     assert luminance(page.evaluate("() => getComputedStyle(document.body).backgroundColor")) > 0.8
 
 
-def test_plotly_is_loaded_once_and_not_without_a_figure(page, service: str, watch) -> None:
+def test_plotly_is_loaded_once_and_not_without_a_figure(page: Page, service: str, watch: Any) -> None:
     script = re.compile(r"/vendor/plotly/.*\.js$")
     show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
     page.wait_for_timeout(300)
@@ -426,7 +428,7 @@ def test_plotly_is_loaded_once_and_not_without_a_figure(page, service: str, watc
     assert len(list(filter(script.search, watch.paths()))) == 1
 
 
-def test_figures_offer_no_upload(page, service: str) -> None:
+def test_figures_offer_no_upload(page: Page, service: str) -> None:
     show(page, service)
     plot = page.locator('[data-figure="force"] .plot')
     expect(plot.locator(".modebar-btn").first).to_be_attached()
@@ -438,7 +440,7 @@ def test_figures_offer_no_upload(page, service: str) -> None:
     assert plot.get_attribute("role") == "img" and plot.get_attribute("aria-label")
 
 
-def test_without_the_service_everything_typed_stays(page, service: str, watch) -> None:
+def test_without_the_service_everything_typed_stays(page: Page, service: str, watch: Any) -> None:
     show(page, service, ZYL)
     page.route("**/api/v1/**", lambda route: route.abort())
     box(page, "mechanism.pins").fill("4")
