@@ -1,0 +1,132 @@
+"""Swinging rollers against 50-digit arithmetic of the definition, random and extreme input."""
+
+import random
+from typing import Any
+
+import pytest
+from mpmath import mp, mpf
+
+from core.load_sharing import share_load
+from core.roller_strength import roller_strength
+
+mp.dps = 50
+
+
+def exact_compliance(case: dict[str, Any]) -> mpf:
+    """P3 (8) for a unit force: bending, shear, and the end's rotation over b/2."""
+    length, width, sphere, d, k, e = (
+        mpf(case[name])
+        for name in (
+            "cylinder_length",
+            "sphere_width",
+            "sphere_diameter",
+            "diameter",
+            "friction_coefficient",
+            "youngs_modulus",
+        )
+    )
+    shear_modulus = e / (2 * (1 + mpf(case["poissons_ratio"])))
+    rigidity = e * mp.pi * d**4 / 64
+    end_moment = (k * sphere + width) / 2
+    shear_angle = mpf("1.11") / (shear_modulus * mp.pi * d**2 / 4)
+    sag = end_moment * length**2 / (2 * rigidity) + length**3 / (3 * rigidity)
+    rotation = (end_moment * length + length**2 / 2) / rigidity + shear_angle
+    return sag + shear_angle * length + rotation * width / 2
+
+
+def exact_forces(total: mpf, stiffness: mpf, gaps: list[mpf]) -> list[mpf]:
+    """Bisection on the number of closed contacts, in any order: the definition itself."""
+    order = sorted(gaps)
+    for closed in range(len(gaps), 0, -1):
+        displacement = (total / stiffness + mp.fsum(order[:closed])) / closed
+        if displacement > order[closed - 1] or closed == 1:
+            return [stiffness * max(mpf(0), displacement - gap) for gap in gaps]
+    raise AssertionError
+
+
+def error(value: float, exact: mpf, scale: mpf) -> float:
+    return float(abs(mpf(value) - exact) / abs(scale))
+
+
+def random_case(seed: int) -> dict[str, Any]:
+    r = random.Random(seed)
+    d = 10 ** r.uniform(-4, 0)
+    e = 10 ** r.uniform(8, 12)
+    return {
+        "output_torque": 10 ** r.uniform(-6, 9),
+        "hole_circle_radius": d * 10 ** r.uniform(-2, 3),
+        "rollers": r.choice([1, 2, 3, 4, 200, r.randint(1, 200)]),
+        "cylinder_length": d * 10 ** r.uniform(-3, 3),
+        "sphere_width": d * 10 ** r.uniform(-3, 3),
+        "sphere_diameter": d * 10 ** r.uniform(-3, 3),
+        "diameter": d,
+        "friction_coefficient": r.choice([0.0, 0.16, 10 ** r.uniform(-6, 1)]),
+        "youngs_modulus": e,
+        "poissons_ratio": r.uniform(0, 0.4999),
+        "stress_concentration": 10 ** r.uniform(0, 1),
+    }
+
+
+@pytest.mark.parametrize("seed", range(300))
+def test_every_number_by_tolerance(seed: int) -> None:
+    case = random_case(seed)
+    r = random.Random(-seed - 1)
+    n = case["rollers"]
+    delta = r.choice([0.0, n / 4, n / 4 * (1 + 1e-9), 10 ** r.uniform(-6, 6)])
+    stiffness = 1 / exact_compliance(case)
+    total = mpf(case["output_torque"]) / (2 * mpf(case["hole_circle_radius"]))
+    mean = total / n
+    tolerance = float(delta * mean / stiffness)
+    result = roller_strength(**case, position_tolerance=tolerance)
+    stated = result.accuracy.relative_error
+    assert stated < 1e-13
+
+    gaps = [mpf(0)] + [4 * mpf(tolerance)] * (n - 1)
+    forces = exact_forces(total, stiffness, gaps)
+    length, width = mpf(case["cylinder_length"]), mpf(case["sphere_width"])
+    friction, sphere = mpf(case["friction_coefficient"]), mpf(case["sphere_diameter"])
+    moment = (length + width / 2 + friction * sphere / 2) * forces[0]
+    stress = mpf(case["stress_concentration"]) * moment * 32 / (mp.pi * mpf(case["diameter"]) ** 3)
+    for value, exact in (
+        (result.stiffness, stiffness),
+        (result.relative_stiffness, stiffness / (width * mpf(case["youngs_modulus"]))),
+        (result.mean_force, mean),
+        (result.max_force, forces[0]),
+        (result.load_nonuniformity, forces[0] / mean),
+        (result.displacement, forces[0] / stiffness),
+        (result.bending_moment, moment),
+        (result.bending_stress, stress),
+    ):
+        assert error(value, exact, exact) <= stated
+    if tolerance > 0:
+        exact_delta = stiffness * mpf(tolerance) / mean
+        assert error(result.relative_position_error, exact_delta, exact_delta) <= stated
+    for value, exact in zip(result.forces, forces, strict=True):
+        assert error(value, exact, forces[0]) <= stated
+
+
+@pytest.mark.parametrize("seed", range(300))
+def test_load_sharing_of_any_gaps(seed: int) -> None:
+    r = random.Random(seed)
+    n = r.choice([1, 2, 3, r.randint(1, 200)])
+    total, stiffness = 10 ** r.uniform(-9, 9), 10 ** r.uniform(0, 12)
+    spread = total / stiffness * 10 ** r.uniform(-6, 6)
+    base = r.choice([0.0, spread, -1e3 * spread, 1e6 * spread])
+    kind = r.choice(["any", "equal", "powers", "two"])
+    gaps = [
+        base
+        + {
+            "any": r.uniform(0, spread),
+            "equal": 0.0,
+            "powers": spread * 10 ** r.uniform(-12, 6),
+            "two": r.choice([0.0, spread]),
+        }[kind]
+        for _ in range(n)
+    ]
+    sharing = share_load(total=total, stiffness=stiffness, gaps=gaps)
+    exact = exact_forces(mpf(total), mpf(stiffness), [mpf(gap) for gap in gaps])
+    for value, true in zip(sharing.forces, exact, strict=True):
+        assert error(value, true, max(exact)) <= sharing.relative_error
+    displacement = min(mpf(gap) for gap in gaps) + max(exact) / mpf(stiffness)
+    size = max(abs(displacement), mpf(max(abs(gap) for gap in gaps)))
+    assert error(sharing.displacement, displacement, size) <= sharing.relative_error

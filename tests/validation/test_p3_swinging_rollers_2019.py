@@ -1,0 +1,136 @@
+"""Paper values: Ovsyannikov, Perminov, Glavatskikh, Saltykova 2019 (P3), doi
+10.22213/2413-1172-2019-2-39-46, and why its eqs (11)-(13) cannot be right as printed.
+
+Numbers are the paper's formulas (9), (6), (4) evaluated to 10 digits or more elsewhere.
+"""
+
+import math
+
+import pytest
+
+from core.roller_curves import load_nonuniformity, relative_stiffness, relative_stress
+from core.roller_strength import RollerStrength, roller_strength
+
+FIG_4 = {
+    "relative_width": 0.8,
+    "relative_sphere": 1.5,
+    "friction_coefficient": 0.16,
+    "modulus_ratio": 2.1e11 / 7.8e10,
+}
+E, D, R, T, N, K, MU, K_SIGMA = 210e9, 0.01, 0.03, 0.001 * 210e9 * 0.01**3, 4, 0.16, 0.3, 2.0
+B, SPHERE = 0.8 * D, 1.5 * D
+
+
+def fig_6(length_ratio: float, tolerance_ratio: float) -> RollerStrength:
+    return roller_strength(
+        output_torque=T,
+        hole_circle_radius=R,
+        rollers=N,
+        cylinder_length=length_ratio * D,
+        sphere_width=B,
+        sphere_diameter=SPHERE,
+        diameter=D,
+        friction_coefficient=K,
+        youngs_modulus=E,
+        poissons_ratio=MU,
+        stress_concentration=K_SIGMA,
+        position_tolerance=tolerance_ratio * D,
+    )
+
+
+@pytest.mark.parametrize(
+    ("length", "stiffness"), [(1.0, 0.048588913), (2.0, 0.011424309), (3.0, 0.0042613394)]
+)
+def test_fig_4(length: float, stiffness: float) -> None:
+    assert relative_stiffness(relative_length=length, **FIG_4) == pytest.approx(
+        stiffness, abs=5e-10
+    )
+
+
+def test_fig_5_ends_where_one_roller_carries_everything() -> None:
+    # P3: delta above 1 means one roller, for n = 4
+    assert load_nonuniformity(relative_position_error=1.0, rollers=4) == 4.0
+    assert load_nonuniformity(relative_position_error=0.5, rollers=4) == 2.5
+    # for other n the limit is n/4: with 6 rollers all still carry at delta = 1
+    assert load_nonuniformity(relative_position_error=1.0, rollers=6) < 6
+
+
+def test_fig_6() -> None:
+    assert fig_6(2.0, 2e-4).bending_stress / E == pytest.approx(0.0024213655, abs=1e-10)
+    assert relative_stress(
+        relative_length=2.0,
+        relative_width=0.8,
+        relative_sphere=1.5,
+        friction_coefficient=K,
+        modulus_ratio=2.6,
+        rollers=N,
+        relative_torque=0.001,
+        relative_radius=3.0,
+        relative_tolerance=2e-4,
+        stress_concentration=K_SIGMA,
+    ) == pytest.approx(0.0024213655, abs=1e-10)
+
+
+def test_one_roller_stress_is_eq_14() -> None:
+    result = fig_6(2.0, 1.0)
+    arm = 2 * 2 * D + B + K * SPHERE
+    assert result.loaded_rollers == 1
+    assert result.bending_stress == pytest.approx(
+        K_SIGMA * arm * 8 * T / (R * math.pi * D**3), rel=1e-13
+    )
+
+
+def bending_and_shear(length: float) -> tuple[float, float]:
+    """The two parts of the compliance in P3 (9)."""
+    inertia, area, shear_modulus = math.pi * D**4 / 64, math.pi * D**2 / 4, E / (2 * (1 + MU))
+    bracket = (K * SPHERE + B) * length / 4 + length**2 / 3 + B * (length + K * SPHERE + B) / 4
+    return length / (E * inertia) * bracket, 1.11 / (shear_modulus * area) * (length + B / 2)
+
+
+def printed_force(length: float, tolerance: float) -> float:
+    """P3 (11) as printed: n before the bending part only."""
+    bending, shear = bending_and_shear(length)
+    return T / (2 * R * N) + 4 * tolerance * (N - 1) / (N * bending + shear)
+
+
+def system_residual(force: float, length: float, tolerance: float) -> float:
+    """Relative residual of P3 (5) if the first roller carries `force`."""
+    stiffness = 1 / sum(bending_and_shear(length))  # (9)
+    others = force - stiffness * 4 * tolerance
+    return (force + (N - 1) * others) / (T / (2 * R)) - 1
+
+
+@pytest.mark.parametrize("length", [1.0 * D, 2.0 * D, 3.0 * D])
+def test_erratum_11_breaks_the_equilibrium_5(length: float) -> None:
+    tolerance = 1e-4 * D
+    assert abs(system_residual(printed_force(length, tolerance), length, tolerance)) > 5e-4
+    derived = fig_6(length / D, 1e-4)
+    assert abs(system_residual(derived.max_force, length, tolerance)) < 1e-12
+
+
+def test_erratum_12_contradicts_4_and_6() -> None:
+    # (12) is (11) times the arm of (4) over W: compare with (6), whose stiffness is (9)
+    length, tolerance = D, 4e-4 * D
+    derived = fig_6(1.0, 4e-4)
+    arm = length + B / 2 + K * SPHERE / 2
+    printed = K_SIGMA * arm * printed_force(length, tolerance) / (math.pi * D**3 / 32)
+    by_6 = T / (2 * R * N) + 4 * (N - 1) / N * derived.stiffness * tolerance
+    assert derived.max_force == pytest.approx(by_6, rel=1e-13)
+    assert printed / derived.bending_stress - 1 == pytest.approx(0.09, abs=0.005)
+
+
+def test_erratum_13_contradicts_6() -> None:
+    length, tolerance = 1.0, 1e-4
+    b, sphere, torque, radius = 0.8, 1.5, 0.001, 3.0
+    bracket = (K * sphere + b) * length / 4 + length**2 / 3 + b * (length + K * sphere + b) / 4
+    shear = 2.22 * (1 + MU) * (length + b / 2)
+    arm = 2 * length + b + K * sphere
+
+    def stress(compliance: float) -> float:
+        load = 8 * torque / (radius * N * math.pi)
+        return K_SIGMA * arm * (load + 16 * tolerance * (N - 1) / compliance)
+
+    derived = fig_6(length, tolerance).bending_stress / E
+    printed = stress(16 * N * length * bracket + shear)
+    assert derived == pytest.approx(stress(N * (16 * length * bracket + shear)), rel=1e-12)
+    assert printed / derived > 1.03
