@@ -1,12 +1,8 @@
 /** Every text of the page in English. Titles and help of the form's fields come from the service's schema. */
 export default {
   page: {
-    name: "KHV Calc",
-    calculators: "Calculators",
-    skip: "Skip to the results",
     theme: "Theme",
     keys: "Keys",
-    loading: "Loading the calculator…",
     unreachable: "The service cannot be reached. Everything typed is kept; Enter tries again.",
     failed: "The page could not be started: {detail}",
   },
@@ -144,7 +140,6 @@ export default {
     geometry: "Fit of pin and hole",
   },
   figure: {
-    label: "Figures",
     table: "Table",
     showTable: "Show as a table",
     failed: "No figure: {detail}",
