@@ -3,48 +3,64 @@
 
 HOST ?= 127.0.0.1
 PORT ?= 8000
+WORKERS ?= 1
 PYTHON ?= python3
 BIN := .venv/bin
+PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check
+
+# The pinned requirements, read from pyproject.toml; the service itself runs from the checkout.
+PROJECT := import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]
+RUN_REQUIREMENTS := '$(PROJECT); print(*project["dependencies"], sep="\n")'
+TEST_REQUIREMENTS := '$(PROJECT); print(*project["optional-dependencies"]["test"], sep="\n")'
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit page node chromium
+.PHONY: help run test lint types unit node page
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
 
 .venv/run: pyproject.toml
-	@$(PYTHON) -c 'import ensurepip' || { echo "Python lacks venv: install the package python3-venv"; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "KHV Calc needs Python 3.11 or newer: make PYTHON=python3.12 ..."; exit 1; }
+	@$(PYTHON) -c 'import ensurepip' \
+		|| { echo "Python lacks venv; on Debian: apt-get install python3-venv"; exit 1; }
 	$(PYTHON) -m venv .venv
-	$(BIN)/pip install --quiet --disable-pip-version-check .
-	$(BIN)/pip uninstall --quiet --yes khv-calc
+	$(BIN)/python -c $(RUN_REQUIREMENTS) > .venv/run.txt
+	$(PIP_INSTALL) -r .venv/run.txt
 	@touch $@
 
 .venv/test: .venv/run
-	$(BIN)/pip install --quiet --disable-pip-version-check '.[test]'
-	$(BIN)/pip uninstall --quiet --yes khv-calc
+	$(BIN)/python -c $(TEST_REQUIREMENTS) > .venv/test.txt
+	$(PIP_INSTALL) -r .venv/test.txt
 	@touch $@
 
-run: .venv/run  ## start the service on http://127.0.0.1:8000
+run: .venv/run  ## start the service on http://127.0.0.1:8000 (HOST, PORT, WORKERS)
 	@echo "KHV Calc: http://$(HOST):$(PORT) (the page), http://$(HOST):$(PORT)/docs (the API)"
-	@exec $(BIN)/uvicorn app.main:app --host $(HOST) --port $(PORT) --no-server-header
+	@exec $(BIN)/uvicorn app.main:app --host $(HOST) --port $(PORT) --workers $(WORKERS) \
+		--no-server-header
 
-test: lint types unit node page  ## run everything: style, types, imports, tests, page
-	@echo "make test: everything passed"
+test: lint types unit node page  ## run everything: style, types, imports, tests, the page
+	@echo
+	@echo "make test: style, types, imports, tests and doctests passed"
+	@command -v node >/dev/null && echo "make test: the page's modules passed" \
+		|| echo "make test: SKIPPED the page's modules, no node"
+	@command -v chromium >/dev/null && echo "make test: the page in Chromium passed" \
+		|| echo "make test: SKIPPED the page, no chromium"
 
 lint: .venv/test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	PYTHONPATH=. $(BIN)/lint-imports --no-cache
+	PYTHONPATH=. $(BIN)/lint-imports --no-cache --no-logo
 
 types: .venv/test
 	$(BIN)/mypy
 
 unit: .venv/test
-	$(BIN)/pytest -n auto -m "not browser"
+	$(BIN)/pytest --numprocesses auto -m "not browser"
 
 node:
 	@tests/tools.sh node nodejs
-	@if command -v node >/dev/null; then node --test 'tests/static/*.test.mjs'; fi
+	@! command -v node >/dev/null || node --test tests/static/*.test.mjs
 
 page: .venv/test
 	@tests/tools.sh chromium chromium fonts-dejavu-core

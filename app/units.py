@@ -4,6 +4,7 @@ A physical quantity's name in the API ends in its unit; the name without it is t
 """
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ UNITS: dict[str, tuple[str, float]] = {
 """Suffix of a name: unit as shown, and its size in SI units."""
 
 
+@cache
 def suffix(field: str) -> str | None:
     """Unit suffix of an API name; None for a plain name."""
     return next((unit for unit in UNITS if field.endswith(f"_{unit}")), None)
@@ -55,21 +57,16 @@ def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; arrays become lists."""
     unit = suffix(field)
     if isinstance(value, np.ndarray):
-        if unit == "deg":
-            return np.round(np.degrees(value), DECIMALS_OF_DEGREES).tolist()
-        return (value if unit is None else _from_si(unit, value)).tolist()
+        return (value if unit is None else _array_from_si(unit, value)).tolist()
     if unit is None or value is None:
         return value
     if isinstance(value, (list, tuple)):
         return [from_si(field, each) for each in value]
-    return float(f"{_from_si(unit, value):.15g}") if unit in NOISY else _from_si(unit, value)
+    size = UNITS[unit][1]
+    if size >= 1:
+        return value / size
+    return _without_noise(value * (1 / size))
 
-
-NOISY = ("deg", "mm")
-"""Units whose conversion leaves noise in the 16th digit: 60 degrees, not 59.99999999999999."""
-
-DECIMALS_OF_DEGREES = 12
-"""To which arrays of angles are rounded, against the same noise."""
 
 QUANTITIES = {"angle": "deg", "position": "mm", "force": "N"}
 """Units of quantities that only refusals name: last word of the core's name to its suffix."""
@@ -82,7 +79,16 @@ def api_value(name: str, value: float) -> tuple[str, float]:
     return field, from_si(field, value)
 
 
-def _from_si(unit: str, value: Any) -> Any:
-    """The inverse of `to_si`, with the same care for the nearest double."""
+def _without_noise(value: float) -> float:
+    """60, not 59.99999999999999: the number of 9 decimals within reach of rounding errors."""
+    short = round(value, 9)
+    return short if abs(value - short) <= 2 * math.ulp(value) else value
+
+
+def _array_from_si(unit: str, value: np.ndarray) -> np.ndarray:
     size = UNITS[unit][1]
-    return value / size if size >= 1 else value * (1 / size)
+    if size >= 1:
+        return value / size
+    exact = value * (1 / size)
+    short = np.round(exact, 9)
+    return np.where(np.abs(exact - short) <= 2 * np.spacing(np.abs(exact)), short, exact)

@@ -1,0 +1,136 @@
+"""Every refusal has one shape, names the field in plain words and never echoes the input."""
+
+import httpx
+import pytest
+
+from app.main import create_app
+from app.settings import Settings
+
+pytestmark = pytest.mark.anyio
+
+JSON = {"content-type": "application/json"}
+SHAPE = {"type", "title", "status", "detail", "errors"}
+
+
+@pytest.fixture
+async def small():
+    """Client of a service that takes 1000 bytes and has an endpoint that fails."""
+    app = create_app(Settings(max_body_bytes=1000))
+
+    @app.get("/api/v1/failing")
+    async def failing() -> None:
+        raise RuntimeError("a secret")
+
+    transport = httpx.ASGITransport(app=app, raise_app_exceptions=False)
+    async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
+        yield client
+
+
+def refused(response: httpx.Response, status: int) -> list[tuple[str, str]]:
+    """Pointers and details of a refusal whose shape is right."""
+    problem = response.json()
+    assert response.status_code == problem["status"] == status
+    assert response.headers["content-type"] == "application/problem+json"
+    assert set(problem) - {"where"} == SHAPE
+    assert problem["type"].startswith("/problems/")
+    assert problem["title"]
+    assert problem["detail"]
+    return [(each["pointer"], each["detail"]) for each in problem["errors"]]
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "detail"),
+    [
+        ('{"pins": 0, "ratio": 2}', "/pins", "must be at least 1"),
+        ('{"pins": 3, "ratio": 2, "revolutions": 0}', "/revolutions", "must be greater than 0"),
+        ('{"pins": 2.5, "ratio": 2}', "/pins", "must be a whole number"),
+        ('{"pins": "5", "ratio": 2}', "/pins", "must be a whole number"),
+        ('{"pins": 3, "ratio": "5"}', "/ratio", "must be a number"),
+        ('{"pins": 3, "ratio": true}', "/ratio", "must be a number"),
+        ('{"pins": 3, "ratio": 1e999}', "/ratio", "must be a finite number"),
+        ('{"pins": 3, "ratio": NaN}', "/ratio", "must be a finite number"),
+        ('{"ratio": 2}', "/pins", "is needed"),
+        ('{"pins": 3, "ratio": 2, "a~b/c": 1}', "/a~0b~1c", "is not a known field"),
+        ('{"pins": 3, "ratio": 2, "crank_angles_deg": 5}', "/crank_angles_deg", "must be a list"),
+        ('{"pins": 3, "ratio": 2, "revolutions": 1e7}', "/revolutions", "must be at most 1000000"),
+        (
+            '{"pins": 3, ',
+            "",
+            "is not valid JSON at character 12: Expecting property name enclosed in double quotes",
+        ),
+        ("[1]", "", "must be an object, sent as application/json"),
+        ("", "", "is needed"),
+    ],
+)
+async def test_a_wrong_field_is_named_in_plain_words(api, body, pointer, detail):
+    response = await api.post("cyclogram", content=body, headers=JSON)
+    assert refused(response, 422) == [(pointer, detail)]
+
+
+async def test_several_wrong_fields_are_all_named(api):
+    response = await api.post("cyclogram", json={"pins": 0, "ratio": -1, "color": "red"})
+    assert [pointer for pointer, _ in refused(response, 422)] == ["/pins", "/ratio", "/color"]
+
+
+async def test_a_body_that_is_not_sent_as_json_is_refused_with_the_reason(api):
+    response = await api.post("cyclogram", data={"pins": 3})
+    assert refused(response, 422) == [("", "must be an object, sent as application/json")]
+
+
+@pytest.mark.parametrize("value", ['"<script>secret"', "[123454321]", '{"secret": 1}'])
+async def test_the_input_is_not_echoed(api, value):
+    response = await api.post("cyclogram", content=f'{{"pins": 3, "ratio": {value}}}', headers=JSON)
+    assert refused(response, 422) == [("/ratio", "must be a number")]
+    assert "secret" not in response.text
+    assert "123454321" not in response.text
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe", b'{"\\ud800": 1}', b"[" * 200_000, b"\x00"])
+async def test_garbage_is_the_senders_error(api, content):
+    response = await api.post("cyclogram", content=content, headers=JSON)
+    assert response.status_code in (400, 422)
+    refused(response, response.status_code)
+
+
+async def test_an_impossible_mechanism_says_where(api):
+    body = {
+        "pins": 2,
+        "satellites": 1,
+        "ratio": 20,
+        "output_torque_Nm": 50,
+        "pin_circle_radius_mm": 50,
+    }
+    response = await api.post("contact-force", json=body)
+    assert refused(response, 422) == []
+    assert response.json()["type"] == "/problems/impossible-mechanism"
+    assert set(response.json()["where"]) == {"crank_angle_deg"}
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "status"), [("GET", "nothing", 404), ("GET", "cyclogram", 405)]
+)
+async def test_wrong_paths_and_methods_are_problems(api, method, path, status):
+    assert refused(await api.request(method, path), status) == []
+
+
+async def test_a_body_above_the_limit_is_too_large_announced_or_not(small):
+    async def chunks():
+        for _ in range(30):
+            yield b" " * 100
+
+    for content in (b" " * 3000, chunks()):
+        response = await small.post("cyclogram", content=content, headers=JSON)
+        assert refused(response, 413) == []
+        assert response.json()["type"] == "/problems/too-large"
+
+
+async def test_a_body_below_the_limit_passes(small):
+    body = '{"pins": 3, "ratio": 20}'.ljust(1000)
+    assert (await small.post("cyclogram", content=body, headers=JSON)).status_code == 200
+
+
+async def test_a_failure_of_the_service_tells_nothing_about_itself(small):
+    response = await small.get("failing")
+    assert refused(response, 500) == []
+    assert "secret" not in response.text
+    assert response.headers["x-content-type-options"] == "nosniff"

@@ -1,0 +1,116 @@
+"""What core exports is documented, and the documentation speaks of what is there."""
+
+import dataclasses
+import importlib
+import inspect
+import pkgutil
+import re
+import tomllib
+from pathlib import Path
+from types import FunctionType, ModuleType
+
+import pytest
+
+import core
+
+ROOT = Path(__file__).parent.parent.parent
+MODULES = [
+    importlib.import_module(found.name) for found in pkgutil.walk_packages(core.__path__, "core.")
+]
+
+
+def own(module: ModuleType, kind: type) -> list:
+    """Public functions or classes that the module itself defines."""
+    return [
+        member
+        for name, member in vars(module).items()
+        if isinstance(member, kind)
+        and member.__module__ == module.__name__
+        and not name.startswith("_")
+    ]
+
+
+def methods(cls: type) -> list[FunctionType]:
+    """Public methods that the class writes itself."""
+    plain = [getattr(member, "__func__", member) for member in vars(cls).values()]
+    return [
+        each
+        for each in plain
+        if isinstance(each, FunctionType) and not each.__name__.startswith("_")
+    ]
+
+
+ORDERED = {"core.peak_force.depressed_cubic_roots"}
+"""Functions whose arguments have an order of their own: a polynomial's coefficients."""
+
+CLASSES = [cls for module in MODULES for cls in own(module, type)]
+FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
+DATACLASSES = [cls for cls in CLASSES if dataclasses.is_dataclass(cls)]
+CALLABLES = FUNCTIONS + [method for cls in CLASSES for method in methods(cls)]
+
+
+def identity(documented) -> str:
+    return f"{documented.__module__}.{documented.__qualname__}"
+
+
+def section(documented, title: str) -> list[str]:
+    """Names that a numpydoc section lists, in order; empty where there is no such section."""
+    text = inspect.getdoc(documented) or ""
+    found = re.search(rf"^{title}\n-+\n(.*?)(?=^[^\n]+\n-{{3,}}$|\Z)", text, re.M | re.S)
+    if found is None:
+        return []
+    heads = re.findall(r"^(\*{0,2}\w[\w, *]*?)(?: :|$)", found[1], re.M)
+    return [name.strip("* ") for head in heads for name in head.split(",")]
+
+
+@pytest.mark.parametrize(
+    "documented",
+    [*MODULES, *CLASSES, *CALLABLES],
+    ids=lambda each: getattr(each, "__qualname__", each.__name__),
+)
+def test_every_public_name_has_a_docstring(documented):
+    text = documented.__doc__ or ""
+    assert text.strip()
+    assert not text.startswith(f"{documented.__name__}("), "the signature is no description"
+
+
+@pytest.mark.parametrize("function", CALLABLES, ids=identity)
+def test_documented_parameters_are_the_signature(function):
+    documented = section(function, "Parameters")
+    actual = [
+        name for name in inspect.signature(function).parameters if name not in {"self", "cls"}
+    ]
+    if documented or (function in FUNCTIONS and len(actual) > 1):
+        assert documented == actual
+
+
+@pytest.mark.parametrize("cls", DATACLASSES, ids=identity)
+def test_documented_attributes_are_the_fields(cls):
+    documented = section(cls, "Attributes") + section(cls, "Parameters")
+    assert documented == [field.name for field in dataclasses.fields(cls)]
+
+
+@pytest.mark.parametrize("cls", DATACLASSES, ids=identity)
+def test_inputs_and_results_are_frozen(cls):
+    assert cls.__dataclass_params__.frozen
+
+
+@pytest.mark.parametrize("function", FUNCTIONS, ids=identity)
+def test_several_arguments_are_given_by_keyword(function):
+    """Two floats in the wrong order would pass unseen."""
+    if identity(function) in ORDERED:
+        return
+    positional = [
+        parameter.name
+        for parameter in inspect.signature(function).parameters.values()
+        if parameter.kind is parameter.POSITIONAL_OR_KEYWORD
+    ]
+    assert len(positional) <= 1
+
+
+def test_the_module_map_is_the_order_of_the_layers():
+    names = re.findall(r"^(\w+)  +\S", core.__doc__.split("Modules, in reading order")[1], re.M)
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]
+    layers = next(each for each in contracts["contracts"] if each.get("containers") == ["core"])
+    upwards = [layer.strip("()") for layer in reversed(layers["layers"])]
+    assert names == [layer for layer in upwards if layer in names]
