@@ -37,7 +37,7 @@ class MaterialFields(RequestModel):
     )
     allowable_pressure_MPa: float | None = quantity(
         "Allowable pressure",
-        symbol="p_zul",
+        symbol="p_all",
         group="material",
         default=None,
         gt=0,
