@@ -81,14 +81,17 @@ def peak(
     theta = [t for row in phases(pins, crank_angles) for t in row]
     v = mpf(exponent)
 
+    turned = [mp.cos_sin(t) for t in theta]
+
     def log_force(psi: mpf) -> tuple[mpf, mpf]:
         """Return ln f and its derivative; the derivative is that inside a segment."""
-        pairs = [(-mp.sin(psi + t), -mp.cos(psi + t)) for t in theta]
+        cos, sin = mp.cos_sin(psi)
+        pairs = [(-sin * ct - cos * st, sin * st - cos * ct) for ct, st in turned]
         best, best_slope = max(pairs)
         total = slope = mpf(0)
         for c, dc in pairs:
             if c > 0:
-                power = mp.exp(v * mp.log(c / best)) if v else mpf(1)
+                power = mp.power(c / best, v) if v else mpf(1)
                 total += power * c
                 slope += power * dc
         return -mp.log(total), v * best_slope / best - (1 + v) * slope / total
@@ -120,7 +123,7 @@ def peak(
 
 
 def _worth_searching(
-    segments: Sequence[tuple[mpf, mpf]], theta: Sequence[mpf], exponent: float, samples: int = 33
+    segments: Sequence[tuple[mpf, mpf]], theta: Sequence[mpf], exponent: float, samples: int = 257
 ) -> list[tuple[mpf, mpf]]:
     """Segments whose largest sample, raised by their steepest slope over a step, may win."""
     phase = np.array([float(t) for t in theta])
@@ -161,15 +164,26 @@ def _breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
 
 
 def _summit(log_force, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignore[no-untyped-def]
-    """Bisect the derivative to half the digits: the value is then right to all of them."""
-    while right - left > mpf(10) ** (-DIGITS // 2 + 1):
-        middle = (left + right) / 2
-        if log_force(middle)[1] > 0:
-            left = middle
+    """Root of the derivative to half the digits: the value is then right to all of them.
+
+    Illinois steps, with a bisection as every third: the derivative may rise like a small power.
+    """
+    small = mpf(10) ** (1 - DIGITS // 2)
+    middle, slope_left, slope_right = (left + right) / 2, None, None
+    for step in range(1000):
+        value, slope = log_force(middle)
+        if right - left < small or abs(slope) < small**1.2:
+            break
+        if slope > 0:
+            left, slope_left = middle, slope
+            slope_right = slope_right and slope_right / 2
         else:
-            right = middle
-    middle = (left + right) / 2
-    return log_force(middle)[0], middle
+            right, slope_right = middle, slope
+            slope_left = slope_left and slope_left / 2
+        middle = (left + right) / 2
+        if step % 3 and slope_left and slope_right:
+            middle = left + (right - left) * slope_left / (slope_left - slope_right)
+    return value, middle
 
 
 def driving_count(pins: int, crank_angles: Sequence[float], psi: mpf) -> int:

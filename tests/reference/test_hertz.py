@@ -150,7 +150,8 @@ def test_conformal_half_angle_and_peak_pressure(load_parameter: float) -> None:
     b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
     exact = exact_tangent(load_parameter)
     assert abs(mpf(b) / exact - 1) < 1e-15
-    ratio, _ = conformal_pressure_ratio(load_parameter=load_parameter)
+    ratio, tangent, _ = conformal_pressure_ratio(load_parameter=load_parameter)
+    assert tangent == b
     exact_ratio = exact_pressure(mpf(0), exact) / mp.sqrt(mpf(load_parameter) / (2 * mp.pi))
     assert abs(mpf(ratio) / exact_ratio - 1) < 3e-15
 
@@ -181,7 +182,7 @@ def test_conformal_pressure_closes_the_gap_between_disc_and_hole(load_parameter:
 
     (n = 1 is a rigid motion of the disc). Contact: u_hole - u_disc + dR = C*cos(t).
     """
-    harmonics, points = 3000, 24001
+    harmonics, points = 1500, 12001
     b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
     end = 2 * math.atan(b)
     t = np.linspace(-np.pi / 2, np.pi / 2, points)
