@@ -246,9 +246,10 @@ def _line_by_angle(
     span = phi_max - phi_min
     if not span > SAME * max(abs(phi_min), abs(phi_max)):
         raise InvalidInput(f"rollers[{index}].phi_max", phi_max, "must be larger than {phi_min}")
-    sines, errors = [], []
+    width = curve.width
+    sines, errors, points = [], [], []
     for name, phi in (("phi_min", phi_min), ("phi_max", phi_max)):
-        sine = math.sin(phi + phi_1)
+        sine, cosine = _sine_and_cosine_of_sum(phi, phi_1)
         error = ROUNDING * (abs(phi) + abs(phi_1))
         if abs(sine) <= 4 * error:
             raise InvalidInput(
@@ -259,6 +260,7 @@ def _line_by_angle(
             )
         sines.append(sine)
         errors.append(error)
+        points.append(LinePoint(width * cosine / sine, -curve.scale * math.sin(phi) / sine))
     if span >= math.pi or sines[0] * sines[1] < 0:
         raise InvalidInput(
             f"rollers[{index}].phi_max",
@@ -266,11 +268,6 @@ def _line_by_angle(
             "must lie on the same side of the pole, a multiple of half a turn less "
             "{position_angle}, as {phi_min}: the line is infinitely long there",
         )
-    width = curve.width
-    points = [
-        LinePoint(width * math.cos(phi + phi_1) / sine, -curve.scale * math.sin(phi) / sine)
-        for phi, sine in zip((phi_min, phi_max), sines, strict=True)
-    ]
     start, end = sorted(points, key=lambda point: point.z)
     extent = abs(width * math.sin(span) / (sines[0] * sines[1]))
     length, curved, nodes = _length(curve, start, end, extent)
@@ -303,6 +300,15 @@ def _line_by_angle(
     return line, nodes
 
 
+def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
+    """Sine and cosine of a sum of angles without the rounding of the sum."""
+    total = first + second
+    part = total - first
+    lost = (first - (total - part)) + (second - part)
+    sine, cosine = math.sin(total), math.cos(total)
+    return sine + lost * cosine, cosine - lost * sine
+
+
 def _length(
     curve: ContactCurve, start: LinePoint, end: LinePoint, extent: float
 ) -> tuple[float, float, int]:
@@ -311,7 +317,7 @@ def _length(
     slope = curve.slope(y)
     stretch = np.hypot(1.0, slope)
     curved = weight * (slope * (slope / stretch))
-    return math.fsum(weight * stretch), math.fsum(curved), len(y)
+    return math.fsum((weight * stretch).tolist()), float(curved.sum()), len(y)
 
 
 @dataclass(frozen=True, slots=True)

@@ -200,62 +200,63 @@ def _arm_ratio(line: ContactLine, z: float) -> float:
     return abs(z * curve.sine) / math.hypot(z + curve.offset, curve.width)
 
 
-def _line_integrals(line: ContactLine, reference_z: float) -> tuple[FloatArray, FloatArray, int]:
-    """Integrals of ``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` over a line.
+def _directions(line: ContactLine, y: FloatArray, z: FloatArray, reference_z: float) -> FloatArray:
+    """``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` at places of a line, shape (4, n)."""
+    along = line.curve.scale / z
+    across = -y / (z * line.curve.sine)
+    lever = z - reference_z
+    return np.stack((along, across, -across * lever, along * lever))
 
-    Returns them with their absolute errors and the number of nodes. The errors are those of
-    rounding, of the curve's width, and of its place: the integrals change by
-    ``[h*f] - integral h'*f`` where the stretch f = ds/dz moves along z under the rest h.
+
+def _line_integrals(line: ContactLine, reference_z: float) -> tuple[FloatArray, FloatArray, int]:
+    """Integrals of `_directions` over a line, their absolute errors, and the number of nodes.
+
+    The errors are those of rounding, of the curve's width, of the line's limits and of the
+    curve's place: where the stretch f = ds/dz moves along z under the rest h of the integrand,
+    the integral changes by ``[h*f] - integral h'*f``.
     """
     curve = line.curve
     y, z, weight = curve.nodes(start=line.start, end=line.end, extent=line.extent, loaded=True)
     slope = curve.slope(y)
     stretch = np.hypot(1.0, slope)
-    scale, sine, offset = curve.scale, curve.sine, curve.offset
-    angle = curve.position_angle
+    length = weight * stretch
+    directions = _directions(line, y, z, reference_z)
+    integrals = np.array([math.fsum(row) for row in (directions * length).tolist()])
 
-    def directions(y: FloatArray, z: FloatArray) -> FloatArray:
-        arm = z - reference_z
-        return np.array(
-            [scale / z, -y / (z * sine), y * arm / (z * sine), scale * arm / z], dtype=float
-        )
-
-    size = np.abs(directions(y, z))
-    integrals = np.array([math.fsum(row) for row in directions(y, z) * (weight * stretch)])
-    total = size @ (weight * stretch)
+    size = np.abs(directions)
+    total = size @ length
     curved = size @ (weight * slope * (slope / stretch))
-
     shift = curve.offset_error + ROUNDING * max(abs(line.start.y), abs(line.end.y))
-    places = np.array([[line.start.y, line.end.y], [line.start.z, line.end.z]])
-    ends = np.abs(directions(places[0], places[1]))
-    steepest = np.array([curve.steepest_stretch(float(place), shift) for place in places[0]])
-    inverse = np.abs(1 / z)
-    falling = np.array(
+    place_y, place_z = np.array((line.start, line.end)).T
+    ends = np.abs(_directions(line, place_y, place_z, reference_z))
+    steepest = np.array(
+        [curve.steepest_stretch(point.y, shift) for point in (line.start, line.end)]
+    )
+
+    inverse = float(length @ (1 / np.abs(z)))
+    inverse_square = float(length @ (1 / (z * z)))
+    scale, sine, offset, level = (
+        abs(value) for value in (curve.scale, curve.sine, curve.offset, reference_z)
+    )
+    # h' and, of the terms with y, the change of y itself, which moves with the curve
+    moving = np.array(
         [
-            abs(scale) * inverse**2,
-            np.abs(offset / sine) * inverse**2,
-            np.abs((1 + offset * reference_z / z**2) / sine),
-            abs(scale * reference_z) * inverse**2,
+            scale * inverse_square,
+            (offset * inverse_square + inverse) / sine,
+            (2 * line.length + level * inverse + offset * level * inverse_square) / sine,
+            scale * level * inverse_square,
         ]
     )
-    # y itself moves with the offset; z - l carries a rounding of its own
-    moving = np.array([0 * z, inverse / abs(sine), np.abs(1 - reference_z / z) / abs(sine), 0 * z])
-    rounded = np.array([0 * z, 0 * z, np.abs(y / (z * sine)), abs(scale) * inverse])
-    largest = max(abs(line.z_min), abs(line.z_max), abs(reference_z))
-    moved = shift * (ends @ steepest + (falling + moving) @ (weight * stretch))
-    factors = np.array(
-        [
-            curve.scale_error,
-            ROUNDING * abs(angle / math.tan(angle)),
-            ROUNDING * abs(angle / math.tan(angle)),
-            curve.scale_error,
-        ]
-    )
+    # the lever z - l carries a rounding of its own
+    lever_error = ROUNDING * max(abs(line.z_min), abs(line.z_max), level)
+    lever = lever_error * np.array([0.0, 0.0, total[1], scale * inverse])
+    sine_error = ROUNDING * abs(curve.position_angle / math.tan(curve.position_angle))
+    factor_error = np.array([curve.scale_error, sine_error, sine_error, curve.scale_error])
     errors = (
-        (6 * ROUNDING + TRUNCATION + factors) * total
+        (6 * ROUNDING + TRUNCATION + factor_error) * total
         + curve.width_error * curved
-        + moved
-        + ROUNDING * largest * (rounded @ (weight * stretch))
+        + shift * (ends @ steepest + moving)
+        + lever
         + ends @ (steepest * np.array(line.end_errors))
     )
     return integrals, errors, len(y)

@@ -261,7 +261,7 @@ def shaft_diagram(
     for start, end, diameter in pieces:
         loads = at_c + at_b if start >= bearing_distance else at_c
         zero = at_b * bearing_distance if start >= bearing_distance else 0.0
-        near, far = np.clip(place, start, end) - place, np.maximum(end - place, 0.0)
+        near, far = np.maximum(start - place, 0.0), np.maximum(end - place, 0.0)
         here = loads * place - zero
         deflection += (
             here * (far - near) * (far + near) / 2

@@ -63,9 +63,10 @@ def test_only_differences_of_gaps_matter(base: float) -> None:
     step = 2.0**-20  # exact beside every base
     gaps = [base + i * step for i in (0, 1, 3, 8)]
     shifted = share_load(total=7.0, stiffness=1e6, gaps=gaps)
-    assert shifted.forces == share_load(
-        total=7.0, stiffness=1e6, gaps=[i * step for i in (0, 1, 3, 8)]
-    ).forces
+    assert (
+        shifted.forces
+        == share_load(total=7.0, stiffness=1e6, gaps=[i * step for i in (0, 1, 3, 8)]).forces
+    )
 
 
 def test_a_tiny_load_closes_one_contact_of_a_huge_spread() -> None:

@@ -67,9 +67,7 @@ def test_equilibrium(rollers: int, tolerance: float, torque: float, length_ratio
 
 @given(st.lists(st.floats(-1e-4, 1e-4), min_size=1, max_size=30))
 def test_any_gaps(gaps: list[float]) -> None:
-    result = roller_strength(
-        **without("position_tolerance") | {"rollers": len(gaps), "gaps": gaps}
-    )
+    result = roller_strength(**without("position_tolerance") | {"rollers": len(gaps), "gaps": gaps})
     assert math.fsum(result.forces) == pytest.approx(210.0 / (2 * 0.03), rel=1e-12)
     assert result.max_force == result.forces[gaps.index(min(gaps))]
     bound = 1 + 4 * (len(gaps) - 1) / len(gaps) * result.relative_position_error
@@ -120,9 +118,7 @@ def test_scaling(size: float, load: float) -> None:
     assert scaled.max_force == pytest.approx(load * base.max_force, rel=1e-12)
     assert scaled.stiffness == pytest.approx(size * base.stiffness, rel=1e-12)
     assert scaled.displacement == pytest.approx(load / size * base.displacement, rel=1e-12)
-    assert scaled.bending_stress == pytest.approx(
-        load / size**2 * base.bending_stress, rel=1e-12
-    )
+    assert scaled.bending_stress == pytest.approx(load / size**2 * base.bending_stress, rel=1e-12)
 
 
 def test_curves_go_through_the_design() -> None:

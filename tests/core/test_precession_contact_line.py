@@ -1,0 +1,214 @@
+"""Invariants, refusals and points of the contact lines."""
+
+import math
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
+from core.precession.contact_line import contact_lines, contact_points
+from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
+
+GEAR: dict[str, Any] = {
+    "roller_circle_radius": 0.05,
+    "roller_radius": 0.004,
+    "nutation_angle": math.radians(6),
+    "ratio_u12": 24 / 25,
+}
+POSITIONS = st.floats(1e-3, math.pi - 1e-3)
+PLACES = st.floats(-0.1, 0.1)
+EXTENTS = st.floats(1e-6, 0.1)
+
+
+@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS)
+def test_mirror_symmetry(phi_1: float, z: float, extent: float) -> None:
+    """phi1 -> pi - phi1 with z -> -z leaves the line as it is; so does phi1 -> -phi1 alone."""
+    straight, mirrored, turned = (
+        contact_lines(**GEAR, rollers=[roller])
+        for roller in (
+            RollerByLength(phi_1, z, z + extent),
+            RollerByLength(math.pi - phi_1, -z - extent, -z),
+            RollerByLength(-phi_1, z, z + extent),
+        )
+    )
+    tolerance = straight.accuracy.relative_error + mirrored.accuracy.relative_error
+    assert mirrored.total_length == pytest.approx(straight.total_length, rel=tolerance)
+    assert turned.total_length == pytest.approx(straight.total_length, rel=tolerance)
+
+
+@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS, size=st.floats(1e-3, 1e3))
+def test_scaling(phi_1: float, z: float, extent: float, size: float) -> None:
+    base = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
+    scaled = contact_lines(
+        **GEAR | {"roller_circle_radius": size * 0.05, "roller_radius": size * 0.004},
+        rollers=[RollerByLength(phi_1, size * z, size * (z + extent))],
+    )
+    tolerance = 2 * (base.accuracy.relative_error + scaled.accuracy.relative_error)
+    assert scaled.total_length == pytest.approx(size * base.total_length, rel=tolerance)
+
+
+@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS, part=st.floats(0.1, 0.9))
+def test_lengths_add_up_and_exceed_the_straight_line(
+    phi_1: float, z: float, extent: float, part: float
+) -> None:
+    middle = z + part * extent
+    whole = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
+    halves = contact_lines(
+        **GEAR,
+        rollers=[RollerByLength(phi_1, z, middle), RollerByLength(phi_1, middle, z + extent)],
+    )
+    tolerance = whole.accuracy.relative_error + halves.accuracy.relative_error
+    assert halves.total_length == pytest.approx(whole.total_length, rel=tolerance)
+    (line,) = whole.lines
+    straight = math.hypot(line.z_max - line.z_min, 0.004 * (line.phi_max - line.phi_min))
+    assert line.length >= straight * (1 - 1e-9)
+
+
+@given(phi_1=st.floats(-3.1, 3.1).filter(lambda p: abs(p) > 1e-2), z=PLACES, extent=EXTENTS)
+def test_limits_in_phi_and_in_z_are_the_same_line(phi_1: float, z: float, extent: float) -> None:
+    by_z = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
+    (line,) = by_z.lines
+    by_phi = contact_lines(**GEAR, rollers=[RollerByAngle(phi_1, line.phi_min, line.phi_max)])
+    tolerance = by_z.accuracy.relative_error + 4 * by_phi.accuracy.relative_error
+    assert by_phi.total_length == pytest.approx(by_z.total_length, rel=tolerance)
+    assert by_phi.lines[0].z_min == pytest.approx(line.z_min, abs=1e-10)
+    assert by_phi.lines[0].flank == line.flank == 0
+
+
+@pytest.mark.parametrize("half_turns", [-2, -1, 0, 1, 3])
+@pytest.mark.parametrize("phi_1", [0.3, 1.2, -2.0, 9.0])
+def test_points_satisfy_eq_1_on_either_flank(phi_1: float, half_turns: int) -> None:
+    (line,) = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, -0.02, 0.025)]).lines
+    roller = RollerByAngle(
+        phi_1, line.phi_min + half_turns * math.pi, line.phi_max + half_turns * math.pi
+    )
+    (flank,) = contact_lines(**GEAR, rollers=[roller]).lines
+    assert flank.flank == half_turns
+    assert flank.length == pytest.approx(line.length, rel=1e-12)
+    points = contact_points(line=flank, samples=41)
+    scale = line.curve.scale
+    assert points.z == pytest.approx(
+        -scale * np.sin(points.phi) / np.sin(points.phi + phi_1), abs=1e-12
+    )
+    assert sorted((points.phi[0], points.phi[-1])) == pytest.approx(
+        [roller.phi_min, roller.phi_max], abs=1e-12
+    )
+    assert np.all(np.diff(points.phi) > 0) or np.all(np.diff(points.phi) < 0)
+    # on the roller: at its radius from its axis
+    axis = 0.05 * np.array([-math.sin(phi_1), math.cos(phi_1)])
+    distance = np.hypot(*(points.position[:, :2] - axis).T)
+    assert distance == pytest.approx(0.004, rel=1e-12)
+    assert points.x == pytest.approx(0.004 * points.phi)
+    # the polyline of many points is as long as the line
+    fine = contact_points(line=flank, samples=4001)
+    steps = np.hypot(np.diff(fine.z), np.diff(fine.x))
+    assert steps.sum() == pytest.approx(flank.length, rel=1e-5)
+
+
+@pytest.mark.parametrize("torque_sign", [1, -1])
+def test_the_loaded_flank_has_an_arm_of_the_torques_sign(torque_sign: int) -> None:
+    rollers = wheel_rollers(rollers_total=24, position_angle=0.1, z_min=0.01, z_max=0.02)
+    assert len(rollers) == 24
+    result = contact_lines(**GEAR, rollers=rollers, torque_sign=torque_sign)
+    for line in result.lines:
+        arms = -np.sin(contact_points(line=line).phi)
+        assert np.all(arms * torque_sign > 0)
+        assert line.arm_sign == torque_sign
+        assert -2 * math.pi < line.phi_min < line.phi_max < 2 * math.pi
+
+
+def refusal(kind: type[CalculationError], **changes: Any) -> Any:
+    valid: dict[str, Any] = GEAR | {"rollers": [RollerByLength(0.5, 0.015, 0.025)]}
+    with pytest.raises(kind) as caught:
+        contact_lines(**valid | changes)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("parameter", "changes"),
+    [
+        ("roller_circle_radius", {"roller_circle_radius": 0.0}),
+        ("roller_radius", {"roller_radius": 0.05}),
+        ("roller_radius", {"roller_radius": math.nan}),
+        ("nutation_angle", {"nutation_angle": 0.0}),
+        ("nutation_angle", {"nutation_angle": math.pi / 2}),
+        ("ratio_u12", {"ratio_u12": math.nan}),
+        ("rollers", {"rollers": []}),
+        ("torque_sign", {"torque_sign": 0}),
+    ],
+)
+def test_refusals_of_the_gear(parameter: str, changes: dict[str, Any]) -> None:
+    assert refusal(InvalidInput, **changes).parameter == parameter
+
+
+@pytest.mark.parametrize(
+    ("field", "roller"),
+    [
+        ("position_angle", RollerByLength(0.0, 0.015, 0.025)),
+        ("position_angle", RollerByLength(math.pi, 0.015, 0.025)),
+        ("position_angle", RollerByAngle(-7 * math.pi, 0.1, 0.2)),
+        ("z_max", RollerByLength(0.5, 0.02, 0.02)),
+        ("z_max", RollerByLength(0.5, 0.02, 0.01)),
+        ("z_max", RollerByLength(0.5, 0.02, math.nan)),
+        ("phi_max", RollerByAngle(0.5, 0.2, 0.2)),
+        ("phi_max", RollerByAngle(0.5, -1.0, -0.1)),  # across phi = -phi1
+        ("phi_max", RollerByAngle(0.5, -0.4, 2.8)),  # across phi = pi - phi1
+        ("phi_max", RollerByAngle(0.5, -0.4, 6.0)),  # across both: the sines agree in sign
+        ("phi_min", RollerByAngle(0.5, -0.5, 0.1)),  # at the pole
+        ("phi_max", RollerByAngle(0.5, 0.1, math.pi - 0.5)),
+    ],
+)
+def test_refusals_of_a_roller(field: str, roller: Any) -> None:
+    first = RollerByLength(1.0, 0.015, 0.025)
+    caught = refusal(InvalidInput, rollers=[first, roller])
+    assert caught.parameter == f"rollers[1].{field}"
+
+
+def test_no_line_where_cos_theta_is_u12() -> None:
+    angle = math.radians(60)
+    caught = refusal(ImpossibleMechanism, nutation_angle=angle, ratio_u12=0.5)
+    assert caught.where == {"nutation_angle": angle, "ratio_u12": 0.5}
+
+
+@pytest.mark.parametrize(("z_min", "z_max"), [(-0.01, 0.02), (0.0, 0.02), (-0.02, 0.0)])
+def test_a_torque_needs_an_arm(z_min: float, z_max: float) -> None:
+    roller = RollerByLength(0.5, z_min, z_max)
+    caught = refusal(ImpossibleMechanism, rollers=[roller], torque_sign=1)
+    assert caught.where == {"roller": 1.0, "z": 0.0}
+    assert contact_lines(**GEAR, rollers=[roller]).lines[0].arm_sign == 0
+
+
+@pytest.mark.parametrize(
+    ("parameter", "changes"),
+    [
+        ("rollers_total", {"rollers_total": 0}),
+        ("rollers_in_mesh", {"rollers_in_mesh": 13}),
+        ("rollers_in_mesh", {"rollers_in_mesh": 0}),
+        ("z_max", {"z_max": 0.01}),
+        ("position_angle", {"position_angle": math.radians(30)}),
+    ],
+)
+def test_refusals_of_a_wheel(parameter: str, changes: dict[str, Any]) -> None:
+    valid = {"rollers_total": 12, "position_angle": 0.1, "z_min": 0.01, "z_max": 0.02}
+    with pytest.raises(InvalidInput) as caught:
+        wheel_rollers(**valid | changes)
+    assert caught.value.parameter == parameter
+
+
+def test_scipy_is_not_loaded() -> None:
+    code = (
+        "import sys, math\n"
+        "from core.precession.meshing_load import meshing_load\n"
+        "from core.precession.rollers import RollerByLength\n"
+        "import core.precession.shaft_deflection, core.roller_strength\n"
+        "meshing_load(roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=0.1,\n"
+        "    ratio_u12=0.96, rollers=[RollerByLength(1.0, 0.01, 0.02)], torque=1.0,\n"
+        "    reference_z=0.0)\n"
+        "assert 'scipy' not in sys.modules and 'mpmath' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)

@@ -1,0 +1,152 @@
+"""Invariants, refusals and notices of the meshing load."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.precession.contact_line import contact_points
+from core.precession.meshing_load import line_load, meshing_load
+from core.precession.rollers import RollerByAngle, RollerByLength
+
+GEAR: dict[str, Any] = {
+    "roller_circle_radius": 0.05,
+    "roller_radius": 0.004,
+    "nutation_angle": math.radians(6),
+    "ratio_u12": 24 / 25,
+}
+ROLLER = RollerByLength(1.0, 0.015, 0.025)
+ROLLERS = st.lists(
+    st.builds(
+        lambda angle, z, extent: RollerByLength(angle, z, z + extent),
+        st.floats(0.3, 2.84),
+        st.floats(1e-3, 0.1),
+        st.floats(1e-4, 0.1),
+    ),
+    min_size=1,
+    max_size=4,
+)
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
+TORQUES = st.floats(1e-3, 1e4).flatmap(lambda t: st.sampled_from([t, -t]))
+
+
+@given(rollers=ROLLERS, torque=TORQUES, reference_z=st.floats(-0.1, 0.1))
+def test_moment_about_the_axis_is_the_torque(
+    rollers: list[RollerByLength], torque: float, reference_z: float
+) -> None:
+    """M_Cz = M1 and F_z = 0, and not by definition alone: from the line load itself."""
+    load = meshing_load(**GEAR, rollers=rollers, torque=torque, reference_z=reference_z)
+    assert load.moment[2] == torque
+    assert load.force[2] == 0.0
+    force, moment, largest = np.zeros(3), np.zeros(3), 0.0
+    for line in load.lines:
+        z = line.z_min + (line.z_max - line.z_min) * (NODES + 1) / 2
+        curve = line.curve
+        phi = curve.polar_angle(z) + line.flank * math.pi
+        q = line_load(load=load, line=line, z=z)
+        stretch = np.hypot(1.0, curve.slope(z + curve.offset))
+        angle = line.position_angle
+        normal = np.array([np.sin(phi + angle), -np.cos(phi + angle), 0 * z])
+        axis = 0.05 * np.array([-math.sin(angle), math.cos(angle)])
+        place = np.array(
+            [axis[0] + 0.004 * normal[0], axis[1] + 0.004 * normal[1], z - reference_z]
+        )
+        share = (q * stretch * WEIGHTS * (line.z_max - line.z_min) / 2) * normal
+        force += share.sum(axis=1)
+        moment += np.cross(place.T, share.T).sum(axis=0)
+        largest = max(largest, *q)
+    size = max(np.linalg.norm(load.force), abs(torque) / 0.05)
+    assert np.linalg.norm(force - load.force) <= 1e-7 * size
+    assert np.linalg.norm(moment - load.moment) <= 1e-7 * np.linalg.norm(load.moment)
+    assert largest <= load.max_line_load * (1 + 1e-12)
+
+
+@given(rollers=ROLLERS, size=st.floats(1e-2, 1e2), factor=st.floats(1e-3, 1e3))
+def test_scaling(rollers: list[RollerByLength], size: float, factor: float) -> None:
+    base = meshing_load(**GEAR, rollers=rollers, torque=10.0, reference_z=0.02)
+    scaled = meshing_load(
+        **GEAR | {"roller_circle_radius": size * 0.05, "roller_radius": size * 0.004},
+        rollers=[RollerByLength(r.position_angle, size * r.z_min, size * r.z_max) for r in rollers],
+        torque=factor * 10.0,
+        reference_z=size * 0.02,
+    )
+    force = math.hypot(*base.force)
+    moment = math.hypot(*base.moment)
+    for one, other in zip(base.force, scaled.force, strict=True):
+        assert other * size / factor == pytest.approx(one, rel=1e-11, abs=1e-11 * force)
+    for one, other in zip(base.moment, scaled.moment, strict=True):
+        assert other / factor == pytest.approx(one, rel=1e-11, abs=1e-11 * moment)
+    assert scaled.max_line_load * size**2 / factor == pytest.approx(base.max_line_load, rel=1e-11)
+
+
+@given(rollers=ROLLERS, torque=TORQUES)
+def test_torque_reversal_turns_force_and_moment_round(
+    rollers: list[RollerByLength], torque: float
+) -> None:
+    one, other = (
+        meshing_load(**GEAR, rollers=rollers, torque=t, reference_z=0.02) for t in (torque, -torque)
+    )
+    assert other.force[:2] == tuple(-component for component in one.force[:2])
+    assert other.moment == tuple(-component for component in one.moment)
+    assert {line.arm_sign for line in one.lines} == {int(math.copysign(1, torque))}
+
+
+@given(rollers=ROLLERS, turn=st.floats(-0.04, 0.04))
+def test_the_moment_moves_with_its_point(rollers: list[RollerByLength], turn: float) -> None:
+    """M_C' = M_C + (C - C') x F."""
+    one, other = (
+        meshing_load(**GEAR, rollers=rollers, torque=10.0, reference_z=z) for z in (0.0, turn)
+    )
+    size = 1e-11 * (math.hypot(*one.moment) + math.hypot(*one.force))
+    assert other.moment[0] == pytest.approx(one.moment[0] + turn * one.force[1], abs=size)
+    assert other.moment[1] == pytest.approx(one.moment[1] - turn * one.force[0], abs=size)
+
+
+def test_the_flank_does_not_change_the_force() -> None:
+    by_z = meshing_load(**GEAR, rollers=[ROLLER], torque=10.0, reference_z=0.02)
+    (line,) = by_z.lines
+    for half_turns, codes in ((0, []), (1, ["unloaded_flank"]), (2, [])):
+        turned = RollerByAngle(
+            1.0, line.phi_min + half_turns * math.pi, line.phi_max + half_turns * math.pi
+        )
+        load = meshing_load(**GEAR, rollers=[turned], torque=10.0, reference_z=0.02)
+        assert load.force == pytest.approx(by_z.force, rel=1e-12)
+        assert load.moment == pytest.approx(by_z.moment, rel=1e-10)
+        assert [notice.code for notice in load.notices] == codes
+
+
+def test_largest_line_load_lies_at_an_end() -> None:
+    load = meshing_load(**GEAR, rollers=[ROLLER], torque=10.0, reference_z=0.02)
+    (line,) = load.lines
+    q = line_load(load=load, line=line, z=contact_points(line=line, samples=1001).z)
+    assert max(q) == pytest.approx(load.max_line_load, rel=1e-13)
+
+
+def test_small_arm_is_noticed() -> None:
+    near = RollerByLength(1.0, 1e-5, 0.01)
+    load = meshing_load(**GEAR, rollers=[near], torque=10.0, reference_z=0.02)
+    assert [notice.code for notice in load.notices] == ["small_arm"]
+
+
+def test_refusals() -> None:
+    for torque in (0.0, math.nan, math.inf):
+        with pytest.raises(InvalidInput) as caught:
+            meshing_load(**GEAR, rollers=[ROLLER], torque=torque, reference_z=0.0)
+        assert caught.value.parameter == "torque"
+    with pytest.raises(InvalidInput) as caught:
+        meshing_load(**GEAR, rollers=[ROLLER], torque=1.0, reference_z=math.nan)
+    assert caught.value.parameter == "reference_z"
+    for roller in (
+        RollerByLength(1.0, -0.01, 0.01),
+        RollerByLength(1.0, 0.0, 0.01),
+        RollerByAngle(1.0, -0.5, 0.5),
+        RollerByAngle(1.0, 0.0, 0.5),
+        RollerByAngle(-1.0, math.pi, 3.5),
+    ):
+        with pytest.raises(ImpossibleMechanism) as impossible:
+            meshing_load(**GEAR, rollers=[ROLLER, roller], torque=1.0, reference_z=0.0)
+        assert impossible.value.where == {"roller": 2.0, "z": 0.0}
