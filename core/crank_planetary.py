@@ -146,7 +146,7 @@ def contact_force(
     >>> force = contact_force(mechanism=m, output_torque=50.0, pin_circle_radius=0.0325,
     ...                       equal_sharing=True)
     >>> round(force.equal_sharing_peak, 2), round(force.peak_force, 2)
-    (888.23, 512.82)
+    (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
     peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
@@ -250,5 +250,7 @@ def drawing_angles(*, mechanism: Mechanism, samples: int = 361) -> tuple[FloatAr
     switching = np.add.outer(sector * np.arange(math.ceil(end / sector)), first).ravel()
     switching = switching[switching <= end]
     beside = 1e-9 * period
-    angles = np.concatenate((np.linspace(0.0, end, samples), switching - beside, switching + beside))
+    angles = np.concatenate(
+        (np.linspace(0.0, end, samples), switching - beside, switching + beside)
+    )
     return np.unique(np.clip(angles, 0.0, end)), switching

@@ -139,7 +139,7 @@ class WavePhases:
     symmetry : int
         How many times the pattern repeats within a sector.
     snapped : float
-        Largest distance by which a phase is taken to be elsewhere, by merging or symmetry, in turns.
+        Largest distance by which merging or symmetry takes a phase to be elsewhere, in turns.
     """
 
     pins: int

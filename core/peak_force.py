@@ -9,6 +9,7 @@ the turn.
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -196,7 +197,7 @@ def _segments(phases: WavePhases) -> Iterator[tuple[float, float, float, _Drivin
         inner = np.sort(switches[(switches > low + apart) & (switches < high - apart)])
         inner = inner[np.diff(inner, prepend=low) > apart]
         limits = [low, *inner.tolist(), high]
-        for start, stop in zip(limits[:-1], limits[1:], strict=True):
+        for start, stop in pairwise(limits):
             driving = np.abs((start + stop) / 2 + relative) < 0.25
             yield phase, start, stop, _DrivingSet(relative[driving], weights[driving])
 
@@ -273,9 +274,11 @@ def _bracketed_stationary_points(
     """Stationary offsets for any v, in turns: sign changes of the slope, each narrowed down.
 
     Large exponents put the peak within 1/v of the end of a segment, where the next pair takes
-    over; so the grid that looks for sign changes is even inside and geometric towards both ends.
+    over, and exponents just above 1 within (1 + v)^(-1/(v - 1)) of it, where the next pair begins
+    to drive; so the grid that looks for sign changes is even inside and geometric towards both
+    ends, down to where a peak would differ from the end's value by less than rounding.
     """
-    levels = math.ceil(math.log2(64 * (1 + exponent)) / 2)
+    levels = max(16, math.ceil(math.log2(64 * (1 + exponent)) / 2))
     towards_end = 0.25 ** np.arange(levels, 0, -1)
     half = np.unique(np.concatenate(([0.0], towards_end / 2, np.linspace(0.0, 0.5, 9))))
     fractions = np.concatenate((half, 1 - half[-2::-1]))
