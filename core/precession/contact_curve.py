@@ -95,6 +95,18 @@ class ContactCurve:
         nearest = max(abs(y) - error, 0.0) / width
         return math.hypot(1.0, self.roller_radius / width / (1 + nearest * nearest))
 
+    def stretch_variation(self, start: float, end: float, error: float) -> float:
+        """Total variation of ds/dz from `start` to `end`, widened by an error of both.
+
+        Times that error it bounds the change of the length when the curve moves along z.
+        """
+        width = abs(self.width)
+        far = [(abs(y) + error) / width for y in (start, end)]
+        low = [math.hypot(1.0, self.roller_radius / width / (1 + y * y)) for y in far]
+        if start - error <= 0 <= end + error:
+            return 2 * self.steepest_stretch(0.0, 0.0) - low[0] - low[1]
+        return self.steepest_stretch(min(abs(start), abs(end)), error) - min(low)
+
     def polar_angle(self, z: FloatArray) -> FloatArray:
         """Polar angle phi at z, rad: continuous along the line, in (-pi, pi] somewhere on it."""
         angle = self.position_angle

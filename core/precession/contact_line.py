@@ -209,7 +209,7 @@ def _line_by_length(
     error = (
         (4 * ROUNDING + TRUNCATION) * length
         + curve.width_error * curved
-        + shift * max(stretches)
+        + shift * curve.stretch_variation(start.y, end.y, shift)
         + end_errors[0] * stretches[0]
         + end_errors[1] * stretches[1]
     )
