@@ -22,9 +22,12 @@ load_sharing        one displacement shared by many unilateral contacts
 mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
 cyclogram           which pin/hole pairs drive, when, how many together
 contact_force       force of each pair over the turn; the approximation of its peak
+driving_set         the pairs that drive together, segment by segment of the turn
 peak_force          the exact peak of the contact force
+crank_planetary     forces, peak and approximations as one job
 pin_geometry        pin and hole centres, contact points, clearance
 hertz               line contact of pin and hole, and where Hertz stops being valid
+roller_curves       roller stiffness, non-uniformity and stress as curves
 roller_strength     stiffness, load non-uniformity and stress of swinging rollers
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 work_precision      error against run time of the methods above

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.mechanism import SAME_PHASE, Mechanism
-from core.results import Notice
+from core.results import ROUNDING, Notice
 
 FloatArray = NDArray[np.float64]
 
@@ -107,8 +107,9 @@ def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> Float
     off_centre = (turns - np.floor(turns))[:, None, None] + phase[None, :, :]
     off_centre -= np.rint(off_centre)
     from_switching = 0.25 - np.abs(off_centre)
+    rounding = 8 * ROUNDING * (1 + np.abs(turns))[:, None, None]
     cosines: FloatArray = np.where(
-        from_switching > SAME_PHASE, np.sin(2 * np.pi * from_switching), 0.0
+        from_switching > rounding, np.sin(2 * np.pi * from_switching), 0.0
     )
     return cosines
 

@@ -7,13 +7,14 @@ the turn.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from typing import ClassVar
 
 import numpy as np
 
 from core.contact_force import FloatArray, check_exponent, refuse_dead_centre
+from core.driving_set import DrivingSet, cosine, segments
 from core.mechanism import SAME_PHASE, Mechanism, WavePhases
 from core.results import ROUNDING, Accuracy
 
@@ -94,15 +95,13 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     if force_exponent == 1 and distinct == phases.symmetry and distinct * phases.pins % 2 == 0:
         return _evenly_spaced_peak(mechanism)
 
-    method, stationary = _stationary_points(force_exponent)
+    law = _LAWS.get(force_exponent, _Power)
     candidates: list[tuple[float, float, float]] = []  # ratio, wave position, relative error
-    evaluations = 0
-    for phase, low, high, driving in _segments(phases):
-        offsets = [low, high, *stationary(driving, low, high)]
-        evaluations += len(offsets)
-        for offset in offsets:
-            ratio, error = driving.best_force(offset, force_exponent, phases.snapped)
-            candidates.append((ratio, offset + 0.75 - phase, error))
+    for segment in segments(phases):
+        force = law(segment.driving, force_exponent)
+        for offset in (segment.low, segment.high, *force.stationary(segment.low, segment.high)):
+            ratio, error = force.of_best_pair(offset, 2 * ROUNDING + phases.snapped)
+            candidates.append((ratio, offset + 0.75 - segment.phase, error))
     ratio, _, error = max(candidates)
     # Of equal peaks (mirror images, repeats) the first after crank angle 0 is the one to name.
     repeat = 1 / (phases.pins * phases.symmetry)
@@ -117,118 +116,131 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
         peak_crank_angle=position * mechanism.crank_angle_per_wave,
         peak_satellite=satellite,
         peak_pin=pin,
-        accuracy=Accuracy(method=method, relative_error=error, evaluations=evaluations),
+        accuracy=Accuracy(method=law.method, relative_error=error, evaluations=len(candidates)),
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _DrivingSet:
-    """The pairs that drive over one segment, as phases against the best placed pair.
+class _Law:
+    """Force of the best placed pair over F0 within a segment, under one law of load sharing."""
 
-    Attributes
-    ----------
-    offsets : array
-        Phases d_i against the best placed pair, in turns, within half a turn.
-    weights : array
-        How many pairs share each.
+    method: ClassVar[str]
+
+    def __init__(self, driving: DrivingSet, exponent: float) -> None:
+        self.driving = driving
+        self.exponent = exponent
+
+    def of_best_pair(self, offset: float, phase_error: float) -> tuple[float, float]:
+        """Force ratio and its relative error, from an error of the phases in turns."""
+        raise NotImplementedError
+
+    def stationary(self, low: float, high: float) -> list[float]:
+        """Offsets within a range at which the force is stationary, in turns."""
+        raise NotImplementedError
+
+
+class _EqualSharing(_Law):
+    """Exponent 0: 1 over the sum of cosines, which has no maximum inside a segment."""
+
+    method = "segment-exact, equal sharing: largest at a switching angle"
+
+    def of_best_pair(self, offset: float, phase_error: float) -> tuple[float, float]:
+        total = self.driving.sum_of_cosines(offset)
+        condition = self.driving.number / total
+        return 1 / total, ROUNDING * (4 + 2 * condition) + 2 * math.pi * phase_error * condition
+
+    def stationary(self, low: float, high: float) -> list[float]:
+        return []
+
+
+class _Linear(_Law):
+    """Exponent 1: with t = tan(offset) the roots of P*t^3 + (3*P - n)*t - 2*Q = 0."""
+
+    method = "segment-exact, roots of a cubic"
+
+    def of_best_pair(self, offset: float, phase_error: float) -> tuple[float, float]:
+        best = cosine(offset)
+        cosines, sines, _ = self.driving.sums_of_squares(offset)
+        # sum |sin*cos| <= sqrt(sum sin^2 * sum cos^2)
+        slope = math.sqrt(1 - best * best) / best + 2 * math.sqrt(sines / cosines)
+        rounding = ROUNDING * (4 + 2 * self.driving.number / cosines)
+        return best / cosines, rounding + 2 * math.pi * phase_error * slope
+
+    def stationary(self, low: float, high: float) -> list[float]:
+        cosines, squares, products = self.driving.sums_of_squares(0.0)
+        number = cosines + squares
+        if squares <= number * ROUNDING**2:
+            return []
+        roots = depressed_cubic_roots(3 - number / squares, -2 * products / squares)
+        offsets = [math.atan(root) / (2 * math.pi) for root in roots]
+        return [offset for offset in offsets if low < offset < high]
+
+
+class _Power(_Law):
+    """Any exponent: sign changes of the slope on a grid, each narrowed down.
+
+    Large exponents put the peak within 1/v of the end of a segment, where the next pair takes
+    over, and exponents just above 1 within (1 + v)^(-1/(v - 1)) of it, where the next pair begins
+    to drive; so the grid that looks for sign changes is even inside and geometric towards both
+    ends, down to where a peak would differ from the end's value by less than rounding.
     """
 
-    offsets: FloatArray
-    weights: FloatArray
+    method = "segment-exact, bracketed roots"
 
-    def cosines(self, offset: float | FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Cosines and sines of the pressure angles, the best pair being at `offset` turns."""
-        turns = np.add.outer(offset, self.offsets)
-        angle = 2 * np.pi * turns
-        # Near the switching angle the distance to it keeps the digits that cos() would lose.
-        return np.maximum(np.sin(2 * np.pi * (0.25 - np.abs(turns))), 0.0), np.sin(angle)
+    def __init__(self, driving: DrivingSet, exponent: float) -> None:
+        super().__init__(driving, exponent)
+        self.offsets, self.weights = driving.pairs()
 
-    def best_force(self, offset: float, exponent: float, snapped: float) -> tuple[float, float]:
-        """Force of the best placed pair over F0 and its relative error."""
-        cosines, sines = self.cosines(offset)
+    def of_best_pair(self, offset: float, phase_error: float) -> tuple[float, float]:
+        cosines, sines = self._cosines(offset)
         best_cosine, best_sine = math.cos(2 * math.pi * offset), math.sin(2 * math.pi * offset)
         relative = cosines / best_cosine
-        powers = self.weights * relative**exponent
-        sharing = powers * relative
-        total = float(sharing.sum())
+        powers = self.weights * relative**self.exponent
+        total = float((powers * relative).sum())
         # d(ln f) = v*tan(x)*dx + (1 + v)*sum(c^v*|s|*dx)/sum(c^(1+v)): how the error of the
-        # phases, by rounding and by merging, reaches the force.
-        phase_error = 2 * math.pi * (2 * ROUNDING + snapped)
-        slope = exponent * abs(best_sine) / best_cosine + (1 + exponent) * float(
+        # phases reaches the force.
+        slope = self.exponent * abs(best_sine) / best_cosine + (1 + self.exponent) * float(
             (powers * np.abs(sines)).sum()
         ) / (best_cosine * total)
         others = max(total - 1.0, 0.0) / total
-        error = ROUNDING * (6 + 2 * (1 + exponent) * others) + phase_error * slope
-        return 1 / (best_cosine * total), error
+        error = ROUNDING * (6 + 2 * (1 + self.exponent) * others)
+        return 1 / (best_cosine * total), error + 2 * math.pi * phase_error * slope
 
-    def slope_sign(self, offset: float | FloatArray, exponent: float) -> FloatArray:
-        """Quantity with the sign of the derivative of the best pair's force by `offset`."""
-        cosines, sines = self.cosines(offset)
+    def stationary(self, low: float, high: float) -> list[float]:
+        levels = max(16, math.ceil(math.log2(64 * (1 + self.exponent)) / 2))
+        towards_end = 0.25 ** np.arange(levels, 0, -1)
+        half = np.unique(np.concatenate(([0.0], towards_end / 2, np.linspace(0.0, 0.5, 9))))
+        grid = low + (high - low) * np.concatenate((half, 1 - half[-2::-1]))
+        slopes = self._slope(grid)
+        changes = np.flatnonzero((slopes[:-1] == 0) | (slopes[:-1] * slopes[1:] < 0))
+        return [
+            _root(
+                lambda offset: float(self._slope(offset)),
+                (float(grid[i]), float(slopes[i])),
+                (float(grid[i + 1]), float(slopes[i + 1])),
+            )
+            for i in changes
+        ]
+
+    def _cosines(self, offset: float | FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Cosines and sines of the pressure angles of the driving pairs."""
+        turns = np.add.outer(offset, self.offsets)
+        # Beside the switching angle the distance to it keeps the digits that cos() would lose.
+        cosines = np.maximum(np.sin(2 * np.pi * (0.25 - np.abs(turns))), 0.0)
+        return cosines, np.sin(2 * np.pi * turns)
+
+    def _slope(self, offset: float | FloatArray) -> FloatArray:
+        """Quantity with the sign of the derivative of the force by the offset."""
+        cosines, sines = self._cosines(offset)
         best = 2 * np.pi * np.asarray(offset)
         relative = cosines / np.cos(best)[..., None]
-        lead = exponent / (1 + exponent) * np.sin(best)[..., None]
-        slope: FloatArray = (self.weights * relative**exponent * (sines - lead * relative)).sum(
-            axis=-1
-        )
+        lead = self.exponent / (1 + self.exponent) * np.sin(best)[..., None]
+        terms = self.weights * relative**self.exponent * (sines - lead * relative)
+        slope: FloatArray = terms.sum(axis=-1)
         return slope
 
 
-def _segments(phases: WavePhases) -> Iterator[tuple[float, float, float, _DrivingSet]]:
-    """Segments of smooth peak force over one repeat of the pattern.
-
-    Yields the phase of the best placed pair, the range of its offset (its own pressure angle in
-    turns) and the driving set there.
-    """
-    everything = phases.all_phases()
-    count = len(everything)
-    values = np.array([phase for phase, _ in everything])
-    weights = np.array([float(number) for _, number in everything])
-    for index in range(len(phases.sector_phases) // phases.symmetry):
-        phase = everything[index][0]
-        below = phase - everything[index - 1][0] if index else phase + 1 - everything[-1][0]
-        above = (
-            everything[index + 1][0] - phase if index + 1 < count else 1 - phase + everything[0][0]
-        )
-        low, high = -above / 2, below / 2
-        relative = values - phase
-        relative -= np.rint(relative)
-        switches = np.concatenate((0.25 - relative, -0.25 - relative))
-        apart = 4 * ROUNDING
-        inner = np.sort(switches[(switches > low + apart) & (switches < high - apart)])
-        inner = inner[np.diff(inner, prepend=low) > apart]
-        limits = [low, *inner.tolist(), high]
-        for start, stop in pairwise(limits):
-            driving = np.abs((start + stop) / 2 + relative) < 0.25
-            yield phase, start, stop, _DrivingSet(relative[driving], weights[driving])
-
-
-_Stationary = Callable[[_DrivingSet, float, float], list[float]]
-
-
-def _stationary_points(exponent: float) -> tuple[str, _Stationary]:
-    """Name and finder of the stationary points of the best pair's force within a segment."""
-    if exponent == 0:
-        return "segment-exact, equal sharing: largest at a switching angle", lambda *_: []
-    if exponent == 1:
-        return "segment-exact, roots of a cubic", _cubic_stationary_points
-    return (
-        "segment-exact, bracketed roots",
-        lambda driving, low, high: _bracketed_stationary_points(driving, low, high, exponent),
-    )
-
-
-def _cubic_stationary_points(driving: _DrivingSet, low: float, high: float) -> list[float]:
-    """Stationary offsets for v = 1, in turns: roots of P*t^3 + (3*P - n)*t - 2*Q = 0."""
-    sines = np.sin(2 * np.pi * driving.offsets)
-    cosines = np.cos(2 * np.pi * driving.offsets)
-    number = float(driving.weights.sum())
-    squares = float((driving.weights * sines * sines).sum())
-    products = float((driving.weights * sines * cosines).sum())
-    if squares <= number * ROUNDING**2:
-        return []
-    roots = depressed_cubic_roots(3 - number / squares, -2 * products / squares)
-    offsets = [math.atan(root) / (2 * math.pi) for root in roots]
-    return [offset for offset in offsets if low < offset < high]
+_LAWS: dict[float, type[_Law]] = {0.0: _EqualSharing, 1.0: _Linear}
+"""Exponents with a closed form."""
 
 
 def depressed_cubic_roots(linear: float, constant: float) -> list[float]:
@@ -266,35 +278,6 @@ def depressed_cubic_roots(linear: float, constant: float) -> list[float]:
         step = (root * (root * root + linear) + constant) / slope if slope else 0.0
         polished.append(root - step if abs(step) < 1e-6 * abs(root) else root)
     return polished
-
-
-def _bracketed_stationary_points(
-    driving: _DrivingSet, low: float, high: float, exponent: float
-) -> list[float]:
-    """Stationary offsets for any v, in turns: sign changes of the slope, each narrowed down.
-
-    Large exponents put the peak within 1/v of the end of a segment, where the next pair takes
-    over, and exponents just above 1 within (1 + v)^(-1/(v - 1)) of it, where the next pair begins
-    to drive; so the grid that looks for sign changes is even inside and geometric towards both
-    ends, down to where a peak would differ from the end's value by less than rounding.
-    """
-    levels = max(16, math.ceil(math.log2(64 * (1 + exponent)) / 2))
-    towards_end = 0.25 ** np.arange(levels, 0, -1)
-    half = np.unique(np.concatenate(([0.0], towards_end / 2, np.linspace(0.0, 0.5, 9))))
-    fractions = np.concatenate((half, 1 - half[-2::-1]))
-    grid = low + (high - low) * fractions
-    slopes = driving.slope_sign(grid, exponent)
-    found = []
-    for i in range(len(grid) - 1):
-        if slopes[i] == 0 or slopes[i] * slopes[i + 1] < 0:
-            found.append(
-                _root(
-                    lambda offset: float(driving.slope_sign(offset, exponent)),
-                    (float(grid[i]), float(slopes[i])),
-                    (float(grid[i + 1]), float(slopes[i + 1])),
-                )
-            )
-    return found
 
 
 def _root(
@@ -348,10 +331,12 @@ def _first_repeat(position: float, repeat: float) -> float:
 
 def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
     """Numbers of the best placed pair at a wave position, the first of equals."""
-    distance = [
-        (round(abs(math.remainder(position + phase + pin / phases.pins - 0.75, 1.0)), 12), j, pin)
-        for j, phase in enumerate(phases.satellite_phase)
-        for pin in range(phases.pins)
-    ]
-    _, satellite, pin = min(distance)
+    places = []
+    for satellite, phase in enumerate(phases.satellite_phase):
+        off = (0.75 - position - phase) * phases.pins
+        # Midway between two pins the first of them is the one to name.
+        pin = math.ceil(off - 0.5 - SAME_PHASE * phases.pins)
+        distance = round(abs(off - pin) / phases.pins, 12)
+        places.append((distance, satellite, pin % phases.pins))
+    _, satellite, pin = min(places)
     return satellite + 1, pin + 1

@@ -1,0 +1,210 @@
+"""The pairs that drive together, and the segments of the turn over which they do.
+
+The pins of one satellite that drive at a moment are neighbours, so every sum over driving pairs
+of a linear or squared cosine is a few geometric sums, one for each satellite. Angles are counted
+in turns and against the best placed pair, the one with the largest cosine.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from core.contact_force import FloatArray
+from core.mechanism import WavePhases
+from core.results import ROUNDING
+
+
+@dataclass(frozen=True, slots=True)
+class PinRun:
+    """Neighbouring pins that drive, of all satellites of one phase.
+
+    Attributes
+    ----------
+    middle : float
+        Phase of the middle of the run against the best placed pair, in turns.
+    count : int
+        Number of pins, at least 1.
+    weight : int
+        Number of satellites.
+    """
+
+    middle: float
+    count: int
+    weight: int
+
+
+@dataclass(frozen=True, slots=True)
+class DrivingSet:
+    """The pairs that drive over one segment.
+
+    Attributes
+    ----------
+    pins : int
+        Number of pins N: neighbours are an N-th of a turn apart.
+    runs : tuple of PinRun
+        The driving pins, phase by phase.
+    """
+
+    pins: int
+    runs: tuple[PinRun, ...]
+
+    @property
+    def number(self) -> int:
+        """Number of driving pairs."""
+        return sum(run.count * run.weight for run in self.runs)
+
+    def sum_of_cosines(self, offset: float) -> float:
+        """Sum of cos(gamma) over the driving pairs.
+
+        Parameters
+        ----------
+        offset : float
+            Pressure angle of the best placed pair, in turns.
+
+        Returns
+        -------
+        float
+        """
+        step = math.sin(math.pi / self.pins)
+        return sum(
+            run.weight
+            * cosine(offset + run.middle)
+            * (1 if run.count == 1 else math.sin(math.pi * run.count / self.pins) / step)
+            for run in self.runs
+        )
+
+    def sums_of_squares(self, offset: float) -> tuple[float, float, float]:
+        """Sums of cos^2, sin^2 and sin*cos of the pressure angles over the driving pairs.
+
+        Parameters
+        ----------
+        offset : float
+            Pressure angle of the best placed pair, in turns.
+
+        Returns
+        -------
+        tuple of float
+        """
+        cosines = sines = products = 0.0
+        for run in self.runs:
+            turns = offset + run.middle
+            if run.count == 1:
+                # A single pin keeps its digits where its cosine or sine vanishes.
+                c, s = cosine(turns), math.sin(2 * math.pi * turns)
+                cosines += run.weight * c * c
+                sines += run.weight * s * s
+                products += run.weight * s * c
+            else:
+                angle = 2 * math.pi / self.pins
+                spread = run.weight * math.sin(angle * run.count) / math.sin(angle) / 2
+                half = run.weight * run.count / 2
+                double = spread * math.cos(4 * math.pi * turns)
+                cosines += half + double
+                sines += half - double
+                products += spread * math.sin(4 * math.pi * turns)
+        return cosines, sines, products
+
+    def pairs(self) -> tuple[FloatArray, FloatArray]:
+        """Phases of the driving pairs against the best placed one, in turns, and their weights."""
+        offsets = [
+            run.middle + (np.arange(run.count) - (run.count - 1) / 2) / self.pins
+            for run in self.runs
+        ]
+        weights = [np.full(run.count, float(run.weight)) for run in self.runs]
+        return np.concatenate(offsets), np.concatenate(weights)
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A part of the turn with one driving set and one best placed pair.
+
+    Attributes
+    ----------
+    phase : float
+        Phase of the best placed pair, in turns.
+    low, high : float
+        Range of its pressure angle, in turns.
+    driving : DrivingSet
+        The pairs that drive there.
+    """
+
+    phase: float
+    low: float
+    high: float
+    driving: DrivingSet
+
+
+def segments(phases: WavePhases) -> Iterator[Segment]:
+    """Segments of smooth peak force over one repeat of the pattern.
+
+    They end where a pair starts or stops driving, and midway between neighbouring phases, where
+    another pair becomes the best placed.
+
+    Parameters
+    ----------
+    phases : WavePhases
+        Phases of all pairs.
+
+    Yields
+    ------
+    Segment
+    """
+    sector = 1 / phases.pins
+    values = phases.sector_phases
+    for index in range(len(values) // phases.symmetry):
+        phase = values[index]
+        below = phase - (values[index - 1] if index else values[-1] - sector)
+        above = (values[index + 1] if index + 1 < len(values) else values[0] + sector) - phase
+        low, high = -above / 2, below / 2
+        for start, stop in pairwise([low, *_switches(phases, phase, low, high), high]):
+            yield Segment(phase, start, stop, _driving_set(phases, phase, (start + stop) / 2))
+
+
+def _switches(phases: WavePhases, phase: float, low: float, high: float) -> list[float]:
+    """Offsets between low and high at which a pair starts or stops driving, ascending."""
+    sector = 1 / phases.pins
+    apart = 4 * ROUNDING
+    found = []
+    for other in phases.sector_phases:
+        for edge in (0.25, -0.25) if phases.pins % 2 else (0.25,):
+            first = (edge - (other - phase) - low) % sector + low
+            found += [
+                place for place in (first - sector, first) if low + apart < place < high - apart
+            ]
+    merged: list[float] = []
+    for place in sorted(found):
+        if not merged or place - merged[-1] > apart:
+            merged.append(place)
+    return merged
+
+
+def _driving_set(phases: WavePhases, phase: float, offset: float) -> DrivingSet:
+    """The pairs that drive where the pair of a phase has a pressure angle."""
+    pins = phases.pins
+    runs = []
+    for other, weight in zip(phases.sector_phases, phases.multiplicity, strict=True):
+        difference = other - phase
+        first = math.floor(pins * (-0.25 - offset - difference)) + 1
+        last = math.ceil(pins * (0.25 - offset - difference)) - 1
+        if last >= first:
+            middle = difference + (first + last) / (2 * pins)
+            runs.append(PinRun(middle, last - first + 1, weight))
+    return DrivingSet(pins, tuple(runs))
+
+
+def cosine(turns: float) -> float:
+    """Cosine of an angle within half a turn; beside its zero it keeps its digits.
+
+    Parameters
+    ----------
+    turns : float
+        Angle, in turns.
+
+    Returns
+    -------
+    float
+    """
+    return math.sin(2 * math.pi * (0.25 - abs(turns)))
