@@ -8,10 +8,10 @@ from typing import TypeVar
 
 from pydantic import BaseModel
 
-from app.problems import ErrorItem, Problem, invalid_input, pointer
+from app.problems import ErrorItem, invalid_input, pointer
 from app.schemas.base import api_text
-from app.units import api_value, core_name
-from core.errors import ImpossibleMechanism, InvalidInput
+from app.units import core_name
+from core.errors import InvalidInput
 
 Result = TypeVar("Result")
 
@@ -47,13 +47,6 @@ def run(body: BaseModel, calculation: Callable[[], Result]) -> tuple[Result, flo
     except InvalidInput as error:
         place = pointer(_path(body, error.parameter) or ())
         raise invalid_input([ErrorItem(place, api_text(error.limit))]) from error
-    except ImpossibleMechanism as error:
-        where = dict(api_value(name, value) for name, value in error.where.items())
-        at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
-        detail = f"{api_text(error.what)} at {at}" if at else api_text(error.what)
-        raise Problem(
-            422, "impossible-mechanism", "The mechanism cannot work", detail, where=where
-        ) from error
     run_time_us = (time.perf_counter_ns() - start) / 1000
     timings = timings_us.get()
     if timings is not None:

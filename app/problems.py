@@ -11,7 +11,9 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
-from app.schemas.base import FIELD_ERROR
+from app.schemas.base import FIELD_ERROR, api_text
+from app.units import api_value
+from core.errors import ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
 
@@ -179,12 +181,30 @@ def _items(errors: Iterable[dict[str, Any]]) -> list[ErrorItem]:
     return list(items.values())
 
 
+def impossible(error: ImpossibleMechanism) -> Problem:
+    """Problem of a mechanism that cannot exist or cannot work."""
+    where = dict(api_value(name, value) for name, value in error.where.items())
+    at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
+    what = api_text(error.what)
+    return Problem(
+        422,
+        "impossible-mechanism",
+        "The mechanism cannot work",
+        f"{what} at {at}" if at else what,
+        where=where,
+    )
+
+
 def install(app: FastAPI) -> None:
     """Make every refusal a problem; errors of our own are left to `ServiceHeaders`."""
 
     async def on_problem(_: Request, problem: Exception) -> Response:
         assert isinstance(problem, Problem)
         return problem.response()
+
+    async def on_impossible(_: Request, error: Exception) -> Response:
+        assert isinstance(error, ImpossibleMechanism)
+        return impossible(error).response()
 
     async def on_validation(_: Request, error: Exception) -> Response:
         assert isinstance(error, RequestValidationError)
@@ -195,5 +215,6 @@ def install(app: FastAPI) -> None:
         return http_problem(error).response()
 
     app.add_exception_handler(Problem, on_problem)
+    app.add_exception_handler(ImpossibleMechanism, on_impossible)
     app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(HTTPException, on_http)

@@ -56,7 +56,7 @@ class HertzContact:
         Half of the angle over which the conformal contact extends, rad; None as before.
     safety_factor : float or None
         Smaller allowable pressure over the largest pressure (the conformal one where it
-        applies); None where no allowable pressure is known.
+        applies); None where no allowable pressure is known, or no theory gives the pressure.
     accuracy : Accuracy
         Of the pressures.
     notices : tuple of Notice
@@ -165,6 +165,8 @@ def hertz(
             half_angle = 2 * math.atan(tangent)
     governing = max_pressure if conformal is None else conformal
     allowable = lower_allowable_pressure(pin_material, hole_material)
+    if conformal is None and ratio > 1:
+        allowable = None  # no pressure to compare with: Hertz's is none here
     return HertzContact(
         max_pressure=max_pressure,
         mean_pressure=math.pi / 4 * max_pressure,
@@ -197,13 +199,16 @@ def _identical(first: ElasticMaterial, second: ElasticMaterial) -> bool:
 def _validity(ratio: float, conformal: float | None) -> tuple[Notice, ...]:
     if ratio <= HALF_WIDTH_RATIO_LIMIT:
         return ()
-    if conformal is None:
-        cure = "no conformal solution is known for different materials, so take it as a rough guide"
-    else:
+    if conformal is not None:
         cure = "use {conformal_pressure}"
+    elif ratio <= 1:
+        cure = "no conformal solution is known for different materials: take it as a rough guide"
+    else:
+        cure = "wider than the pin, it does not apply at all, and for different materials no "
+        cure += "conformal solution is known: make the hole larger or the load smaller"
     return (
         Notice(
-            code="hertz_half_width",
+            code="hertz_half_width" if conformal is not None or ratio <= 1 else "hertz_impossible",
             detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
             f"assumes a narrow contact and is off by more than 1 %: {cure}.",
             value=ratio,

@@ -3,11 +3,16 @@
 import re
 from typing import Any, Self, cast
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
 from app.units import core_name, from_si, shown_unit, to_si
+from core.errors import ImpossibleMechanism
 from core.results import Accuracy, Notice
+
+SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
+"""Limits of every positive physical quantity, in its unit: within them no result leaves the range
+of numbers and none loses digits at its lower end."""
 
 FIELD_ERROR = "field_error"
 """Error type of `field_error`; its context names the field."""
@@ -97,7 +102,7 @@ def field_error(field: str, message: str) -> PydanticCustomError:
 class ResponseModel(BaseModel):
     """An answer: read from a core result by names without units."""
 
-    model_config = ConfigDict(json_schema_extra=_units_in_schema)
+    model_config = ConfigDict(json_schema_extra=_units_in_schema, allow_inf_nan=False)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -115,6 +120,11 @@ class ResponseModel(BaseModel):
             What the calculation cost, for `accuracy`.
         **given
             Fields that are not read from the result.
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If a number is not finite: the input was beyond what doubles can carry.
         """
         values: dict[str, Any] = dict(given)
         for name, info in cls.model_fields.items():
@@ -129,7 +139,15 @@ class ResponseModel(BaseModel):
                 value = getattr(result, core_name(name))
                 if value is not None:
                     values[name] = _nested(info.annotation, from_si(name, value))
-        return cls.model_validate(values)
+        try:
+            return cls.model_validate(values)
+        except ValidationError as error:
+            if any(each["type"] != "finite_number" for each in error.errors()):
+                raise
+            names = ", ".join(str(each["loc"][0]) for each in error.errors())
+            raise ImpossibleMechanism(
+                f"The numbers given leave the range of numbers: {names} would not be finite"
+            ) from error
 
 
 def _nested(annotation: Any, value: Any) -> Any:

@@ -7,6 +7,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from app.schemas.base import (
+    SIZE,
     AccuracyOut,
     RequestModel,
     ResponseModel,
@@ -40,8 +41,7 @@ class LoadFields(RequestModel):
         symbol="T",
         group="load",
         default=None,
-        gt=0,
-        le=1e15,
+        **SIZE,
         step=10,
         help="Torque on the output link.",
     )
@@ -50,8 +50,7 @@ class LoadFields(RequestModel):
         symbol="T₁",
         group="load",
         default=None,
-        gt=0,
-        le=1e15,
+        **SIZE,
         step=1,
         help="Torque on the crankshaft; T = T₁·u·η.",
     )
@@ -60,7 +59,7 @@ class LoadFields(RequestModel):
         symbol="η",
         group="load",
         default=None,
-        gt=0,
+        ge=1e-3,
         le=1,
         step=0.01,
         help="Efficiency of the reducer, needed with the input torque.",
@@ -69,8 +68,7 @@ class LoadFields(RequestModel):
         "Pin circle radius",
         symbol="R",
         group="load",
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=1,
         help="Radius of the circle of pin centres.",
     )

@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from app.schemas.base import (
+    SIZE,
     AccuracyOut,
     RequestModel,
     ResponseModel,
@@ -43,8 +44,7 @@ class PinContactFields(ContactFields):
         symbol="e",
         group="contact",
         default=None,
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=0.5,
         help="Eccentricity of the cranks; hole radius − pin radius where not given.",
     )

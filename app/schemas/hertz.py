@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Discriminator, Tag
 
-from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, WarningOut, quantity
+from app.schemas.base import SIZE, AccuracyOut, RequestModel, ResponseModel, WarningOut, quantity
 from app.units import to_si
 from core.contact_force import FloatArray
 from core.hertz import HertzContact, conformal_profile, hertz, pressure_profile
@@ -23,8 +23,7 @@ class MaterialFields(RequestModel):
         "Young's modulus",
         symbol="E",
         group="material",
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=1,
     )
     poissons_ratio: float = quantity(
@@ -40,8 +39,7 @@ class MaterialFields(RequestModel):
         symbol="p_all",
         group="material",
         default=None,
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=10,
         help="Allowable contact pressure; gives the safety factor.",
     )
@@ -74,8 +72,7 @@ class ContactFields(RequestModel):
         "Contact length",
         symbol="b",
         group="contact",
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=1,
         help="Length of the contact along the pin: the width of the satellite.",
     )
@@ -83,8 +80,7 @@ class ContactFields(RequestModel):
         "Pin radius",
         symbol="r_in",
         group="contact",
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=0.5,
         help="Radius of the pin, or of its sleeve.",
     )
@@ -92,8 +88,7 @@ class ContactFields(RequestModel):
         "Hole radius",
         symbol="r_out",
         group="contact",
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=0.5,
         help="Radius of the hole in the satellite: pin radius + eccentricity.",
     )
@@ -116,8 +111,7 @@ class ContactFields(RequestModel):
         symbol="K_A",
         group="contact",
         default=1.0,
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=0.05,
         help="Factor of the dynamic load.",
     )
@@ -126,8 +120,7 @@ class ContactFields(RequestModel):
         symbol="K_α",
         group="contact",
         default=1.0,
-        gt=0,
-        le=1e6,
+        **SIZE,
         step=0.05,
         help="Factor of uneven load sharing between the pairs.",
     )

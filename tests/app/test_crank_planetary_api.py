@@ -269,3 +269,23 @@ async def test_the_same_body_gives_the_same_numbers(api):
         for section in answer.values():
             del section["accuracy"]["run_time_us"]
     assert json.dumps(first) == json.dumps(second)
+
+
+async def test_a_contact_wider_than_the_pin_gets_no_safety_factor_unless_a_theory_holds(api):
+    contact = {**CONTACT, "hole_radius_mm": 8.001, "force_N": 1e6}
+    answer = (await api.post("hertz", json=contact)).json()
+    assert answer["half_width_ratio"] > 1 and "safety_factor" not in answer
+    assert [each["code"] for each in answer["warnings"]] == ["hertz_impossible"]
+    same = {**contact, "pin_material": "steel_bearing", "hole_material": "steel_bearing"}
+    answer = (await api.post("hertz", json=same)).json()
+    assert answer["conformal_pressure_MPa"] > answer["max_pressure_MPa"]
+    assert answer["half_width_ratio"] > 1
+    assert [each["code"] for each in answer["warnings"]] == ["hertz_half_width"]
+    assert answer["safety_factor"] == pytest.approx(4000 / answer["conformal_pressure_MPa"])
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e300])
+async def test_sizes_beyond_any_machine_are_refused_by_field(api, size):
+    response = await api.post("hertz", json={**CONTACT, "contact_length_mm": size, "force_N": 1})
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["pointer"] == "/contact_length_mm"

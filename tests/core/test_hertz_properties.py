@@ -121,7 +121,9 @@ def test_safety_factor_is_that_of_the_weaker_material(contact: dict[str, object]
     assert isinstance(hole, ElasticMaterial)
     known = [m.allowable_pressure for m in (pin, hole) if m.allowable_pressure is not None]
     largest = one.max_pressure if one.conformal_pressure is None else one.conformal_pressure
-    if known:
+    # a contact wider than the pin has no pressure to compare with, unless a conformal one
+    no_theory = one.half_width_ratio > 1 and one.conformal_pressure is None
+    if known and not no_theory:
         assert one.safety_factor == pytest.approx(min(known) / largest, rel=1e-15)
     else:
         assert one.safety_factor is None
