@@ -27,6 +27,7 @@ def suffix(field: str) -> str | None:
     return next((unit for unit in UNITS if field.endswith(f"_{unit}")), None)
 
 
+@cache
 def core_name(field: str) -> str:
     """Name of the quantity in core: the API name without its unit."""
     unit = suffix(field)

@@ -1,7 +1,8 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import re
-from typing import Any, Self, cast
+from functools import cache
+from typing import Any, Self, cast, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
@@ -127,7 +128,7 @@ class ResponseModel(BaseModel):
             If a number is not finite: the input was beyond what doubles can carry.
         """
         values: dict[str, Any] = dict(given)
-        for name, info in cls.model_fields.items():
+        for name in cls.model_fields:
             if name in values:
                 continue
             if name == "accuracy":
@@ -138,7 +139,7 @@ class ResponseModel(BaseModel):
             else:
                 value = getattr(result, core_name(name))
                 if value is not None:
-                    values[name] = _nested(info.annotation, from_si(name, value))
+                    values[name] = _nested(_inner_model(cls, name), from_si(name, value))
         try:
             return cls.model_validate(values)
         except ValidationError as error:
@@ -150,18 +151,24 @@ class ResponseModel(BaseModel):
             ) from error
 
 
-def _nested(annotation: Any, value: Any) -> Any:
+@cache
+def _inner_model(model: type[ResponseModel], field: str) -> type[ResponseModel] | None:
+    """Answer that a field holds, alone or in a list, if it holds one."""
+    annotation = model.model_fields[field].annotation
+    for each in (annotation, *get_args(annotation)):
+        for inner in (each, *get_args(each)):
+            if isinstance(inner, type) and issubclass(inner, ResponseModel):
+                return inner
+    return None
+
+
+def _nested(inner: type[ResponseModel] | None, value: Any) -> Any:
     """Core dataclasses in a field become the answers that the field holds."""
-    inner = [
-        each
-        for each in (annotation, *getattr(annotation, "__args__", ()))
-        if isinstance(each, type) and issubclass(each, ResponseModel)
-    ]
-    if not inner:
+    if inner is None:
         return value
     if isinstance(value, (list, tuple)):
-        return [inner[0].from_core(each) for each in value]
-    return inner[0].from_core(value)
+        return [inner.from_core(each) for each in value]
+    return inner.from_core(value)
 
 
 class AccuracyOut(BaseModel):

@@ -104,3 +104,15 @@ def test_the_environment_overrides_the_settings(monkeypatch):
     assert Settings.from_environment() == Settings()
     monkeypatch.setenv("KHV_MAX_BODY_BYTES", "10")
     assert Settings.from_environment() == Settings(max_body_bytes=10)
+
+
+async def test_large_answers_travel_compressed(api):
+    plotly = await api.get("http://service/static/vendor/plotly/plotly-basic.min.js")
+    assert plotly.headers["content-encoding"] == "gzip" and plotly.headers["etag"]
+    small = await api.get("health")
+    assert "content-encoding" not in small.headers
+
+
+async def test_pages_answer_head(api):
+    for path in ("/", "/docs"):
+        assert (await api.head(f"http://service{path}")).status_code == 200
