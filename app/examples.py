@@ -11,6 +11,10 @@ YANCHEVSKY_2018 = (
 )
 YANCHEVSKIY_2021 = "Yanchevskiy, Niekhoroshykh 2021, doi 10.20535/kpissn.2021.4.245103"
 ZYL = "Zyl, Belarusian-Russian University: forces in the parallel-crank mechanism"
+OVSYANNIKOV_2019 = (
+    "Ovsyannikov, Perminov, Glavatskikh, Saltykova 2019, doi 10.22213/2413-1172-2019-2-39-46"
+)
+KHATETOVSKY_2020 = "Khatetovsky, Dokonov, Galyuzhin 2020, UDC 621.833"
 
 _CONTACT = {
     "contact_length_mm": 20.0,
@@ -47,6 +51,54 @@ def _figure_6(letter: str, title: str, **mechanism: float) -> dict[str, Any]:
         f"{YANCHEVSKIY_2021}, fig. 6 {letter}",
         {"ratio": 20.0, **mechanism},
     )
+
+
+def _rollers(name: str, title: str, figure: str, **change: float | None) -> dict[str, Any]:
+    """An example of the 2019 paper's rollers: d = 10 mm, T = 0.001*E*d^3."""
+    design: dict[str, float | None] = {
+        "output_torque_Nm": 210.0,
+        "hole_circle_radius_mm": 30.0,
+        "rollers": 4,
+        "position_tolerance_mm": 0.002,
+        "diameter_mm": 10.0,
+        "cylinder_length_mm": 20.0,
+        "sphere_width_mm": 8.0,
+        "sphere_diameter_mm": 15.0,
+        "friction_coefficient": 0.16,
+        "youngs_modulus_GPa": 210.0,
+        "poissons_ratio": 0.3,
+        "stress_concentration": 2.0,
+    } | change
+    return {
+        "id": name,
+        "title": title,
+        "source": f"{OVSYANNIKOV_2019}, {figure}",
+        "calculation": "roller-strength",
+        "input": {key: value for key, value in design.items() if value is not None},
+    }
+
+
+def _precession(name: str, title: str, **change: Any) -> dict[str, Any]:
+    """An example of the precessional gear."""
+    design = {
+        "roller_circle_radius_mm": 50.0,
+        "roller_radius_mm": 4.0,
+        "nutation_angle_deg": 6.0,
+        "ratio_u12": 0.96,
+        "torque_Nm": 10.0,
+        "reference_z_mm": 20.0,
+        "bearing_distance_mm": 30.0,
+        "overhang_mm": 40.0,
+        "shaft_diameter_mm": 20.0,
+        "youngs_modulus_GPa": 210.0,
+    } | change
+    return {
+        "id": name,
+        "title": title,
+        "source": KHATETOVSKY_2020,
+        "calculation": "precession/shaft-deflection",
+        "input": {key: value for key, value in design.items() if value is not None},
+    }
 
 
 EXAMPLES: list[dict[str, Any]] = [
@@ -124,5 +176,44 @@ EXAMPLES: list[dict[str, Any]] = [
         {"pins": 4, "satellites": 1, "ratio": 20.0},
         {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 32.5, "force_exponent": 0.0},
     ),
+    _rollers("ovsyannikov-2019-fig-6", "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)", "fig. 6"),
+    _rollers(
+        "ovsyannikov-2019-fig-4",
+        "Stiffness over length, G = 78 GPa (2019, fig. 4)",
+        "fig. 4",
+        poissons_ratio=None,
+        shear_modulus_GPa=78.0,
+        cylinder_length_mm=10.0,
+    ),
+    _rollers(
+        "ovsyannikov-2019-fig-5",
+        "Beyond the limit one roller carries all (2019, fig. 5)",
+        "fig. 5",
+        position_tolerance_mm=0.05,
+    ),
+    _precession(
+        "khatetovsky-2020-four-rollers",
+        "4 rollers in mesh, shaft of one diameter (2020)",
+        rollers=[
+            {"position_angle_deg": angle, "z_min_mm": 15.0, "z_max_mm": 25.0}
+            for angle in (30.0, 60.0, 90.0, 120.0)
+        ],
+    ),
+    _precession(
+        "khatetovsky-2020-wheel",
+        "Wheel of 24 rollers, 9 in mesh, stepped shaft (2020)",
+        wheel={
+            "rollers_total": 24,
+            "rollers_in_mesh": 9,
+            "position_angle_deg": 30.0,
+            "z_min_mm": 15.0,
+            "z_max_mm": 25.0,
+        },
+        shaft_diameter_mm=None,
+        shaft_sections=[
+            {"length_mm": 30.0, "diameter_mm": 20.0},
+            {"length_mm": 40.0, "diameter_mm": 25.0},
+        ],
+    ),
 ]
-"""Ready requests, in the order in which the page offers them; the first is what it opens with."""
+"""Ready requests in the order of the page, which opens with the first of a calculation."""

@@ -10,13 +10,29 @@ from fastapi.staticfiles import StaticFiles
 
 from app import VERSION, problems
 from app.middleware import BodyLimit, ServiceHeaders
-from app.routers import contact_force, crank_planetary, cyclogram, hertz, service
+from app.routers import (
+    contact_force,
+    crank_planetary,
+    cyclogram,
+    hertz,
+    precession,
+    roller_strength,
+    service,
+)
 from app.schemas.service import ProblemOut
 from app.settings import Settings
 
 API = "/api/v1"
 STATIC = Path(__file__).parent.parent / "static"
-ROUTERS = (service, crank_planetary, cyclogram, contact_force, hertz)
+ROUTERS = (
+    service,
+    crank_planetary,
+    cyclogram,
+    contact_force,
+    hertz,
+    roller_strength,
+    precession,
+)
 
 PROBLEMS: dict[int | str, dict[str, Any]] = {
     status: {

@@ -69,7 +69,7 @@ def from_si(field: str, value: Any) -> Any:
     return _without_noise(value * (1 / size))
 
 
-QUANTITIES = {"angle": "deg", "position": "mm", "force": "N"}
+QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N"}
 """Units of quantities that only refusals name: last word of the core's name to its suffix."""
 
 

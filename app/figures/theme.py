@@ -86,3 +86,44 @@ def vertical_line(theme: Theme, x: float, *, ink: str = "grid", **more: Any) -> 
         "line": {"color": INK[theme][ink], "width": 1},
         **more,
     }
+
+
+def curve(
+    name: str, x: list[float], y: list[float], index: int, theme: Theme, hover: str, **more: Any
+) -> Figure:
+    """A line in the style of its index, its values rounded to what a screen can show."""
+    colour, dash, _ = series_style(index, theme)
+    return {
+        "type": "scatter",
+        "mode": "lines",
+        "name": name,
+        "x": shown(x),
+        "y": shown(y),
+        "line": {"color": colour, "dash": dash, "width": 2},
+        "hovertemplate": f"{hover}<extra></extra>",
+        **more,
+    }
+
+
+def marker(name: str, x: float, y: float, theme: Theme, hover: str, **more: Any) -> Figure:
+    """The user's own design, or a peak, on a curve."""
+    return {
+        "type": "scatter",
+        "mode": "markers",
+        "name": name,
+        "x": [x],
+        "y": [y],
+        "marker": {
+            "symbol": "diamond-open",
+            "size": 12,
+            "color": INK[theme]["alert"],
+            "line": {"width": 2},
+        },
+        "hovertemplate": f"{hover}<extra></extra>",
+        **more,
+    }
+
+
+def shown(values: list[float]) -> list[float]:
+    """Values with six significant digits: more than a screen shows, fewer bytes."""
+    return [float(f"{value:.6g}") for value in values]

@@ -1,5 +1,7 @@
 """Every chart is a figure that Plotly accepts, and shows the numbers of its answer."""
 
+from itertools import pairwise
+
 import plotly.graph_objects as go
 import pytest
 
@@ -16,6 +18,33 @@ CHARTS = {
     "contact-force": {**MECHANISM, **LOAD},
     "hertz": {**CONTACT, "force_N": 9000, "pin_material": STEEL, "hole_material": STEEL},
     "crank-planetary": {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT},
+}
+
+ROLLERS = {
+    "output_torque_Nm": 210,
+    "hole_circle_radius_mm": 30,
+    "rollers": 4,
+    "position_tolerance_mm": 0.002,
+    "diameter_mm": 10,
+    "cylinder_length_mm": 20,
+    "sphere_width_mm": 8,
+    "sphere_diameter_mm": 15,
+    "poissons_ratio": 0.3,
+}
+GEAR = {
+    "roller_circle_radius_mm": 50,
+    "roller_radius_mm": 4,
+    "nutation_angle_deg": 6,
+    "ratio_u12": 0.96,
+    "rollers": [{"position_angle_deg": a, "z_min_mm": 15, "z_max_mm": 25} for a in (30, 90)],
+}
+MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
+SHAFT = {**MESH, "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20}
+CHARTS |= {
+    "roller-strength": ROLLERS,
+    "precession/contact-line": GEAR,
+    "precession/meshing-load": MESH,
+    "precession/shaft-deflection": SHAFT,
 }
 
 
@@ -81,3 +110,33 @@ async def test_too_many_pairs_to_draw_are_refused_by_field(api):
     response = await api.post("cyclogram/chart", json={"pins": 1000, "ratio": 20})
     assert response.status_code == 422
     assert response.json()["errors"][0]["pointer"] == "/pins"
+
+
+async def test_the_design_lies_on_its_own_curves(api):
+    """The marker of each panel of the rollers' figure lies on a curve of that panel."""
+    figure = (await api.post("roller-strength/chart", json=ROLLERS)).json()
+    markers = [trace for trace in figure["data"] if trace["mode"] == "markers"]
+    assert len(markers) == 3
+    for own in markers:
+        x, y = own["x"][0], own["y"][0]
+        panel = [
+            t for t in figure["data"] if t["mode"] == "lines" and t.get("yaxis") == own.get("yaxis")
+        ]
+        off = []
+        for trace in panel:
+            (x0, y0), (x1, y1) = next(
+                (left, right)
+                for left, right in pairwise(zip(trace["x"], trace["y"], strict=True))
+                if left[0] <= x <= right[0]
+            )
+            off.append(abs(y0 + (y1 - y0) * (x - x0) / (x1 - x0) - y) / y)
+        assert min(off) < 2e-3
+
+
+async def test_the_shaft_diagram_ends_where_the_answer_does(api):
+    answer = (await api.post("precession/shaft-deflection", json=SHAFT)).json()
+    figure = (await api.post("precession/shaft-deflection/chart", json=SHAFT)).json()
+    deflections = [trace for trace in figure["data"] if trace["yaxis"] == "y3"]
+    for trace, axis in zip(deflections, "xy", strict=True):
+        assert trace["y"][0] == pytest.approx(answer["deflection_C_mm"][axis], rel=1e-5)
+        assert trace["y"][-1] == 0.0

@@ -1,0 +1,212 @@
+"""Swinging rollers and the precessional gear over REST."""
+
+import math
+import subprocess
+import sys
+
+import pytest
+
+pytestmark = pytest.mark.anyio
+
+# The 2019 paper's fig. 6 with d = 10 mm: T = 0.001*E*d^3, chi = 2e-4*d.
+ROLLERS = {
+    "output_torque_Nm": 210,
+    "hole_circle_radius_mm": 30,
+    "rollers": 4,
+    "position_tolerance_mm": 0.002,
+    "diameter_mm": 10,
+    "cylinder_length_mm": 20,
+    "sphere_width_mm": 8,
+    "sphere_diameter_mm": 15,
+    "friction_coefficient": 0.16,
+    "youngs_modulus_GPa": 210,
+    "poissons_ratio": 0.3,
+    "stress_concentration": 2,
+}
+GEAR = {
+    "roller_circle_radius_mm": 50,
+    "roller_radius_mm": 4,
+    "nutation_angle_deg": 6,
+    "ratio_u12": 24 / 25,
+    "rollers": [
+        {"position_angle_deg": angle, "z_min_mm": 15, "z_max_mm": 25} for angle in (30, 60, 90, 120)
+    ],
+}
+MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
+SHAFT = {**MESH, "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20}
+
+
+def without(body, *names):
+    return {name: value for name, value in body.items() if name not in names}
+
+
+async def test_the_stress_of_the_papers_rollers(api):
+    answer = (await api.post("roller-strength", json=ROLLERS)).json()
+    assert answer["bending_stress_MPa"] / 210e3 == pytest.approx(0.0024213655, rel=1e-7)
+    assert sum(answer["forces_N"]) == pytest.approx(210 / (2 * 0.03), rel=1e-14)
+    assert answer["centre_force_N"] == pytest.approx(2 * answer["max_force_N"], rel=1e-15)
+    assert answer["loaded_rollers"] == 4 and "warnings" not in answer
+
+
+@pytest.mark.parametrize(
+    ("length", "stiffness"), [(10, 0.048588913), (20, 0.011424309), (30, 0.0042613394)]
+)
+async def test_the_stiffness_of_fig_4(api, length, stiffness):
+    body = without(ROLLERS, "poissons_ratio")
+    body |= {"shear_modulus_GPa": 78, "cylinder_length_mm": length}
+    answer = (await api.post("roller-strength", json=body)).json()
+    assert answer["relative_stiffness"] == pytest.approx(stiffness, rel=1e-7)
+
+
+async def test_gaps_of_the_worst_case_are_the_tolerance(api):
+    gaps = without(ROLLERS, "position_tolerance_mm") | {"gaps_mm": [0, 0.008, 0.008, 0.008]}
+    by_gaps = (await api.post("roller-strength", json=gaps)).json()
+    by_tolerance = (await api.post("roller-strength", json=ROLLERS)).json()
+    assert by_gaps["forces_N"] == pytest.approx(by_tolerance["forces_N"], rel=1e-13)
+    assert by_gaps["relative_position_error"] == pytest.approx(
+        by_tolerance["relative_position_error"], rel=1e-13
+    )
+
+
+async def test_beyond_the_limit_one_roller_carries_all(api):
+    body = ROLLERS | {"position_tolerance_mm": 1}
+    answer = (await api.post("roller-strength", json=body)).json()
+    assert (answer["load_nonuniformity"], answer["loaded_rollers"]) == (4, 1)
+
+
+async def test_the_checked_case_of_the_precessional_gear(api):
+    lines = (await api.post("precession/contact-line", json=GEAR)).json()
+    assert lines["total_length_mm"] == pytest.approx(40.2196026288, rel=1e-11)
+    assert sum(line["length_mm"] for line in lines["lines"]) == pytest.approx(
+        lines["total_length_mm"], rel=1e-14
+    )
+    load = (await api.post("precession/meshing-load", json=MESH)).json()
+    assert load["force_N"] == pytest.approx([168.756146705, -337.606954169, 0], rel=1e-11)
+    assert load["moment_Nm"] == pytest.approx([-0.0316199045437, -0.0724918335263, 10], rel=1e-11)
+    shaft = (await api.post("precession/shaft-deflection", json=SHAFT)).json()
+    assert shaft["reaction_B_N"] == pytest.approx([2.41639445088, -1.05399681812], rel=1e-10)
+    assert shaft["reaction_C_N"] == pytest.approx([-171.172541156, 338.660950987], rel=1e-11)
+    for bearing in "BC":
+        deflection = shaft[f"deflection_{bearing}_mm"]
+        assert deflection["total"] == pytest.approx(
+            math.hypot(deflection["x"], deflection["y"]), rel=1e-14
+        )
+
+
+async def test_points_only_where_asked(api):
+    plain = (await api.post("precession/contact-line", json=GEAR)).json()
+    assert all("points" not in line for line in plain["lines"])
+    asked = GEAR | {"include": ["points"], "samples": 7}
+    for line in (await api.post("precession/contact-line", json=asked)).json()["lines"]:
+        points = line["points"]
+        assert len(points["z_mm"]) == 7 and (points["z_mm"][0], points["z_mm"][-1]) == (15, 25)
+        for x, phi in zip(points["x_mm"], points["phi_deg"], strict=True):
+            assert x == pytest.approx(4 * math.radians(phi), rel=1e-12)
+
+
+async def test_a_wheel_is_its_rollers_one_by_one(api):
+    wheel = {
+        "rollers_total": 12,
+        "rollers_in_mesh": 4,
+        "position_angle_deg": 30,
+        "z_min_mm": 15,
+        "z_max_mm": 25,
+    }
+    by_wheel = (
+        await api.post("precession/meshing-load", json=without(MESH, "rollers") | {"wheel": wheel})
+    ).json()
+    one_by_one = (await api.post("precession/meshing-load", json=MESH)).json()
+    assert by_wheel["force_N"] == pytest.approx(one_by_one["force_N"], rel=1e-12)
+
+
+async def test_a_stepped_shaft_has_the_papers_simplification_beside_it(api):
+    sections = [{"length_mm": 30, "diameter_mm": 20}, {"length_mm": 40, "diameter_mm": 25}]
+    body = without(SHAFT, "shaft_diameter_mm") | {"shaft_sections": sections}
+    stepped = (await api.post("precession/shaft-deflection", json=body)).json()
+    plain = (await api.post("precession/shaft-deflection", json=SHAFT)).json()
+    assert stepped["simplified_deflection_C_mm"] == plain["deflection_C_mm"]
+    error = plain["deflection_C_mm"]["total"] / stepped["deflection_C_mm"]["total"] - 1
+    assert stepped["simplification_error_C"] == pytest.approx(error, rel=1e-10)
+    assert "simplified_deflection_C_mm" not in plain
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"rollers": 0}, "/rollers"),
+        ({"rollers": 3.5}, "/rollers"),
+        ({"gaps_mm": [0, 0, 0, 0]}, "/gaps_mm"),
+        ({"gaps_mm": [0, 0], "position_tolerance_mm": None}, "/gaps_mm"),
+        ({"position_tolerance_mm": None}, "/position_tolerance_mm"),
+        ({"position_tolerance_mm": -1}, "/position_tolerance_mm"),
+        ({"shear_modulus_GPa": 78}, "/shear_modulus_GPa"),
+        ({"poissons_ratio": 0.5}, "/poissons_ratio"),
+        ({"diameter_mm": 0}, "/diameter_mm"),
+        ({"length_mm": 1}, "/length_mm"),
+    ],
+)
+async def test_wrong_rollers_are_refused_by_the_fields_name(api, change, field):
+    body = {name: value for name, value in (ROLLERS | change).items() if value is not None}
+    response = await api.post("roller-strength", json=body)
+    assert response.status_code == 422
+    assert [error["pointer"] for error in response.json()["errors"]] == [field]
+
+
+def roller(**change):
+    return {"rollers": [GEAR["rollers"][0], {"position_angle_deg": 60, **change}]}
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"nutation_angle_deg": 0}, "/nutation_angle_deg"),
+        ({"roller_radius_mm": 60}, "/roller_radius_mm"),
+        (roller(z_min_mm=15, z_max_mm=15), "/rollers/1/z_max_mm"),
+        (roller(z_min_mm=15), "/rollers/1/z_max_mm"),
+        (roller(), "/rollers/1/z_min_mm"),
+        (roller(z_min_mm=15, z_max_mm=25, phi_min_deg=3), "/rollers/1/phi_min_deg"),
+        (roller(phi_min_deg=-70, phi_max_deg=-50), "/rollers/1/phi_max_deg"),
+        (
+            {"rollers": [{"position_angle_deg": 180, "z_min_mm": 1, "z_max_mm": 2}]},
+            "/rollers/0/position_angle_deg",
+        ),
+        ({"rollers": []}, "/rollers"),
+        ({"rollers": None}, "/rollers"),
+        ({"torque_Nm": 0}, "/torque_Nm"),
+        ({"overhang_mm": 0}, "/overhang_mm"),
+        ({"youngs_modulus_GPa": 0}, "/youngs_modulus_GPa"),
+        ({"shaft_diameter_mm": None}, "/shaft_diameter_mm"),
+        (
+            {"shaft_diameter_mm": None, "shaft_sections": [{"length_mm": 71, "diameter_mm": 20}]},
+            "/shaft_sections",
+        ),
+        (
+            {"shaft_diameter_mm": None, "shaft_sections": [{"length_mm": 70, "diameter_mm": 0}]},
+            "/shaft_sections/0/diameter_mm",
+        ),
+    ],
+)
+async def test_a_wrong_gear_is_refused_by_the_fields_name(api, change, field):
+    body = {name: value for name, value in (SHAFT | change).items() if value is not None}
+    response = await api.post("precession/shaft-deflection", json=body)
+    assert response.status_code == 422, response.text
+    assert [error["pointer"] for error in response.json()["errors"]] == [field]
+
+
+@pytest.mark.parametrize(
+    ("change", "place"),
+    [
+        ({"ratio_u12": math.cos(math.radians(6))}, "nutation_angle_deg"),
+        ({"rollers": [{"position_angle_deg": 30, "z_min_mm": -5, "z_max_mm": 5}]}, "roller"),
+    ],
+)
+async def test_a_gear_that_cannot_work_is_refused_with_its_place(api, change, place):
+    response = await api.post("precession/meshing-load", json=MESH | change)
+    assert response.status_code == 422
+    assert place in response.json()["where"]
+
+
+def test_starting_the_service_loads_neither_scipy_nor_plotly():
+    code = "import sys, app.main; print(*(m for m in ('scipy', 'plotly') if m in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == ""
