@@ -68,7 +68,8 @@ def _rollers(name: str, title: str, figure: str, **change: float | None) -> dict
         "youngs_modulus_GPa": 210.0,
         "poissons_ratio": 0.3,
         "stress_concentration": 2.0,
-    } | change
+    }
+    design.update(change)
     return {
         "id": name,
         "title": title,

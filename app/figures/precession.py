@@ -18,7 +18,7 @@ def contact_line_figure(
     roller_radius_mm: float,
     theme: Theme,
 ) -> Figure:
-    """Contact lines developed on their rollers (z over x), and the wheel seen along its axis.
+    """Contact lines developed on their rollers, and the wheel seen along its axis and from the side.
 
     Parameters
     ----------
@@ -61,18 +61,30 @@ def contact_line_figure(
         data.append(
             curve(name, x, y, index, theme, name, **seen) | {"line": {"color": colour, "width": 1}}
         )
+        side = seen | {"xaxis": "x3"}
+        middle, low, high = roller_circle_radius_mm * math.cos(angle), line.z_min_mm, line.z_max_mm
+        bottom, top = middle - roller_radius_mm, middle + roller_radius_mm
         data.append(
             curve(
                 name,
-                [place[0] for place in line.points.position_mm],
-                [place[1] for place in line.points.position_mm],
+                [low, high, high, low, low],
+                [bottom, bottom, top, top, bottom],
                 index,
                 theme,
-                f"{name}: contact line",
-                **seen,
+                name,
+                **side,
             )
-            | {"line": {"color": colour, "width": 5}}
+            | {"line": {"color": colour, "width": 1}}
         )
+        along, across, upward = (
+            list(values)
+            for values in zip(*((z, x, y) for x, y, z in line.points.position_mm), strict=True)
+        )
+        for horizontal, view in ((across, seen), (along, side)):
+            data.append(
+                curve(name, horizontal, upward, index, theme, f"{name}: contact line", **view)
+                | {"line": {"color": colour, "width": 4}}
+            )
     x, y = _circle(0.0, 0.0, roller_circle_radius_mm)
     data.append(
         curve(
@@ -95,7 +107,8 @@ def contact_line_figure(
             height=820,
             xaxis=axis(theme, "Arc on the roller x = ρφ, mm", anchor="y"),
             yaxis=axis(theme, "Along the axis z, mm", domain=[0.6, 1]),
-            xaxis2=axis(theme, "Wheel seen along its axis: x, mm", anchor="y2"),
+            xaxis2=axis(theme, "Along the axis: x, mm", anchor="y2", domain=[0, 0.62]),
+            xaxis3=axis(theme, "From the side: z, mm", anchor="y2", domain=[0.7, 1]),
             yaxis2=axis(theme, "y, mm", domain=[0, 0.48], scaleanchor="x2"),
         ),
     }

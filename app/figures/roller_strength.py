@@ -97,13 +97,13 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         "data": data,
         "layout": layout(
             theme,
-            height=860,
+            height=920,
             xaxis=axis(theme, "Length over diameter l/d", anchor="y"),
-            yaxis=axis(theme, "Stiffness c/(b·E)", domain=[0.74, 1], type="log"),
+            yaxis=axis(theme, "Stiffness c/(b·E)", domain=[0.79, 1], type="log"),
             xaxis2=axis(theme, "Relative position error δ", anchor="y2"),
-            yaxis2=axis(theme, "Non-uniformity Ψ", domain=[0.38, 0.62], rangemode="tozero"),
+            yaxis2=axis(theme, "Non-uniformity Ψ", domain=[0.4, 0.61], rangemode="tozero"),
             xaxis3=axis(theme, "Length over diameter l/d", anchor="y3"),
-            yaxis3=axis(theme, "Bending stress, MPa", domain=[0, 0.25], rangemode="tozero"),
+            yaxis3=axis(theme, "Bending stress, MPa", domain=[0, 0.22], rangemode="tozero"),
             shapes=[
                 vertical_line(theme, curves.limit, ink="muted", xref="x2", yref="y2 domain"),
             ],
@@ -120,7 +120,7 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
                     xshift=4,
                 )
             ],
-            legend={"orientation": "h", "y": 0.63, "yanchor": "bottom", "x": 0},
-            legend2={"orientation": "h", "y": 0.26, "yanchor": "bottom", "x": 0},
+            legend={"orientation": "h", "y": 0.62, "yanchor": "bottom", "x": 0},
+            legend2={"orientation": "h", "y": 0.23, "yanchor": "bottom", "x": 0},
         ),
     }
