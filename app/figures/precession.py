@@ -18,7 +18,7 @@ def contact_line_figure(
     roller_radius_mm: float,
     theme: Theme,
 ) -> Figure:
-    """Contact lines developed on their rollers, and the wheel seen along its axis and from the side.
+    """Contact lines developed on their rollers, and the wheel along its axis and from the side.
 
     Parameters
     ----------
