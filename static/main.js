@@ -38,7 +38,7 @@ async function openCalculator(id) {
   const { load } = CALCULATORS.find((one) => one.id === id);
   const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
   const model = formModel(openapi, { ...calculator, path: API + calculator.path });
-  const own = examples.filter((example) => example.calculation === id);
+  const own = examples.filter((example) => `/${example.calculation}` === calculator.path);
   const linked = new URLSearchParams(location.search);
   const workbench = openWorkbench({
     host: panel,

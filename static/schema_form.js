@@ -3,7 +3,8 @@
  *
  * A *field* is one box: `{ path, name, title, help, kind, symbol, unit, step, lowest, highest, ...}`
  * with the dotted path of its value in the request body; `kind` is "number", "integer", "numbers"
- * (a list), "name" (a text chosen from a list that the service gives) or "option" (an enumeration).
+ * (a list), "records" (a list of objects, whose boxes are `columns`), "name" (a text chosen from a
+ * list that the service gives) or "option" (an enumeration).
  * A *choice* is a set of options, each with its own fields, of which one option is shown.
  * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`.
  */
@@ -48,14 +49,15 @@ function bounds(schema) {
   };
 }
 
-function kindOf(schema) {
+function kindOf(schema, resolve) {
   if (schema.enum) return "option";
+  if (schema.type === "array" && resolve(schema.items).type === "object") return "records";
   return { number: "number", integer: "integer", array: "numbers", string: "name" }[schema.type];
 }
 
 function fieldOf(schema, path, required, resolve) {
   const name = path.split(".").pop();
-  const kind = kindOf(schema);
+  const kind = kindOf(schema, resolve);
   const limited = kind === "numbers" ? resolve(schema.items) : schema;
   return {
     path,
@@ -67,11 +69,19 @@ function fieldOf(schema, path, required, resolve) {
     unit: schema.unit ?? unitOf(name),
     step: schema.step ?? (kind === "integer" ? 1 : undefined),
     options: schema.enum,
+    group: schema.group,
     advanced: schema.advanced ?? false,
     required,
     default: schema.default ?? undefined,
+    ...(kind === "records" && { columns: columnsOf(resolve(schema.items), path, resolve) }),
     ...bounds(limited),
   };
+}
+
+/** The boxes of one record of a list. */
+function columnsOf(record, path, resolve) {
+  return Object.entries(record.properties).map(([key, property]) =>
+    fieldOf(resolve(property), `${path}.${key}`, (record.required ?? []).includes(key), resolve));
 }
 
 /** A property that is a name or an object of its own: the name, or the object's fields. */
@@ -125,20 +135,36 @@ function withChoices(items, choices) {
   });
 }
 
+/** Groups of a flat body: each field says its own; the objects named `inline` stand among them. */
+function groupsByField(schema, { groups, inline, choices, hidden, resolve }) {
+  const items = [
+    ...sectionItems(schema, "", resolve, hidden),
+    ...inline.flatMap((key) => sectionItems(resolve(schema.properties[key]), key, resolve, hidden)),
+  ];
+  return groups.map((id) => {
+    const own = items.filter((item) => item.group === id);
+    const paths = new Set(own.map((item) => item.path));
+    const within = choices.filter((choice) => paths.has(choice.options[0].fields[0]));
+    return { id, items: withChoices(own, within) };
+  });
+}
+
 /**
  * The model of an endpoint's form.
  *
- * `groups` names the parts of the body in the order shown (null for the body itself), `choices`
- * which fields exclude each other, `hidden` what the page decides for the user.
+ * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
+ * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
+ * `hidden` what the page decides for the user.
  */
-export function formModel(openapi, { path, groups, choices = [], hidden = [] }) {
+export function formModel(openapi, { path, groups, inline, choices = [], hidden = [] }) {
   const { schema, resolve } = bodySchema(openapi, path);
-  const parts = groups.map((id) => {
-    const section = id === null ? schema : resolve(schema.properties[id]);
-    const own = choices.filter((choice) => id === null || choice.options[0].fields[0].startsWith(`${id}.`));
-    const items = sectionItems(section, id ?? "", resolve, hidden);
-    return { id: id ?? "", items: withChoices(items, own) };
-  });
+  const parts = inline
+    ? groupsByField(schema, { groups, inline, choices, hidden, resolve })
+    : groups.map((id) => {
+      const section = resolve(schema.properties[id]);
+      const own = choices.filter((choice) => choice.options[0].fields[0].startsWith(`${id}.`));
+      return { id, items: withChoices(sectionItems(section, id, resolve, hidden), own) };
+    });
   const items = parts.flatMap((part) => part.items);
   const fields = new Map(
     items.flatMap((item) => (item.options && !item.path ? item.options.flatMap((o) => o.fields) : [item]))
@@ -159,6 +185,23 @@ function put(input, path, value) {
   part[last] = value;
 }
 
+/** Rows and cells of the text of a list of records: `30; 15; 25 | 60; 15; 25`. */
+export function cellsOf(text) {
+  if (text.trim() === "") return [];
+  return text.split("|").map((row) => row.split(";").map((cell) => cell.trim()));
+}
+
+/** The text of rows of cells. */
+export function textOfCells(rows) {
+  return rows.map((cells) => cells.join("; ")).join(" | ");
+}
+
+/** How a value stands in the box of a field. */
+export function textIn(field, value) {
+  if (field.kind !== "records" || !Array.isArray(value)) return textOf(value);
+  return textOfCells(value.map((record) => field.columns.map(({ name }) => textOf(record[name]))));
+}
+
 /** How a value stands in its box. */
 export function textOf(value) {
   if (value === undefined || value === null) return "";
@@ -172,7 +215,7 @@ export function stateFromInput(model, input) {
   for (const field of model.fields.values()) {
     const value = valueAt(input, field.path);
     const given = typeof value === "object" && !Array.isArray(value) ? undefined : value;
-    texts[field.path] = textOf(given ?? field.default);
+    texts[field.path] = textIn(field, given ?? field.default);
   }
   const chosen = {};
   for (const choice of model.choices) {
@@ -204,11 +247,26 @@ function outside(field, value) {
   return null;
 }
 
+function readRecords(field, typed) {
+  const value = [];
+  for (const [index, cells] of cellsOf(typed).entries()) {
+    const record = {};
+    for (const [at, column] of field.columns.entries()) {
+      const reading = readField(column, cells[at] ?? "");
+      if (reading.problem) return { ...reading, row: index, column };
+      if (reading.value !== undefined) record[column.name] = reading.value;
+    }
+    value.push(record);
+  }
+  return { value };
+}
+
 /** Read one box: `{ value }`, `{}` where it may be empty and is, or `{ problem, limit? }`. */
 export function readField(field, text) {
   const typed = text.trim();
   if (typed === "") return field.required ? { problem: "required" } : {};
   if (field.kind === "name" || field.kind === "option") return { value: typed };
+  if (field.kind === "records") return readRecords(field, typed);
   if (field.kind === "numbers") {
     const { values, problem } = parseNumbers(typed);
     if (problem) return { problem: problem === "number" ? "list" : problem };

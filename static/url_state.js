@@ -6,13 +6,14 @@
  * kept as typed, so that a reload loses nothing.
  */
 import { exactText } from "./format.js";
-import { readField, shownFields, textOf } from "./schema_form.js";
+import { cellsOf, readField, shownFields, textIn, textOf, textOfCells } from "./schema_form.js";
 
 export const VERSION = "1";
 
 function canonical(field, text) {
   const { value } = readField(field, text);
   if (value === undefined) return text.trim();
+  if (field.kind === "records") return textIn(field, value).replace(/\s/g, "");
   return Array.isArray(value) ? value.map(exactText).join(";") : textOf(value);
 }
 
@@ -41,7 +42,8 @@ export function decodeState(model, parameters) {
   for (const field of model.fields.values()) {
     const given = parameters.get(field.path);
     texts[field.path] = given === null ? textOf(field.default)
-      : field.kind === "numbers" ? given.replace(/;\s*/g, "; ") : given;
+      : field.kind === "numbers" ? given.replace(/;\s*/g, "; ")
+        : field.kind === "records" ? textOfCells(cellsOf(given)) : given;
   }
   const chosen = {};
   for (const choice of model.choices) {

@@ -7,7 +7,7 @@
 import { newestOnly, Problem } from "./api.js";
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textOf } from "./schema_form.js";
+import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textIn, textOf } from "./schema_form.js";
 import { query } from "./url_state.js";
 import { createExamples } from "./views/examples.js";
 import { createFigure } from "./views/figure.js";
@@ -25,8 +25,8 @@ async function askSections({ client, calculator, input, tables, signal }) {
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      const body = calculator.request(input, sections, tables);
-      return { answer: await client.post(calculator.path, body, { signal }), refusal };
+      const post = (path, body) => client.post(path, body, { signal });
+      return { answer: await calculator.ask({ post, input, sections, tables }), refusal };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
       refusal ??= problem;
@@ -35,13 +35,24 @@ async function askSections({ client, calculator, input, tables, signal }) {
   return { answer: null, refusal };
 }
 
+/** What the service says of a field: its words, and the box of a list of records they are about. */
+function refusalAt(field, pointer, words) {
+  const [row, column] = pointer.split("/").slice(-2);
+  const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
+  if (!about) return { words };
+  return {
+    words: message("rows.problem", { row: Number(row) + 1, title: about.title, words }),
+    place: { row: Number(row), column },
+  };
+}
+
 /** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
 function placed(refusal, shown, titles) {
   const refused = {};
   const elsewhere = [];
   for (const { pointer = "", detail } of refusal?.errors ?? []) {
     const field = fieldAtPointer(shown, pointer);
-    if (field) refused[field.path] ??= inWords(detail, titles);
+    if (field) refused[field.path] ??= refusalAt(field, pointer, inWords(detail, titles));
     else elsewhere.push(inWords(`${pointer.split("/").pop()} ${detail}`.trim(), titles));
   }
   if (refusal && refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
@@ -131,7 +142,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       : calculator.seeds[`${choice.id}.${option}`]?.(reading.input) ?? {};
     return Object.fromEntries(Object.entries(values)
       .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))
-      .map(([path, value]) => [path, textOf(value)]));
+      .map(([path, value]) => [path, textIn(model.fields.get(path), value)]));
   }
 
   function fromCatalogue({ id }, option) {
@@ -215,7 +226,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const { refused: atFields, elsewhere } = placed(refusal, shownFields(model, state), words);
     refused = atFields;
     showForm();
-    const atBoxes = fieldWords(refused);
+    const atBoxes = fieldWords(Object.fromEntries(
+      Object.entries(refused).map(([path, { words: said }]) => [path, said]),
+    ));
     const refusalText = [...elsewhere, atBoxes].filter(Boolean).join("; ");
     show(!refusal ? "fresh" : atBoxes ? "wrong" : "refused", answer === null);
     if (answer) {

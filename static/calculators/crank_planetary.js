@@ -122,6 +122,11 @@ function forceTables({ contact_force: { curves } }) {
   }];
 }
 
+/** The approximation of the peak is asked for only where it is stated: 3 to 5 pins, 1 or 2 satellites. */
+function approximated({ mechanism: { pins, satellites = 2 } }) {
+  return pins >= 3 && pins <= 5 && satellites <= 2 ? ["approximation"] : [];
+}
+
 export default {
   id: "crank-planetary",
   path: "/crank-planetary",
@@ -188,14 +193,14 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry"],
 
-  request(input, sections, tables) {
-    const optional = ["equal_sharing", "approximation", ...(tables.has("force") ? ["curves"] : [])];
-    return {
+  ask({ post, input, sections, tables }) {
+    const optional = ["equal_sharing", ...approximated(input), ...(tables.has("force") ? ["curves"] : [])];
+    return post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
       ...(sections.includes("hertz") && { contact: input.contact }),
       include: sections,
-    };
+    });
   },
 
   verdict(answer) {
@@ -233,6 +238,8 @@ export default {
       height: () => 320,
     },
   ],
+
+  notes: ["yanchevskiy"],
 
   /** A design to open with, should the service's examples be empty. */
   start: {

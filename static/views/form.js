@@ -5,6 +5,7 @@ import { message } from "../messages/index.js";
 import { textOf } from "../schema_form.js";
 import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
+import { createRows } from "./rows.js";
 
 function choiceAbout(choice) {
   const own = choice.auto ? null : message(`choice.${choice.id}`);
@@ -19,7 +20,9 @@ function choiceAbout(choice) {
 export function problemText(reading) {
   if (!reading?.problem) return "";
   const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
-  return message(`problem.${reading.problem}`, { limit });
+  const words = message(`problem.${reading.problem}`, { limit });
+  if (reading.row === undefined) return words;
+  return message("rows.problem", { row: reading.row + 1, title: reading.column.title, words });
 }
 
 /** What a table knows about a name: shown under the box as the values that will be used. */
@@ -54,7 +57,8 @@ export function createForm({ model, calculator, catalogues, on }) {
   let suggested = {};
 
   function addField(field, host) {
-    const view = createField(field, {
+    const create = field.kind === "records" ? createRows : createField;
+    const view = create(field, {
       suggestion: calculator.suggestions[field.path],
       on: {
         typed: (text) => on.typed(field.path, text),
@@ -114,8 +118,11 @@ export function createForm({ model, calculator, catalogues, on }) {
         if (names) view.setNames(names, state.texts[path]);
         view.setText(state.texts[path]);
         view.setMessage({
-          error: problemText(reading) || (refused[path] ?? ""),
+          error: problemText(reading) || (refused[path]?.words ?? ""),
           note: noteOf(field, reading, state),
+          place: reading?.problem && reading.row !== undefined
+            ? { row: reading.row, column: reading.column.name }
+            : refused[path]?.place,
         });
       }
       suggested = {};

@@ -23,6 +23,10 @@ function asText(value, digits) {
   if (value && "satellite" in value && "pin" in value && Object.keys(value).length === 2) {
     return message("results.pair", value);
   }
+  if (value && !Array.isArray(value) && Object.values(value).every((one) => typeof one === "number")) {
+    return Object.entries(value)
+      .map(([name, one]) => `${message(`quantity.${name}`)[0]} ${formatNumber(one, digits)}`).join("; ");
+  }
   return null;
 }
 
@@ -89,6 +93,12 @@ function sectionMarkup(id, section, elsewhere, words) {
     </section>`;
 }
 
+/** What of the cited papers cannot be right as printed, and what is computed instead. */
+function notesMarkup(notes) {
+  return html`<section class="card result notes"><h3>${message("notes.title")}</h3>
+    <ul>${notes.flatMap((id) => message(`notes.${id}`)).map((note) => html`<li>${note}</li>`)}</ul></section>`;
+}
+
 /**
  * `calculator.elsewhere` names the values that are shown elsewhere or not at all; `words` the
  * titles that stand for API names in warnings.
@@ -98,7 +108,7 @@ export function createResults({ calculator, words }) {
   return {
     root,
     update: (answer) => fill(root, html`${calculator.sections.map((id) =>
-      sectionMarkup(id, answer[id], calculator.elsewhere, words))}`),
+      sectionMarkup(id, answer[id], calculator.elsewhere, words))}${notesMarkup(calculator.notes)}`),
   };
 }
 

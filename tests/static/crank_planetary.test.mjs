@@ -10,15 +10,25 @@ const CYCLOGRAM = {
 };
 const HERTZ = { max_pressure_MPa: 800, safety_factor: 0.5, accuracy: ACCURACY };
 
+/** The body that the calculator posts. */
+function asked(input, sections, tables = new Set()) {
+  return calculator.ask({ post: (path, body) => body, input, sections, tables });
+}
+
 test("only what is shown is asked, and nothing of what a refused section needs", () => {
   const input = { mechanism: { pins: 3 }, load: { output_torque_Nm: 1 }, contact: { pin_radius_mm: 1 } };
-  assert.deepEqual(calculator.request(input, ["cyclogram"], new Set()), {
-    mechanism: { pins: 3 }, include: ["cyclogram"],
-  });
-  const all = calculator.request(input, calculator.sections, new Set());
+  assert.deepEqual(asked(input, ["cyclogram"]), { mechanism: { pins: 3 }, include: ["cyclogram"] });
+  const all = asked(input, calculator.sections);
   assert.deepEqual(all.contact, input.contact);
   assert.ok(!all.load.include.includes("curves"));
-  assert.ok(calculator.request(input, calculator.sections, new Set(["force"])).load.include.includes("curves"));
+  assert.ok(asked(input, calculator.sections, new Set(["force"])).load.include.includes("curves"));
+});
+
+test("the approximation is asked for only in its range", () => {
+  for (const [pins, satellites, wanted] of [[3, 1, true], [5, 2, true], [6, 1, false], [4, 3, false]]) {
+    const input = { mechanism: { pins, satellites }, load: {}, contact: {} };
+    assert.equal(asked(input, calculator.sections).load.include.includes("approximation"), wanted);
+  }
 });
 
 test("the verdict says over the limit in words, and what has not been computed", () => {

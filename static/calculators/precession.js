@@ -1,0 +1,174 @@
+/** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
+import { formatNumber, formatQuantity } from "../format.js";
+import { message } from "../messages/index.js";
+
+const GEAR = [
+  "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
+];
+const LOAD = [...GEAR, "torque_Nm", "reference_z_mm"];
+
+function pick(input, names) {
+  return Object.fromEntries(names.filter((name) => name in input).map((name) => [name, input[name]]));
+}
+
+/** The lines are asked for on the flanks that the torque loads. */
+function lineBody(input) {
+  const sign = Math.sign(input.torque_Nm ?? 0);
+  return { ...pick(input, GEAR), ...(sign !== 0 && { torque_sign: sign }) };
+}
+
+function lengthCell(section) {
+  const label = message("verdict.lineLength");
+  if (!section) return { label };
+  return {
+    label,
+    value: formatNumber(section.total_length_mm, 5),
+    unit: "mm",
+    note: message("verdict.lines", { count: section.lines.length }),
+  };
+}
+
+function loadCell(section) {
+  const label = message("verdict.lineLoad");
+  if (!section) return { label };
+  const force = Math.hypot(...section.force_N);
+  return {
+    label,
+    value: formatNumber(section.max_line_load_N_per_mm, 4),
+    unit: "N/mm",
+    note: message("verdict.meshForce", { force: formatQuantity(force, "N", 4) }),
+  };
+}
+
+function deflectionCell(section) {
+  const label = message("verdict.deflection");
+  if (!section) return { label };
+  return {
+    label,
+    value: formatNumber(section.deflection_C_mm.total, 4),
+    unit: "mm",
+    note: message("verdict.deflectionB", {
+      deflection: formatQuantity(section.deflection_B_mm.total, "mm", 4),
+    }),
+  };
+}
+
+function lineTables({ contact_line: { lines } }) {
+  const columns = [
+    "position_angle_deg", "z_min_mm", "z_max_mm", "phi_min_deg", "phi_max_deg", "length_mm",
+  ];
+  return [{
+    title: message("figure.contactLines"),
+    columns: columns.map((name) => message(`quantity.${name}`)[0]),
+    rows: lines.map((line) => columns.map((name) => line[name])),
+  }];
+}
+
+export default {
+  id: "precession",
+  path: "/precession/shaft-deflection",
+  groups: ["gear", "rollers", "load", "shaft"],
+  inline: ["wheel"],
+  hidden: [],
+  choices: [
+    {
+      id: "rollersBy",
+      options: [
+        { id: "list", fields: ["rollers"] },
+        {
+          id: "wheel",
+          fields: [
+            "wheel.rollers_total", "wheel.rollers_in_mesh", "wheel.position_angle_deg",
+            "wheel.z_min_mm", "wheel.z_max_mm",
+          ],
+          optional: ["wheel.rollers_in_mesh"],
+        },
+      ],
+    },
+    {
+      id: "shaftBy",
+      options: [
+        { id: "diameter", fields: ["shaft_diameter_mm"] },
+        { id: "sections", fields: ["shaft_sections"] },
+      ],
+    },
+  ],
+  catalogues: {},
+  suggestions: {},
+
+  /** The same design said in an option's own fields. */
+  seeds: {
+    "rollersBy.wheel": ({ rollers = [] }) => ({
+      "wheel.rollers_total": 24,
+      "wheel.rollers_in_mesh": Math.max(1, rollers.length),
+      "wheel.position_angle_deg": rollers[0]?.position_angle_deg,
+      "wheel.z_min_mm": rollers[0]?.z_min_mm,
+      "wheel.z_max_mm": rollers[0]?.z_max_mm,
+    }),
+    "rollersBy.list": ({ wheel }) => wheel && {
+      rollers: Array.from({ length: wheel.rollers_in_mesh ?? wheel.rollers_total }, (_, i) => ({
+        position_angle_deg: wheel.position_angle_deg + (360 * i) / wheel.rollers_total,
+        z_min_mm: wheel.z_min_mm,
+        z_max_mm: wheel.z_max_mm,
+      })),
+    },
+    "shaftBy.sections": ({ bearing_distance_mm: a, overhang_mm: b, shaft_diameter_mm: diameter }) => ({
+      shaft_sections: [
+        { length_mm: a, diameter_mm: diameter },
+        { length_mm: b, diameter_mm: diameter },
+      ],
+    }),
+    "shaftBy.diameter": ({ shaft_sections: sections = [] }) => ({
+      shaft_diameter_mm: Math.min(...sections.map(({ diameter_mm: diameter }) => diameter)),
+    }),
+  },
+
+  /** Each needs the one before; the service's answers do not, so they are asked for together. */
+  sections: ["contact_line", "meshing_load", "shaft_deflection"],
+
+  async ask({ post, input, sections }) {
+    const bodies = {
+      contact_line: ["/precession/contact-line", lineBody(input)],
+      meshing_load: ["/precession/meshing-load", pick(input, LOAD)],
+      shaft_deflection: ["/precession/shaft-deflection", input],
+    };
+    const answers = await Promise.all(sections.map(async (id) => [id, await post(...bodies[id])]));
+    return Object.fromEntries(answers);
+  },
+
+  verdict: (answer) => [
+    lengthCell(answer.contact_line),
+    loadCell(answer.meshing_load),
+    deflectionCell(answer.shaft_deflection),
+  ],
+
+  elsewhere: ["lines"],
+
+  figures: [
+    {
+      id: "contactLines",
+      section: "contact_line",
+      path: "/precession/contact-line/chart",
+      body: lineBody,
+      height: () => 840,
+      tables: lineTables,
+    },
+    {
+      id: "lineLoad",
+      section: "meshing_load",
+      path: "/precession/meshing-load/chart",
+      body: (input) => pick(input, LOAD),
+      height: () => 360,
+    },
+    {
+      id: "shaft",
+      section: "shaft_deflection",
+      path: "/precession/shaft-deflection/chart",
+      body: (input) => input,
+      height: () => 700,
+    },
+  ],
+
+  notes: ["khatetovsky"],
+  start: {},
+};

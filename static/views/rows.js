@@ -1,0 +1,80 @@
+/** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { cellsOf, textOfCells } from "../schema_form.js";
+import { symbolMarkup } from "./symbol.js";
+
+/** The same interface as a field's view: its text is that of the whole list. */
+export function createRows(field, { on }) {
+  const id = `field-${field.path.replaceAll(".", "-")}`;
+  const root = element(html`
+    <div class="field kind-records" data-path="${field.path}" role="group" aria-labelledby="${id}-title">
+      <span class="records-title" id="${id}-title" title="${field.help}">${field.title}</span>
+      <table class="records"><thead><tr>${field.columns.map((column) => html`
+        <th scope="col" title="${column.title}${column.help && `: ${column.help}`}">
+          ${symbolMarkup(column.symbol || column.title)}<span class="unit">${column.unit}</span></th>`)}
+        <th><span class="unseen">${message("rows.remove")}</span></th></tr></thead><tbody></tbody></table>
+      <button type="button" class="add-row">${message("rows.add")}</button>
+      <p class="field-message" id="${id}-message"></p>
+    </div>`);
+  const body = root.querySelector("tbody");
+  const line = root.querySelector(".field-message");
+  let shown = null;
+
+  function boxes() {
+    return [...body.rows].map((row) => [...row.querySelectorAll("input")]);
+  }
+
+  function typed() {
+    shown = textOfCells(boxes().map((row) => row.map((box) => box.value.replace(/[;|]/g, " "))));
+    on.typed(shown);
+  }
+
+  function render(rows) {
+    fill(body, html`${rows.map((cells, at) => html`<tr>${field.columns.map((column, c) => html`
+      <td><input class="box" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+        aria-describedby="${id}-message" aria-label="${message("rows.cell", { row: at + 1, title: column.title })}"
+        value="${cells[c] ?? ""}"></td>`)}
+      <td><button type="button" class="remove-row" aria-label="${message("rows.removeRow", { row: at + 1 })}">×</button></td></tr>`)}`);
+  }
+
+  body.addEventListener("input", typed);
+  body.addEventListener("click", (event) => {
+    const button = event.target.closest(".remove-row");
+    if (!button) return;
+    button.closest("tr").remove();
+    typed();
+    render(cellsOf(shown));
+    (body.querySelector(".remove-row") ?? root.querySelector(".add-row")).focus();
+  });
+  root.querySelector(".add-row").addEventListener("click", () => {
+    const rows = boxes().map((row) => row.map((box) => box.value));
+    // A new row starts as the one above it: only what differs has to be typed.
+    rows.push(rows.length > 0 ? [...rows.at(-1)] : field.columns.map(() => ""));
+    render(rows);
+    typed();
+    body.rows[rows.length - 1].querySelector("input").focus();
+  });
+
+  return {
+    root,
+    focus: () => (root.querySelector("[aria-invalid]") ?? root.querySelector("input, button")).focus(),
+    setText(text) {
+      if (text === shown) return;
+      shown = text;
+      render(cellsOf(text));
+    },
+    setMessage({ error = "", note = "", place = null }) {
+      const said = error || note || field.help;
+      if (line.textContent !== said) line.textContent = said;
+      root.classList.toggle("wrong", error !== "");
+      for (const [r, row] of boxes().entries()) {
+        for (const [c, box] of row.entries()) {
+          const here = error !== "" && place?.row === r && place.column === field.columns[c].name;
+          if (here) box.setAttribute("aria-invalid", "true");
+          else box.removeAttribute("aria-invalid");
+        }
+      }
+    },
+  };
+}
