@@ -35,6 +35,8 @@ export function createTabs({ host, panel, ids, on }) {
         buttons[i].setAttribute("aria-selected", String(id === open));
         buttons[i].tabIndex = id === open ? 0 : -1;
       });
+      // On a narrow screen the tabs scroll: the open one is brought into sight.
+      buttons[ids.indexOf(open)].scrollIntoView({ block: "nearest", inline: "nearest" });
       panel.setAttribute("aria-labelledby", `tab-${open}`);
     },
   };
