@@ -1,6 +1,6 @@
 """Contact force over the turn for every pair, with the peak marked."""
 
-from app.figures.theme import INK, Figure, Theme, axis, layout, note, series_style, vertical_line
+from app.figures.theme import Figure, Theme, axis, curve, layout, marker, note, vertical_line
 from app.schemas.contact_force import ContactForceResponse
 
 
@@ -25,41 +25,28 @@ def contact_force_figure(
     """
     curves = answer.curves
     assert curves is not None
-    ink = INK[theme]
-    angles = [round(angle, 4) for angle in curves.crank_angle_deg]
-    data = []
-    for pair, force in zip(curves.pairs, curves.force_N, strict=True):
-        colour, _, _ = series_style(pair.satellite - 1, theme)
-        _, dash, _ = series_style(pair.pin - 1, theme)
-        data.append(
-            {
-                "type": "scatter",
-                "mode": "lines",
-                "name": f"{pair.satellite}.{pair.pin}",
-                "x": angles,
-                "y": [float(f"{value:.6g}") for value in force],
-                "line": {"color": colour, "dash": dash, "width": 2},
-                "hovertemplate": f"satellite {pair.satellite}, pin {pair.pin}<br>"
-                "%{y:.5g} N at %{x:.2f}°<extra></extra>",
-            }
+    data = [
+        curve(
+            f"{pair.satellite}.{pair.pin}",
+            curves.crank_angle_deg,
+            force,
+            pair.pin - 1,
+            theme,
+            f"satellite {pair.satellite}, pin {pair.pin}<br>%{{y:.5g}} N at %{{x:.2f}}°",
+            colour=pair.satellite - 1,
         )
+        for pair, force in zip(curves.pairs, curves.force_N, strict=True)
+    ]
     peak = {"x": answer.peak_crank_angle_deg, "y": answer.peak_force_N}
     data.append(
-        {
-            "type": "scatter",
-            "mode": "markers",
-            "name": "Peak",
-            "x": [peak["x"]],
-            "y": [peak["y"]],
-            "marker": {
-                "symbol": "diamond-open",
-                "size": 12,
-                "color": ink["alert"],
-                "line": {"width": 2},
-            },
-            "hovertemplate": f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite "
-            f"{answer.peak_pair.satellite}, pin {answer.peak_pair.pin}<extra></extra>",
-        }
+        marker(
+            "Peak",
+            peak["x"],
+            peak["y"],
+            theme,
+            f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite {answer.peak_pair.satellite}, "
+            f"pin {answer.peak_pair.pin}",
+        )
     )
     return {
         "data": data,

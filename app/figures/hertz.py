@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from app.figures.theme import INK, Figure, Theme, axis, layout, series_style
+from app.figures.theme import INK, Figure, Theme, axis, curve, layout
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,23 +41,20 @@ def hertz_figure(
     dict
         ``{data, layout}``.
     """
-    data = []
-    for index, curve in enumerate(curves):
-        colour, dash, _ = series_style(index, theme)
-        data.append(
-            {
-                "type": "scatter",
-                "mode": "lines",
-                "name": curve.name,
-                "x": [float(f"{value:.6g}") for value in curve.place_mm],
-                "y": [float(f"{value:.6g}") for value in curve.pressure_MPa],
-                "line": {"color": colour, "dash": dash, "width": 2},
-                "hovertemplate": f"{curve.name}<br>%{{y:.5g}} MPa at %{{x:.4g}} mm<extra></extra>",
-            }
+    data = [
+        curve(
+            each.name,
+            each.place_mm,
+            each.pressure_MPa,
+            index,
+            theme,
+            f"{each.name}<br>%{{y:.5g}} MPa at %{{x:.4g}} mm",
         )
-    highest = max(max(curve.pressure_MPa) for curve in curves)
+        for index, each in enumerate(curves)
+    ]
+    highest = max(max(each.pressure_MPa) for each in curves)
     if allowable_pressure_MPa is not None and allowable_pressure_MPa <= 4 * highest:
-        widest = max(curve.place_mm[-1] for curve in curves)
+        widest = max(each.place_mm[-1] for each in curves)
         data.append(
             {
                 "type": "scatter",

@@ -4,7 +4,8 @@ import math
 from collections.abc import Sequence
 
 from app.figures.theme import INK, Figure, Theme, axis, curve, layout, series_style, vertical_line
-from app.schemas.precession import ContactLineResponse, FloatArray
+from app.schemas.precession.contact_line import ContactLineResponse
+from app.schemas.precession.meshing_load import FloatArray
 from app.units import from_si
 from core.precession.shaft import ShaftDiagram
 
@@ -39,7 +40,7 @@ def contact_line_figure(
         assert line.points is not None
         colour, _, _ = series_style(index, theme)
         name = f"φ₁ = {line.position_angle_deg:g}°"
-        group = {"legendgroup": str(index), "showlegend": len(answer.lines) <= MOST_NAMED}
+        group: Figure = {"legendgroup": str(index), "showlegend": len(answer.lines) <= MOST_NAMED}
         data.append(
             curve(
                 name,
@@ -51,7 +52,12 @@ def contact_line_figure(
                 **group,
             )
         )
-        seen = {"xaxis": "x2", "yaxis": "y2", "legendgroup": str(index), "showlegend": False}
+        seen: Figure = {
+            "xaxis": "x2",
+            "yaxis": "y2",
+            "legendgroup": str(index),
+            "showlegend": False,
+        }
         angle = math.radians(line.position_angle_deg)
         x, y = _circle(
             -roller_circle_radius_mm * math.sin(angle),

@@ -89,17 +89,26 @@ def vertical_line(theme: Theme, x: float, *, ink: str = "grid", **more: Any) -> 
 
 
 def curve(
-    name: str, x: list[float], y: list[float], index: int, theme: Theme, hover: str, **more: Any
+    name: str,
+    x: list[float],
+    y: list[float],
+    index: int,
+    theme: Theme,
+    hover: str,
+    *,
+    colour: int | None = None,
+    **more: Any,
 ) -> Figure:
-    """A line in the style of its index, its values rounded to what a screen can show."""
-    colour, dash, _ = series_style(index, theme)
+    """A line in the style of its index (or another's colour), rounded to what a screen shows."""
+    _, dash, _ = series_style(index, theme)
+    ink, _, _ = series_style(index if colour is None else colour, theme)
     return {
         "type": "scatter",
         "mode": "lines",
         "name": name,
         "x": shown(x),
         "y": shown(y),
-        "line": {"color": colour, "dash": dash, "width": 2},
+        "line": {"color": ink, "dash": dash, "width": 2},
         "hovertemplate": f"{hover}<extra></extra>",
         **more,
     }

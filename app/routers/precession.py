@@ -5,14 +5,9 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.precession import contact_line_figure, meshing_load_figure, shaft_figure
 from app.figures.theme import Figure, Theme
-from app.schemas.precession import (
-    ContactLineRequest,
-    ContactLineResponse,
-    MeshingLoadRequest,
-    MeshingLoadResponse,
-    ShaftDeflectionRequest,
-    ShaftDeflectionResponse,
-)
+from app.schemas.precession.contact_line import ContactLineRequest, ContactLineResponse
+from app.schemas.precession.meshing_load import MeshingLoadRequest, MeshingLoadResponse
+from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest, ShaftDeflectionResponse
 
 router = APIRouter(prefix="/precession", tags=["precessional gear"])
 

@@ -1,0 +1,1 @@
+"""Requests and answers of the precessional gear, one module for each calculation."""

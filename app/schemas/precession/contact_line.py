@@ -1,0 +1,122 @@
+"""Request and answer of the contact lines."""
+
+from typing import Literal, Self
+
+from pydantic import Field
+
+from app.schemas.base import AccuracyOut, ResponseModel, quantity
+from app.schemas.precession.gear import GearFields
+from core.errors import InvalidInput
+from core.precession.contact_line import (
+    ContactLine,
+    ContactLines,
+    ContactPoints,
+    contact_lines,
+    contact_points,
+)
+
+MAX_POINT_VALUES = 200_000
+"""Most points of all contact lines together."""
+
+
+class ContactLineRequest(GearFields):
+    """A mesh whose contact lines are asked."""
+
+    torque_sign: Literal[-1, 1] | None = quantity(
+        "Sign of the torque",
+        symbol="",
+        group="load",
+        default=None,
+        help="Chooses the loaded flank of rollers whose limits are given in z.",
+    )
+    include: list[Literal["points"]] = Field(
+        default=[], description="Optional results: what is not named is not computed."
+    )
+    samples: int = quantity(
+        "Samples",
+        symbol="",
+        group="rollers",
+        default=61,
+        ge=2,
+        le=10_001,
+        step=1,
+        advanced=True,
+        help="Number of points of each contact line.",
+    )
+
+    def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
+        """Contact lines, and their points where asked."""
+        try:
+            lines = contact_lines(
+                **self.gear(), rollers=self.all_rollers(), torque_sign=self.torque_sign
+            )
+        except InvalidInput as error:
+            raise self.about_the_wheel(error) from error
+        if "points" not in self.include:
+            return lines, None
+        if self.samples * len(lines.lines) > MAX_POINT_VALUES:
+            raise InvalidInput(
+                "samples",
+                self.samples,
+                f"must be at most {MAX_POINT_VALUES // len(lines.lines)} for "
+                f"{len(lines.lines)} rollers",
+            )
+        return lines, [contact_points(line=line, samples=self.samples) for line in lines.lines]
+
+
+class PointsOut(ResponseModel):
+    """Points of a contact line: developed on the roller (z over x) and in space."""
+
+    z_mm: list[float]
+    phi_deg: list[float]
+    x_mm: list[float]
+    position_mm: list[tuple[float, float, float]]
+
+
+class ContactLineOut(ResponseModel):
+    """One contact line."""
+
+    position_angle_deg: float
+    z_min_mm: float
+    z_max_mm: float
+    phi_min_deg: float
+    phi_max_deg: float
+    length_mm: float
+    points: PointsOut | None = None
+
+    @classmethod
+    def of(cls, line: ContactLine, points: ContactPoints | None) -> Self:
+        """Answer from a line and its points."""
+        if points is None:
+            return cls.from_core(line, points=None)
+        return cls.from_core(line, points=PointsOut.from_core(points))
+
+
+class ContactLineResponse(ResponseModel):
+    """Contact lines of all rollers."""
+
+    lines: list[ContactLineOut]
+    total_length_mm: float
+    accuracy: AccuracyOut
+
+    @classmethod
+    def from_core(
+        cls,
+        result: tuple[ContactLines, list[ContactPoints] | None],
+        run_time_us: float | None = None,
+        **given: object,
+    ) -> Self:
+        """Answer from the lines and their points."""
+        found, points = result
+        each_points: list[ContactPoints | None] = [None] * len(found.lines)
+        if points is not None:
+            each_points = list(points)
+        return super().from_core(
+            found,
+            run_time_us,
+            lines=[
+                ContactLineOut.of(line, drawn)
+                for line, drawn in zip(found.lines, each_points, strict=True)
+            ],
+            **given,
+        )

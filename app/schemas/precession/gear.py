@@ -1,0 +1,224 @@
+"""The mesh of a precessional gear as a request gives it: geometry and rollers."""
+
+from collections.abc import Sequence
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from app.schemas.base import SIZE, RequestModel, field_error, quantity
+from app.units import to_si
+from core.errors import InvalidInput
+from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
+
+MAX_ROLLERS = 500
+"""Most rollers of one wheel."""
+
+Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+
+class RollerFields(RequestModel):
+    """One roller: its place on the wheel and the limits of its contact line."""
+
+    position_angle_deg: float = quantity(
+        "Position angle",
+        symbol="φ₁",
+        group="rollers",
+        ge=-3600,
+        le=3600,
+        step=15,
+        help="Position of the roller on the central wheel.",
+    )
+    z_min_mm: Coordinate | None = quantity(
+        "Working length from",
+        symbol="z_min",
+        group="rollers",
+        default=None,
+        step=1,
+        help="Start of the working length, along the axis from the precession centre.",
+    )
+    z_max_mm: Coordinate | None = quantity(
+        "Working length to",
+        symbol="z_max",
+        group="rollers",
+        default=None,
+        step=1,
+        help="End of the working length.",
+    )
+    phi_min_deg: float | None = quantity(
+        "Contact from",
+        symbol="φ_min",
+        group="rollers",
+        default=None,
+        ge=-3600,
+        le=3600,
+        step=1,
+        help="Polar angle on the roller at which contact starts, instead of a working length.",
+    )
+    phi_max_deg: float | None = quantity(
+        "Contact to",
+        symbol="φ_max",
+        group="rollers",
+        default=None,
+        ge=-3600,
+        le=3600,
+        step=1,
+        help="Polar angle on the roller at which contact ends.",
+    )
+
+    @model_validator(mode="after")
+    def _one_pair_of_limits(self) -> Self:
+        by_length = (self.z_min_mm, self.z_max_mm)
+        by_angle = (self.phi_min_deg, self.phi_max_deg)
+        if by_length != (None, None) and by_angle != (None, None):
+            raise field_error("phi_min_deg", "give limits in z or in phi, not both")
+        if by_length == by_angle == (None, None):
+            raise field_error(
+                "z_min_mm", "is needed: z_min_mm and z_max_mm, or phi_min_deg and phi_max_deg"
+            )
+        names = (
+            ("phi_min_deg", "phi_max_deg")
+            if by_length == (None, None)
+            else ("z_min_mm", "z_max_mm")
+        )
+        for name in names:
+            if getattr(self, name) is None:
+                raise field_error(name, "is needed beside the other limit")
+        return self
+
+    def roller(self) -> Roller:
+        """The roller in SI units."""
+        if self.z_min_mm is not None:
+            return RollerByLength(**self.to_core())
+        return RollerByAngle(**self.to_core())
+
+
+class WheelFields(RequestModel):
+    """Evenly spaced rollers with one working length."""
+
+    rollers_total: int = quantity(
+        "Rollers of the wheel",
+        symbol="z₁",
+        group="rollers",
+        ge=1,
+        le=MAX_ROLLERS,
+        step=1,
+        help="Number of rollers of the central wheel.",
+    )
+    rollers_in_mesh: int | None = quantity(
+        "Rollers in mesh",
+        symbol="",
+        group="rollers",
+        default=None,
+        ge=1,
+        le=MAX_ROLLERS,
+        step=1,
+        help="How many of them touch the satellite, from the first on; all where not given.",
+    )
+    position_angle_deg: float = quantity(
+        "Position of the first",
+        symbol="φ₁",
+        group="rollers",
+        ge=-3600,
+        le=3600,
+        step=5,
+        help="Position angle of the first roller.",
+    )
+    z_min_mm: Coordinate = quantity(
+        "Working length from",
+        symbol="z_min",
+        group="rollers",
+        step=1,
+        help="Start of the working length, along the axis from the precession centre.",
+    )
+    z_max_mm: Coordinate = quantity(
+        "Working length to",
+        symbol="z_max",
+        group="rollers",
+        step=1,
+        help="End of the working length.",
+    )
+
+
+class GearFields(RequestModel):
+    """Geometry of the mesh and its rollers."""
+
+    roller_circle_radius_mm: float = quantity(
+        "Roller circle radius",
+        symbol="R_C",
+        group="gear",
+        **SIZE,
+        step=1,
+        help="Radius of the circle of the roller axes.",
+    )
+    roller_radius_mm: float = quantity(
+        "Roller radius",
+        symbol="ρ",
+        group="gear",
+        **SIZE,
+        step=0.5,
+        help="Radius of a roller.",
+    )
+    nutation_angle_deg: float = quantity(
+        "Nutation angle",
+        symbol="θ",
+        group="gear",
+        gt=0,
+        lt=90,
+        step=0.5,
+        help="Angle between the axes of the central wheel and the satellite.",
+    )
+    ratio_u12: float = quantity(
+        "Ratio",
+        symbol="u₁₂",
+        group="gear",
+        ge=-1e6,
+        le=1e6,
+        step=0.01,
+        help="Ratio of the mesh with the input shaft held.",
+    )
+    rollers: list[RollerFields] | None = quantity(
+        "Rollers",
+        symbol="",
+        group="rollers",
+        default=None,
+        min_length=1,
+        max_length=MAX_ROLLERS,
+        help="The rollers in mesh, one by one.",
+    )
+    wheel: WheelFields | None = quantity(
+        "Wheel",
+        symbol="",
+        group="rollers",
+        default=None,
+        help="Evenly spaced rollers with one working length, instead of a list.",
+    )
+
+    @model_validator(mode="after")
+    def _rollers_or_wheel(self) -> Self:
+        if self.rollers is not None and self.wheel is not None:
+            raise field_error("wheel", "give either rollers or wheel")
+        if self.rollers is None and self.wheel is None:
+            raise field_error("rollers", "is needed: rollers or wheel")
+        return self
+
+    def gear(self) -> dict[str, float]:
+        """Geometry in SI units, as the core's arguments."""
+        return {
+            "roller_circle_radius": to_si("radius_mm", self.roller_circle_radius_mm),
+            "roller_radius": to_si("radius_mm", self.roller_radius_mm),
+            "nutation_angle": to_si("angle_deg", self.nutation_angle_deg),
+            "ratio_u12": self.ratio_u12,
+        }
+
+    def all_rollers(self) -> Sequence[Roller]:
+        """The rollers in SI units."""
+        if self.rollers is not None:
+            return [each.roller() for each in self.rollers]
+        assert self.wheel is not None
+        return wheel_rollers(**self.wheel.to_core())
+
+    def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
+        """A refusal of one roller, as one of the wheel where a wheel was given."""
+        if self.wheel is not None and error.parameter.startswith("rollers["):
+            return InvalidInput("wheel", None, f"{error.parameter} {error.limit}")
+        return error

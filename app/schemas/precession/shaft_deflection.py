@@ -1,0 +1,172 @@
+"""Request and answer of the shaft's reactions and deflection."""
+
+from typing import Self
+
+from pydantic import model_validator
+
+from app.schemas.base import (
+    SIZE,
+    AccuracyOut,
+    RequestModel,
+    ResponseModel,
+    WarningOut,
+    field_error,
+    quantity,
+)
+from app.schemas.precession.meshing_load import MeshingLoadRequest
+from app.units import from_si, to_si
+from core.precession.meshing_load import MeshingLoad
+from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
+from core.precession.shaft_deflection import Deflection, ShaftDeflection, shaft_deflection
+
+Plane = tuple[float, float]
+
+
+class ShaftSectionFields(RequestModel):
+    """A stretch of the shaft with one diameter."""
+
+    length_mm: float = quantity("Length", symbol="", group="shaft", **SIZE, step=1)
+    diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
+
+
+class ShaftDeflectionRequest(MeshingLoadRequest):
+    """A mesh, its torque and the shaft that carries it."""
+
+    bearing_distance_mm: float = quantity(
+        "Bearing distance",
+        symbol="a",
+        group="shaft",
+        **SIZE,
+        step=1,
+        help="Distance of the satellite's bearings, from C to B.",
+    )
+    overhang_mm: float = quantity(
+        "Overhang",
+        symbol="b",
+        group="shaft",
+        **SIZE,
+        step=1,
+        help="Distance from B to the clamped end of the shaft.",
+    )
+    shaft_diameter_mm: float | None = quantity(
+        "Shaft diameter",
+        symbol="d",
+        group="shaft",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Diameter of the shaft, the same everywhere.",
+    )
+    shaft_sections: list[ShaftSectionFields] | None = quantity(
+        "Shaft sections",
+        symbol="",
+        group="shaft",
+        default=None,
+        min_length=1,
+        max_length=100,
+        help="Stretches of the shaft from C to the clamp, instead of one diameter; their lengths "
+        "add up to a + b.",
+    )
+    youngs_modulus_GPa: float = quantity(
+        "Young's modulus",
+        symbol="E",
+        group="shaft",
+        default=210.0,
+        **SIZE,
+        step=1,
+        help="Young's modulus of the shaft.",
+    )
+
+    @model_validator(mode="after")
+    def _diameter_or_sections(self) -> Self:
+        if self.shaft_diameter_mm is not None and self.shaft_sections is not None:
+            raise field_error("shaft_sections", "give either shaft_diameter_mm or shaft_sections")
+        if self.shaft_diameter_mm is None and self.shaft_sections is None:
+            raise field_error("shaft_diameter_mm", "is needed: shaft_diameter_mm or shaft_sections")
+        return self
+
+    def solve_shaft(self, load: MeshingLoad) -> ShaftDeflection:
+        """Reactions and deflection of the shaft under the load of the mesh."""
+        return shaft_deflection(
+            force=load.force,
+            moment=load.moment,
+            force_error=load.force_error,
+            moment_error=load.moment_error,
+            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
+            overhang=to_si("overhang_mm", self.overhang_mm),
+            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
+            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
+            shaft_sections=self._sections(),
+        )
+
+    def solve(self) -> ShaftDeflection:
+        """Reactions and deflection of the shaft."""
+        return self.solve_shaft(self.solve_load())
+
+    def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
+        """Reactions and deflection, and the course of loads and deflection along the shaft."""
+        load = self.solve_load()
+        diagram = shaft_diagram(
+            force=load.force,
+            moment=load.moment,
+            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
+            overhang=to_si("overhang_mm", self.overhang_mm),
+            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
+            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
+            shaft_sections=self._sections(),
+        )
+        return self.solve_shaft(load), diagram
+
+    def _sections(self) -> list[ShaftSection] | None:
+        if self.shaft_sections is None:
+            return None
+        return [ShaftSection(**each.to_core()) for each in self.shaft_sections]
+
+
+class DeflectionOut(ResponseModel):
+    """Deflection in both planes and in all, in the unit of its name."""
+
+    x: float
+    y: float
+    total: float
+
+    @classmethod
+    def of(cls, deflection: Deflection) -> Self:
+        """Answer from the core's deflection, mm."""
+        return cls(
+            x=from_si("x_mm", deflection.x),
+            y=from_si("y_mm", deflection.y),
+            total=from_si("total_mm", deflection.total),
+        )
+
+
+class ShaftDeflectionResponse(ResponseModel):
+    """Reactions and deflection of the shaft at the bearings B and C."""
+
+    reaction_B_N: Plane
+    reaction_C_N: Plane
+    deflection_B_mm: DeflectionOut
+    deflection_C_mm: DeflectionOut
+    simplified_deflection_B_mm: DeflectionOut | None = None
+    simplified_deflection_C_mm: DeflectionOut | None = None
+    simplification_error_B: float | None = None
+    simplification_error_C: float | None = None
+    accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
+
+    @classmethod
+    def from_core(
+        cls, result: ShaftDeflection, run_time_us: float | None = None, **given: object
+    ) -> Self:
+        """Answer from the core's result."""
+        deflections = {
+            f"{name}_mm": None if value is None else DeflectionOut.of(value)
+            for name in (
+                "deflection_B",
+                "deflection_C",
+                "simplified_deflection_B",
+                "simplified_deflection_C",
+            )
+            for value in (getattr(result, name),)
+        }
+        return super().from_core(result, run_time_us, **deflections, **given)
