@@ -18,6 +18,7 @@ from app.routers import (
     precession,
     roller_strength,
     service,
+    work_precision,
 )
 from app.schemas.service import ProblemOut
 from app.settings import Settings
@@ -32,6 +33,7 @@ ROUTERS = (
     hertz,
     roller_strength,
     precession,
+    work_precision,
 )
 
 PROBLEMS: dict[int | str, dict[str, Any]] = {

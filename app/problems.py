@@ -118,7 +118,15 @@ def pointer(path: Iterable[str | int]) -> str:
     return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
 
 
-UNION_TAGS = ("name", "values")
+UNION_TAGS = (
+    "name",
+    "values",
+    "peak_force",
+    "contact_line_length",
+    "meshing_load",
+    "roller_sharing",
+    "shaft_deflection",
+)
 """Names of the branches of our unions: pydantic puts them into the path; they are no fields."""
 
 _COMPARISONS = {

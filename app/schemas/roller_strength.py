@@ -15,6 +15,7 @@ from app.schemas.base import (
     field_error,
     quantity,
 )
+from app.units import to_si
 from core.roller_curves import (
     FloatArray,
     load_nonuniformity,
@@ -178,6 +179,13 @@ class RollerStrengthRequest(RequestModel):
     def solve(self) -> RollerStrength:
         """Load sharing and strength of the rollers."""
         return roller_strength(**self.to_core())
+
+    def all_gaps(self) -> list[float]:
+        """Gap of each roller, m; those of the worst case where a tolerance is given."""
+        if self.gaps_mm is not None:
+            return [to_si("gap_mm", gap) for gap in self.gaps_mm]
+        assert self.position_tolerance_mm is not None
+        return [0.0] + [4 * to_si("gap_mm", self.position_tolerance_mm)] * (self.rollers - 1)
 
     def solve_curves(self) -> "RollerCurves":
         """Curves of stiffness, non-uniformity and stress through this design."""

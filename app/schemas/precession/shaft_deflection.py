@@ -117,6 +117,20 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         )
         return self.solve_shaft(load), diagram
 
+    def sections(self) -> list[ShaftSection]:
+        """Stretches of the shaft from C to the clamp; one where it has one diameter."""
+        given = self._sections()
+        if given is not None:
+            return given
+        assert self.shaft_diameter_mm is not None
+        return [
+            ShaftSection(
+                length=to_si("length_mm", self.bearing_distance_mm)
+                + to_si("length_mm", self.overhang_mm),
+                diameter=to_si("diameter_mm", self.shaft_diameter_mm),
+            )
+        ]
+
     def _sections(self) -> list[ShaftSection] | None:
         if self.shaft_sections is None:
             return None

@@ -1,0 +1,141 @@
+"""Request and answer of error against run time."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.schemas.base import RequestModel, ResponseModel
+from app.schemas.contact_force import ContactForceRequest
+from app.schemas.precession.contact_line import ContactLineRequest
+from app.schemas.precession.meshing_load import MeshingLoadRequest
+from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
+from app.schemas.roller_strength import RollerStrengthRequest
+from app.units import to_si
+from core.errors import InvalidInput
+from core.work_precision.mesh import contact_line_study, meshing_load_study
+from core.work_precision.peak_force import peak_force_study
+from core.work_precision.rollers import roller_sharing_study
+from core.work_precision.shaft import shaft_deflection_study
+from core.work_precision.study import WorkPrecision
+
+MAX_ROLLERS = 24
+"""Most rollers of a study: its reference is calculated for each."""
+
+
+class PeakForceStudy(RequestModel):
+    """Peak of the contact force."""
+
+    calculation: Literal["peak_force"]
+    input: ContactForceRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return peak_force_study(
+            mechanism=self.input.mechanism(), force_exponent=self.input.force_exponent
+        )
+
+
+class ContactLineStudy(RequestModel):
+    """Total length of the contact lines."""
+
+    calculation: Literal["contact_line_length"]
+    input: ContactLineRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        rollers = self.input.all_rollers()
+        _refuse_many(len(rollers))
+        return contact_line_study(gear=self.input.gear(), rollers=rollers)
+
+
+class MeshingLoadStudy(RequestModel):
+    """Force of the mesh."""
+
+    calculation: Literal["meshing_load"]
+    input: MeshingLoadRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        rollers = self.input.all_rollers()
+        _refuse_many(len(rollers))
+        return meshing_load_study(
+            gear=self.input.gear(),
+            rollers=rollers,
+            torque=self.input.torque_Nm,
+            reference_z=to_si("reference_z_mm", self.input.reference_z_mm),
+        )
+
+
+class RollerSharingStudy(RequestModel):
+    """Forces of the swinging rollers."""
+
+    calculation: Literal["roller_sharing"]
+    input: RollerStrengthRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        design = self.input.solve()
+        return roller_sharing_study(
+            total=design.mean_force * self.input.rollers,
+            stiffness=design.stiffness,
+            gaps=self.input.all_gaps(),
+        )
+
+
+class ShaftDeflectionStudy(RequestModel):
+    """Deflection of the shaft at C."""
+
+    calculation: Literal["shaft_deflection"]
+    input: ShaftDeflectionRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        load = self.input.solve_load()
+        return shaft_deflection_study(
+            force=load.force,
+            moment=load.moment,
+            bearing_distance=to_si("distance_mm", self.input.bearing_distance_mm),
+            overhang=to_si("overhang_mm", self.input.overhang_mm),
+            youngs_modulus=to_si("youngs_modulus_GPa", self.input.youngs_modulus_GPa),
+            sections=self.input.sections(),
+        )
+
+
+def _refuse_many(rollers: int) -> None:
+    if rollers > MAX_ROLLERS:
+        raise InvalidInput("rollers", rollers, f"must be at most {MAX_ROLLERS} for a study")
+
+
+WorkPrecisionRequest = Annotated[
+    PeakForceStudy
+    | ContactLineStudy
+    | MeshingLoadStudy
+    | RollerSharingStudy
+    | ShaftDeflectionStudy,
+    Field(discriminator="calculation"),
+]
+
+
+class ReferenceOut(ResponseModel):
+    """What the errors are measured against."""
+
+    method: str
+    digits: int
+
+
+class WorkPointOut(ResponseModel):
+    """One method at one setting."""
+
+    method: str
+    setting: str
+    relative_error: float
+    run_time_us: float
+    evaluations: int
+
+
+class WorkPrecisionResponse(ResponseModel):
+    """Error against run time of every method, and the method that the calculators use."""
+
+    reference: ReferenceOut
+    points: list[WorkPointOut]
+    chosen: WorkPointOut

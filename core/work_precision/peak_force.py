@@ -1,0 +1,202 @@
+"""Peak force: sampling, polished sampling, segment-exact, and the papers' approximations."""
+
+import math
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from core.contact_force import approximate_peak_ratio, force_ratios
+from core.errors import InvalidInput
+from core.mechanism import Mechanism
+from core.peak_force import peak_force
+from core.work_precision.study import (
+    REFERENCE_DIGITS,
+    Reference,
+    WorkPoint,
+    WorkPrecision,
+    measured,
+)
+
+MAX_PAIRS = 300
+"""Most pairs of a study: its reference and its samples grow with them."""
+
+SAMPLES = (16, 64, 256, 1024, 4096, 16384, 65536)
+
+
+def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> WorkPrecision:
+    """Error against run time of the peak of the contact force.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; at most `MAX_PAIRS` pairs.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Returns
+    -------
+    WorkPrecision
+
+    Raises
+    ------
+    InvalidInput
+        If there are too many pairs.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+    """
+    pairs = mechanism.pins * mechanism.satellites
+    if pairs > MAX_PAIRS:
+        raise InvalidInput(
+            "pins", mechanism.pins, f"times {{satellites}} must be at most {MAX_PAIRS} for a study"
+        )
+    peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
+    exact = [_reference(mechanism, force_exponent, peak.peak_crank_angle)]
+    end = mechanism.crank_angle_per_wave
+
+    def sampled(count: int) -> float:
+        angles = np.linspace(0.0, end, count, endpoint=False)
+        ratios = force_ratios(
+            mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
+        )
+        return float(ratios.max())
+
+    def polished(count: int) -> float:
+        angles = np.linspace(0.0, end, count, endpoint=False)
+        largest = force_ratios(
+            mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
+        ).max(axis=(1, 2))
+        best, step = int(largest.argmax()), end / count
+        return max(
+            float(largest[best]),
+            _golden(mechanism, force_exponent, angles[best] - step, angles[best] + step),
+        )
+
+    points: list[WorkPoint | None] = [
+        measured(
+            method="sampling",
+            setting=f"n = {count}",
+            calculate=partial(sampled, count),
+            exact=exact,
+            evaluations=count,
+        )
+        for count in SAMPLES
+        if count * pairs <= 2_000_000
+    ]
+    points += [
+        measured(
+            method="sampling, golden section",
+            setting=f"n = {count}",
+            calculate=partial(polished, count),
+            exact=exact,
+            evaluations=count + GOLDEN_STEPS,
+        )
+        for count in (16, 64, 256)
+    ]
+    chosen = measured(
+        method="segment-exact",
+        setting="default",
+        calculate=lambda: (
+            peak_force(mechanism=mechanism, force_exponent=force_exponent).peak_force_ratio
+        ),
+        exact=exact,
+        evaluations=peak.accuracy.evaluations,
+    )
+    points.append(chosen)
+    points.append(
+        measured(
+            method="approximation (2018, eq. 5)",
+            setting="",
+            calculate=lambda: approximate_peak_ratio(
+                pins=mechanism.pins, satellites=mechanism.satellites
+            ),
+            exact=exact,
+            evaluations=1,
+        )
+    )
+    points.append(
+        measured(
+            method="equal sharing (Zyl)",
+            setting="",
+            calculate=lambda: peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio,
+            exact=exact,
+            evaluations=1,
+        )
+    )
+    assert chosen is not None
+    return WorkPrecision(
+        reference=Reference("peak refined in multiple precision", REFERENCE_DIGITS),
+        points=tuple(point for point in points if point is not None),
+        chosen=chosen,
+    )
+
+
+GOLDEN_STEPS = 40
+
+
+def _golden(mechanism: Mechanism, exponent: float, low: float, high: float) -> float:
+    """Largest force in a range of crank angle, by golden-section search."""
+    ratio = (math.sqrt(5) - 1) / 2
+
+    def force(angle: float) -> float:
+        return float(
+            force_ratios(
+                mechanism=mechanism, crank_angles=np.array([angle]), force_exponent=exponent
+            ).max()
+        )
+
+    left, right = high - ratio * (high - low), low + ratio * (high - low)
+    at_left, at_right = force(left), force(right)
+    for _ in range(GOLDEN_STEPS):
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - ratio * (high - low)
+            at_left = force(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + ratio * (high - low)
+            at_right = force(right)
+    return max(at_left, at_right)
+
+
+def _reference(mechanism: Mechanism, exponent: float, crank_angle: float) -> Any:
+    """Peak in multiple precision, on the piece of the turn where it was found."""
+    import mpmath
+
+    with mpmath.workdps(REFERENCE_DIGITS):
+        phases = [
+            mpmath.mpf(alpha)
+            + mpmath.mpf(mechanism.initial_crank_angle)
+            + 2 * mpmath.pi * n / mechanism.pins
+            for alpha in mechanism.crank_angles
+            for n in range(mechanism.pins)
+        ]
+        power = mpmath.mpf(exponent)
+        psi = mpmath.mpf(crank_angle) * (1 + 1 / mpmath.mpf(mechanism.ratio))
+
+        def cosines(angle: Any) -> list[Any]:
+            return [c for c in (-mpmath.sin(angle + phase) for phase in phases) if c > 0]
+
+        def force(angle: Any) -> Any:
+            driving = cosines(angle)
+            best = max(driving)
+            shares = sum((c / best) ** (1 + power) for c in driving)
+            return 1 / (best * shares)
+
+        # The peak lies within rounding of psi: on a kink there, or at a smooth maximum beside it.
+        width = mpmath.mpf("1e-7")
+        low, high = psi - width, psi + width
+        ratio = (mpmath.sqrt(5) - 1) / 2
+        left, right = high - ratio * (high - low), low + ratio * (high - low)
+        at_left, at_right = force(left), force(right)
+        # A force is stationary at its peak, so half the digits of the place give all of it.
+        for _ in range(85):
+            if at_left > at_right:
+                high, right, at_right = right, left, at_left
+                left = high - ratio * (high - low)
+                at_left = force(left)
+            else:
+                low, left, at_left = left, right, at_right
+                right = low + ratio * (high - low)
+                at_right = force(right)
+        return max(at_left, at_right, force(psi))

@@ -1,0 +1,125 @@
+"""Points of a work-precision study, and how they are measured."""
+
+import math
+import statistics
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+REFERENCE_DIGITS = 40
+"""Digits of the reference."""
+
+_REPEATS = 7
+_BUDGET_S = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class WorkPoint:
+    """One method at one setting.
+
+    Attributes
+    ----------
+    method : str
+        Name of the method.
+    setting : str
+        Its setting: number of samples, nodes, steps.
+    relative_error : float
+        Measured relative error against the reference, dimensionless.
+    run_time_us : float
+        Median run time, microseconds.
+    evaluations : int
+        Evaluations of the function behind the method.
+    """
+
+    method: str
+    setting: str
+    relative_error: float
+    run_time_us: float
+    evaluations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What the errors are measured against.
+
+    Attributes
+    ----------
+    method : str
+        How it was got.
+    digits : int
+        Digits it was calculated with.
+    """
+
+    method: str
+    digits: int
+
+
+@dataclass(frozen=True, slots=True)
+class WorkPrecision:
+    """Error against run time of the methods of a calculation.
+
+    Attributes
+    ----------
+    reference : Reference
+        What the errors are measured against.
+    points : tuple of WorkPoint
+        All methods at all settings that can be had.
+    chosen : WorkPoint
+        The one that the calculators use.
+    """
+
+    reference: Reference
+    points: tuple[WorkPoint, ...]
+    chosen: WorkPoint
+
+
+def measured(
+    *,
+    method: str,
+    setting: str,
+    calculate: Callable[[], float | Sequence[float]],
+    exact: Sequence[Any],
+    evaluations: int,
+) -> WorkPoint | None:
+    """A method's point: its value compared with the exact one, its run time measured.
+
+    Parameters
+    ----------
+    method, setting : str
+        Names.
+    calculate : callable
+        Returns the value, or the components of a vector.
+    exact : sequence of mpmath numbers
+        Components of the exact value.
+    evaluations : int
+        Evaluations of the function behind the method.
+
+    Returns
+    -------
+    WorkPoint or None
+        None where the method gives no finite number on this input.
+    """
+    import mpmath
+
+    times: list[float] = []
+    value: float | Sequence[float] = 0.0
+    began = time.perf_counter()
+    while len(times) < _REPEATS and (len(times) < 1 or time.perf_counter() - began < _BUDGET_S):
+        start = time.perf_counter_ns()
+        value = calculate()
+        times.append((time.perf_counter_ns() - start) / 1000)
+    components = [value] if isinstance(value, (int, float)) else list(value)
+    if not all(math.isfinite(each) for each in components):
+        return None
+    size = mpmath.sqrt(sum(each**2 for each in exact))
+    off = mpmath.sqrt(
+        sum((mpmath.mpf(got) - want) ** 2 for got, want in zip(components, exact, strict=True))
+    )
+    return WorkPoint(
+        method=method,
+        setting=setting,
+        relative_error=float(off / size),
+        run_time_us=statistics.median(times),
+        evaluations=evaluations,
+    )

@@ -1,0 +1,100 @@
+"""Error against run time over REST."""
+
+import math
+
+import plotly.graph_objects as go
+import pytest
+
+pytestmark = pytest.mark.anyio
+
+MECHANISM = {"pins": 3, "ratio": 20, "crank_spacing_deg": 90}
+GEAR = {
+    "roller_circle_radius_mm": 50, "roller_radius_mm": 4, "nutation_angle_deg": 6,
+    "ratio_u12": 0.96,
+    "rollers": [{"position_angle_deg": a, "z_min_mm": 15, "z_max_mm": 25} for a in (30, 120)],
+}  # fmt: skip
+MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
+STUDIES = {
+    "peak_force": {**MECHANISM, "output_torque_Nm": 500, "pin_circle_radius_mm": 50},
+    "contact_line_length": GEAR,
+    "meshing_load": MESH,
+    "roller_sharing": {
+        "output_torque_Nm": 210, "hole_circle_radius_mm": 30, "rollers": 4,
+        "position_tolerance_mm": 0.002, "diameter_mm": 10, "cylinder_length_mm": 20,
+        "sphere_width_mm": 8, "sphere_diameter_mm": 15, "poissons_ratio": 0.3,
+    },
+    "shaft_deflection": {
+        **MESH, "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20,
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("calculation", STUDIES)
+async def test_a_study_compares_methods_and_marks_an_accurate_default(api, calculation):
+    body = {"calculation": calculation, "input": STUDIES[calculation]}
+    answer = (await api.post("work-precision", json=body)).json()
+    assert answer["reference"]["digits"] == 40
+    assert answer["chosen"] in answer["points"]
+    assert answer["chosen"]["relative_error"] < 1e-14
+    assert all(point["run_time_us"] > 0 for point in answer["points"])
+    assert len({point["method"] for point in answer["points"]}) >= 3
+    assert max(point["relative_error"] for point in answer["points"]) > 1e-6
+
+
+async def test_more_samples_are_better_and_dearer(api):
+    body = {"calculation": "peak_force", "input": STUDIES["peak_force"]}
+    points = (await api.post("work-precision", json=body)).json()["points"]
+    sampling = [point for point in points if point["method"] == "sampling"]
+    assert [p["evaluations"] for p in sampling] == [16, 64, 256, 1024, 4096, 16384, 65536]
+    errors = [point["relative_error"] for point in sampling]
+    assert errors == sorted(errors, reverse=True) and errors[0] > 1e4 * errors[-1]
+    assert sampling[-1]["run_time_us"] > 10 * sampling[0]["run_time_us"]
+
+
+async def test_the_papers_approximation_has_its_known_error(api):
+    body = {
+        "calculation": "peak_force",
+        "input": {**STUDIES["peak_force"], "satellites": 1, "crank_spacing_deg": 0},
+    }
+    points = (await api.post("work-precision", json=body)).json()["points"]
+    approximation = next(p for p in points if p["method"].startswith("approximation"))
+    # 1.4*0.95/1.2492: the theory's +1.40 % for three pins and one satellite
+    assert approximation["relative_error"] == pytest.approx(1.2666667 / 1.2492332 - 1, rel=1e-5)
+
+
+async def test_simpson_converges_with_the_fourth_power(api):
+    body = {"calculation": "contact_line_length", "input": GEAR}
+    points = (await api.post("work-precision", json=body)).json()["points"]
+    simpson = [p["relative_error"] for p in points if p["method"] == "Simpson in phi"]
+    rate = math.log(simpson[0] / simpson[1]) / math.log(4)
+    assert rate == pytest.approx(4, abs=0.3)
+
+
+@pytest.mark.parametrize("calculation", ["peak_force", "roller_sharing"])
+async def test_the_diagram_is_a_figure(api, calculation):
+    body = {"calculation": calculation, "input": STUDIES[calculation]}
+    figure = (await api.post("work-precision/chart?theme=dark", json=body)).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    assert figure["data"][-1]["name"] == "Used by the calculator"
+    assert {figure["layout"][axis]["type"] for axis in ("xaxis", "yaxis")} == {"log"}
+
+
+@pytest.mark.parametrize(
+    ("body", "field"),
+    [
+        (
+            {"calculation": "peak_force", "input": {**STUDIES["peak_force"], "pins": 0}},
+            "/input/pins",
+        ),
+        (
+            {"calculation": "peak_force", "input": {**STUDIES["peak_force"], "pins": 200}},
+            "/input/pins",
+        ),
+        ({"calculation": "colour", "input": {}}, ""),
+        ({"calculation": "meshing_load", "input": GEAR}, "/input/torque_Nm"),
+    ],
+)
+async def test_wrong_studies_are_refused(api, body, field):
+    response = await api.post("work-precision", json=body)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["pointer"] == field
