@@ -13,7 +13,9 @@ const API = "/api/v1";
 const client = createClient({ base: API });
 const panel = document.getElementById("panel");
 const live = document.getElementById("live");
+const linked = new URLSearchParams(location.search);
 const kept = new Map(); // what was typed in calculators that are not open now
+let wanted = null;
 let open = null;
 
 const service = Promise.all([
@@ -31,22 +33,23 @@ async function cataloguesOf(calculator) {
 }
 
 async function openCalculator(id) {
-  if (open?.id === id) return;
-  open?.workbench.close();
-  open = null;
+  if (wanted === id) return;
+  wanted = id;
   tabs.setOpen(id);
   const { load } = CALCULATORS.find((one) => one.id === id);
   const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
   const model = formModel(openapi, { ...calculator, path: API + calculator.path });
   const own = examples.filter((example) => `/${example.calculation}` === calculator.path);
-  const linked = new URLSearchParams(location.search);
-  const workbench = openWorkbench({
+  const catalogues = await cataloguesOf(calculator);
+  if (wanted !== id) return; // another tab was opened meanwhile
+  open?.close();
+  open = openWorkbench({
     host: panel,
     calculator,
     model,
     client,
     examples: own,
-    catalogues: await cataloguesOf(calculator),
+    catalogues,
     state: kept.get(id)
       ?? (linked.get("calculator") === id ? decodeState(model, linked) : null)
       ?? stateFromInput(model, { ...calculator.start, ...own[0]?.input }),
@@ -60,10 +63,10 @@ async function openCalculator(id) {
       },
     },
   });
-  open = { id, workbench };
 }
 
 function failed(error) {
+  wanted = null;
   panel.textContent = message("page.failed", { detail: error.message });
 }
 
@@ -75,9 +78,9 @@ const tabs = createTabs({
   on: { opened: (id) => openCalculator(id).catch(failed) },
 });
 document.getElementById("tools").append(
-  createThemeSwitch({ on: { changed: () => open?.workbench.redraw() } }).root,
+  createThemeSwitch({ on: { changed: () => open?.redraw() } }).root,
   createKeys().button,
 );
 
-const asked = new URLSearchParams(location.search).get("calculator");
+const asked = linked.get("calculator");
 openCalculator(ids.includes(asked) ? asked : ids[0]).catch(failed);

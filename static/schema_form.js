@@ -236,8 +236,11 @@ export function shownFields(model, state) {
     : item.options.find((option) => option.id === state.chosen[item.id]).fields));
 }
 
+const TINY = 1e-9; // a lowest value so small means: more than nothing
+
 function outside(field, value) {
   const { lowest, highest } = field;
+  if (lowest > 0 && lowest < TINY && value <= 0) return { problem: "above", limit: 0 };
   if (lowest !== undefined && (field.lowestAllowed ? value < lowest : value <= lowest)) {
     return { problem: field.lowestAllowed ? "least" : "above", limit: lowest };
   }

@@ -19,13 +19,23 @@ import { inWords } from "./wording.js";
 
 const DEBOUNCE_MS = 120;
 
+/** Posts that are sent once, however often they are asked for. */
+function postingOnce(client, signal) {
+  const answers = new Map();
+  return (path, body) => {
+    const key = `${path} ${JSON.stringify(body)}`;
+    if (!answers.has(key)) answers.set(key, client.post(path, body, { signal }));
+    return answers.get(key);
+  };
+}
+
 /** Ask for all sections; where the service refuses, for those that do not need the refused one. */
 async function askSections({ client, calculator, input, tables, signal }) {
+  const post = postingOnce(client, signal);
   let refusal = null;
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      const post = (path, body) => client.post(path, body, { signal });
       return { answer: await calculator.ask({ post, input, sections, tables }), refusal };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
@@ -128,7 +138,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(picker.root, form.root);
-  const outputs = element(html`<div class="outputs" id="results" tabindex="-1"></div>`);
+  const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   outputs.append(verdict.root, ...figures.map(({ root }) => root), results.root);
   host.replaceChildren(inputs, outputs);
 
@@ -247,6 +257,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         on.say(spoken(cells));
       }
     }
+    if (!answer && !drawn) for (const figure of figures) figure.clear(refusalText);
     if (refusal) {
       verdict.setMessage("bad", refusalText);
       on.say(refusalText);
@@ -273,9 +284,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   return {
     redraw,
+    /** Stop; what was typed last is told even where it has not been asked about yet. */
     close() {
       clearTimeout(timer);
       newest.cancel();
+      for (const figure of figures) figure.close();
+      on.state(state, query(calculator.id, model, state));
     },
   };
 }

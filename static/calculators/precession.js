@@ -1,5 +1,5 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
-import { formatNumber, formatQuantity } from "../format.js";
+import { formatNumber, formatQuantity, shownDigits, tidy } from "../format.js";
 import { message } from "../messages/index.js";
 
 const GEAR = [
@@ -17,12 +17,17 @@ function lineBody(input) {
   return { ...pick(input, GEAR), ...(sign !== 0 && { torque_sign: sign }) };
 }
 
+/** As many digits as the section's accuracy allows. */
+function shown(section, value, most = 4) {
+  return formatNumber(value, shownDigits(section.accuracy.relative_error, most));
+}
+
 function lengthCell(section) {
   const label = message("verdict.lineLength");
   if (!section) return { label };
   return {
     label,
-    value: formatNumber(section.total_length_mm, 5),
+    value: shown(section, section.total_length_mm),
     unit: "mm",
     note: message("verdict.lines", { count: section.lines.length }),
   };
@@ -31,12 +36,11 @@ function lengthCell(section) {
 function loadCell(section) {
   const label = message("verdict.lineLoad");
   if (!section) return { label };
-  const force = Math.hypot(...section.force_N);
   return {
     label,
-    value: formatNumber(section.max_line_load_N_per_mm, 4),
+    value: shown(section, section.max_line_load_N_per_mm),
     unit: "N/mm",
-    note: message("verdict.meshForce", { force: formatQuantity(force, "N", 4) }),
+    note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N", 4) }),
   };
 }
 
@@ -45,10 +49,12 @@ function deflectionCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: formatNumber(section.deflection_C_mm.total, 4),
+    value: shown(section, section.deflection_C_mm.total, 3),
     unit: "mm",
     note: message("verdict.deflectionB", {
-      deflection: formatQuantity(section.deflection_B_mm.total, "mm", 4),
+      deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3),
+      ...Object.fromEntries(["B", "C"].map((at) =>
+        [at, formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N", 4)])),
     }),
   };
 }
@@ -62,6 +68,19 @@ function lineTables({ contact_line: { lines } }) {
     columns: columns.map((name) => message(`quantity.${name}`)[0]),
     rows: lines.map((line) => columns.map((name) => line[name])),
   }];
+}
+
+/** Number of evenly spaced rollers of which these are neighbours; none where they are not. */
+function wheelOf(rollers) {
+  const angles = rollers.map((roller) => roller.position_angle_deg);
+  const total = tidy(360 / (angles[1] - angles[0]));
+  const even = angles.every((angle, i) => Math.abs(angle - angles[0] - (360 * i) / total) < 1e-9);
+  return Number.isInteger(total) && total > 0 && even ? total : undefined;
+}
+
+/** What all rollers have in common; nothing where they differ. */
+function same(rollers, name) {
+  return new Set(rollers.map((roller) => roller[name])).size === 1 ? rollers[0][name] : undefined;
 }
 
 export default {
@@ -99,15 +118,15 @@ export default {
   /** The same design said in an option's own fields. */
   seeds: {
     "rollersBy.wheel": ({ rollers = [] }) => ({
-      "wheel.rollers_total": 24,
-      "wheel.rollers_in_mesh": Math.max(1, rollers.length),
+      "wheel.rollers_total": wheelOf(rollers),
+      "wheel.rollers_in_mesh": rollers.length || undefined,
       "wheel.position_angle_deg": rollers[0]?.position_angle_deg,
-      "wheel.z_min_mm": rollers[0]?.z_min_mm,
-      "wheel.z_max_mm": rollers[0]?.z_max_mm,
+      "wheel.z_min_mm": same(rollers, "z_min_mm"),
+      "wheel.z_max_mm": same(rollers, "z_max_mm"),
     }),
     "rollersBy.list": ({ wheel }) => wheel && {
       rollers: Array.from({ length: wheel.rollers_in_mesh ?? wheel.rollers_total }, (_, i) => ({
-        position_angle_deg: wheel.position_angle_deg + (360 * i) / wheel.rollers_total,
+        position_angle_deg: tidy(wheel.position_angle_deg + (360 * i) / wheel.rollers_total),
         z_min_mm: wheel.z_min_mm,
         z_max_mm: wheel.z_max_mm,
       })),
@@ -123,7 +142,7 @@ export default {
     }),
   },
 
-  /** Each needs the one before; the service's answers do not, so they are asked for together. */
+  /** Each says more than the one before, and is refused where that is. */
   sections: ["contact_line", "meshing_load", "shaft_deflection"],
 
   async ask({ post, input, sections }) {
@@ -132,8 +151,9 @@ export default {
       meshing_load: ["/precession/meshing-load", pick(input, LOAD)],
       shaft_deflection: ["/precession/shaft-deflection", input],
     };
-    const answers = await Promise.all(sections.map(async (id) => [id, await post(...bodies[id])]));
-    return Object.fromEntries(answers);
+    const answer = {};
+    for (const id of sections) answer[id] = await post(...bodies[id]);
+    return answer;
   },
 
   verdict: (answer) => [

@@ -43,6 +43,7 @@ export default {
   },
   rows: {
     add: "Add a row",
+    help: "{title}: {help}",
     remove: "Remove",
     removeRow: "Remove row {row}",
     cell: "Row {row}, {title}",
@@ -107,7 +108,7 @@ export default {
     lineLoad: "Largest line load",
     meshForce: "force of the mesh {force}",
     deflection: "Deflection at C",
-    deflectionB: "at B {deflection}",
+    deflectionB: "at B {deflection}; reactions B {B}, C {C}",
     missing: "not computed",
     field: "{title}: {words}",
     noWarnings: "No warnings",

@@ -36,6 +36,7 @@ export function createFigure({ figure, client, on }) {
   const toggle = root.querySelector(".toggle");
   const newest = newestOnly();
   let tabled = false;
+  let drawnBy = null;
 
   function complain(text) {
     trouble.hidden = text === "";
@@ -70,7 +71,7 @@ export function createFigure({ figure, client, on }) {
           client.post(figure.path, figure.body(input, answer), { signal, query: { theme } })),
         loadPlotly().catch(() => null),
       ]);
-      if (superseded) return;
+      if (superseded || !root.isConnected) return;
       if (problem || !Plotly) {
         complain(message("figure.failed", { detail: problem?.message ?? message("figure.noPlotly") }));
         return;
@@ -80,7 +81,13 @@ export function createFigure({ figure, client, on }) {
       if (!HOVERS) layout.dragmode = false;
       // Half as many labels where they would not fit side by side.
       if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis.dtick *= 2;
+      drawnBy = Plotly;
       await Plotly.react(plot, chart.data, { ...layout, autosize: true }, CONFIG);
+    },
+    /** Give up the place on the page and what Plotly listens to for it. */
+    close() {
+      newest.cancel();
+      drawnBy?.purge(plot);
     },
     /** Say in the figure's place why there is none. */
     clear(detail) {

@@ -25,7 +25,7 @@ function asText(value, digits) {
   }
   if (value && !Array.isArray(value) && Object.values(value).every((one) => typeof one === "number")) {
     return Object.entries(value)
-      .map(([name, one]) => `${message(`quantity.${name}`)[0]} ${formatNumber(one, digits)}`).join("; ");
+      .map(([name, one]) => `${message(`quantity.${name}`)[0]}\u00a0${formatNumber(one, digits)}`).join("; ");
   }
   return null;
 }

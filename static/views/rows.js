@@ -1,8 +1,12 @@
 /** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { cellsOf, textOfCells } from "../schema_form.js";
+import { cellsOf, stepped, textOf, textOfCells } from "../schema_form.js";
 import { symbolMarkup } from "./symbol.js";
+
+function about({ title, help }) {
+  return help ? message("rows.help", { title, help }) : title;
+}
 
 /** The same interface as a field's view: its text is that of the whole list. */
 export function createRows(field, { on }) {
@@ -11,8 +15,8 @@ export function createRows(field, { on }) {
     <div class="field kind-records" data-path="${field.path}" role="group" aria-labelledby="${id}-title">
       <span class="records-title" id="${id}-title" title="${field.help}">${field.title}</span>
       <table class="records"><thead><tr>${field.columns.map((column) => html`
-        <th scope="col" title="${column.title}${column.help && `: ${column.help}`}">
-          ${symbolMarkup(column.symbol || column.title)}<span class="unit">${column.unit}</span></th>`)}
+        <th scope="col" title="${about(column)}">${column.symbol ? symbolMarkup(column.symbol) : column.title}
+          <span class="unit">${column.unit}</span></th>`)}
         <th><span class="unseen">${message("rows.remove")}</span></th></tr></thead><tbody></tbody></table>
       <button type="button" class="add-row">${message("rows.add")}</button>
       <p class="field-message" id="${id}-message"></p>
@@ -20,9 +24,21 @@ export function createRows(field, { on }) {
   const body = root.querySelector("tbody");
   const line = root.querySelector(".field-message");
   let shown = null;
+  let said = "";
 
   function boxes() {
     return [...body.rows].map((row) => [...row.querySelectorAll("input")]);
+  }
+
+  function columnOf(box) {
+    return box.matches(".box") ? field.columns[box.closest("td").cellIndex] : null;
+  }
+
+  /** The line under the table: what is wrong, or what the box at hand means. */
+  function explain() {
+    const here = body.contains(document.activeElement) && columnOf(document.activeElement);
+    const text = said || (here ? about(here) : field.help);
+    if (line.textContent !== text) line.textContent = text;
   }
 
   function typed() {
@@ -39,6 +55,17 @@ export function createRows(field, { on }) {
   }
 
   body.addEventListener("input", typed);
+  body.addEventListener("focusin", explain);
+  body.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const column = columnOf(event.target);
+    if (!direction || !column || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    const next = stepped(column, event.target.value, direction, event.shiftKey ? 10 : 1);
+    if (next === null) return;
+    event.target.value = textOf(next);
+    typed();
+  });
   body.addEventListener("click", (event) => {
     const button = event.target.closest(".remove-row");
     if (!button) return;
@@ -65,8 +92,8 @@ export function createRows(field, { on }) {
       render(cellsOf(text));
     },
     setMessage({ error = "", note = "", place = null }) {
-      const said = error || note || field.help;
-      if (line.textContent !== said) line.textContent = said;
+      said = error || note;
+      explain();
       root.classList.toggle("wrong", error !== "");
       for (const [r, row] of boxes().entries()) {
         for (const [c, box] of row.entries()) {

@@ -104,3 +104,10 @@ test("arrow keys step within the limits and without binary noise", () => {
   assert.equal(stepped(field("mechanism.satellites"), "", 1), 3);
   assert.equal(stepped(field("mechanism.crank_angles_deg"), "0; 90", 1), null);
 });
+
+test("a lowest value next to nothing reads as: more than nothing", () => {
+  const size = { ...field("contact.pin_radius_mm"), lowest: 1e-12, lowestAllowed: true };
+  assert.deepEqual(readField(size, "-3"), { problem: "above", limit: 0 });
+  assert.deepEqual(readField(size, "1e-13"), { problem: "least", limit: 1e-12 });
+  assert.deepEqual(readField(size, "1e-12"), { value: 1e-12 });
+});

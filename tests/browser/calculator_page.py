@@ -1,0 +1,82 @@
+"""What the tests of every calculator's page do and read."""
+
+import re
+
+import httpx
+from playwright.sync_api import Locator, Page, expect
+
+
+def show(page: Page, service: str, calculator: str, **fields: str) -> None:
+    """Open a calculator (with these inputs) and wait until it has computed."""
+    version = {"v": "1"} if fields else {}
+    page.goto(f"{service}/?{httpx.QueryParams({'calculator': calculator} | version | fields)}")
+    settled(page)
+
+
+def reopen(page: Page) -> None:
+    """Open the page's address as a stranger would."""
+    address = page.url
+    page.goto("about:blank")
+    page.goto(address)
+    settled(page)
+    assert page.url == address
+
+
+def settled(page: Page, state: str = "fresh") -> None:
+    expect(page.locator("#panel")).to_have_attribute("data-state", state)
+
+
+def opened(page: Page, calculator: str) -> None:
+    """Wait until a calculator's tab and its panel are there."""
+    expect(page.locator(f"#tab-{calculator}")).to_have_attribute("aria-selected", "true")
+    expect(page.locator(f'#panel .outputs[data-calculator="{calculator}"]')).to_be_attached()
+    settled(page)
+
+
+def box(page: Page, path: str) -> Locator:
+    return page.locator(f'[data-path="{path}"] .box')
+
+
+def cell(page: Page, row: int, column: str) -> Locator:
+    """A box of a list of records."""
+    return page.get_by_label(f"Row {row}, {column}", exact=True)
+
+
+def choose(page: Page, choice: str, option: str) -> None:
+    page.locator(f'[data-choice="{choice}"] input[value="{option}"]').check(force=True)
+
+
+def verdict(page: Page, position: int) -> Locator:
+    """The number in a cell of the verdict."""
+    return page.locator(".verdict .numbers .cell").nth(position).locator(".figures")
+
+
+def words_at(page: Page, path: str) -> Locator:
+    return page.locator(f'[data-path="{path}"] .field-message')
+
+
+def result(page: Page, name: str) -> float:
+    return number(page.locator(f'.results [data-name="{name}"] .value').inner_text())
+
+
+def number(text: str) -> float:
+    return float(re.sub(r"\s", "", text).replace("\u2212", "-"))
+
+
+def ask(service: str, path: str, body: dict[str, object]) -> dict[str, object]:
+    """The service's own answer."""
+    return httpx.post(f"{service}/api/v1{path}", json=body, trust_env=False).json()
+
+
+def first_example(service: str, calculation: str) -> dict[str, object]:
+    examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
+    return next(one for one in examples if one["calculation"] == calculation)["input"]
+
+
+def fits_narrow_screens(page: Page, calculator: str) -> None:
+    """No sideways scroll at 390 and 360 px, and the open tab in sight."""
+    for width in (390, 360):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width
+        tab = page.locator(f"#tab-{calculator}").bounding_box()
+        assert tab and tab["x"] >= 0 and tab["x"] + tab["width"] <= width

@@ -1,0 +1,107 @@
+"""The swinging rollers as their user sees them: effects, not presence."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.calculator_page import (
+    ask,
+    box,
+    choose,
+    first_example,
+    fits_narrow_screens,
+    number,
+    opened,
+    reopen,
+    result,
+    settled,
+    show,
+    verdict,
+    words_at,
+)
+
+
+def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
+    page: Page, service: str, watch: Any
+) -> None:
+    show(page, service, "rollers")
+    answer = ask(service, "/roller-strength", first_example(service, "roller-strength"))
+    assert result(page, "bending_stress_MPa") == pytest.approx(0.0024213655 * 210e3, rel=1e-5)
+    assert number(verdict(page, 0).inner_text()) == pytest.approx(answer["max_force_N"], rel=1e-4)
+    expect(page.locator('[data-figure="rollers"] .scatterlayer .js-line').first).to_be_visible()
+
+    asked = [path for path in watch.calculations() if not path.endswith("/examples")]
+    assert sorted(asked) == ["/api/v1/roller-strength", "/api/v1/roller-strength/chart"]
+    modules = [path for path in watch.paths() if "/static/calculators/" in path]
+    assert sorted(modules) == ["/static/calculators/index.js", "/static/calculators/rollers.js"]
+    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 14
+    expect(page.locator("[data-figure]")).to_have_count(1)
+
+    page.locator('[data-figure="rollers"] .toggle').click()
+    rows = page.locator('[data-figure="rollers"] .figure-table tbody tr')
+    expect(rows).to_have_count(4)
+    shown = [number(row.split("\t")[1]) for row in rows.all_inner_texts()]
+    assert shown == pytest.approx(answer["forces_N"], rel=1e-4)
+    assert page.evaluate("() => watched.shift") < 0.02
+
+
+def test_typing_changes_the_verdict_and_the_link_keeps_it(page: Page, service: str) -> None:
+    show(page, service, "rollers")
+    box(page, "position_tolerance_mm").fill("0,05")
+    expect(page.locator(".verdict")).to_contain_text("1 of 4 rollers carry")
+    assert result(page, "load_nonuniformity") == 4
+    reopen(page)
+    assert box(page, "position_tolerance_mm").input_value() == "0.05"
+    assert result(page, "load_nonuniformity") == 4
+
+    # The same design said as gaps: four times the tolerance for all but the first.
+    choose(page, "errors", "gaps")
+    settled(page)
+    assert box(page, "gaps_mm").input_value() == "0; 0.2; 0.2; 0.2"
+    assert result(page, "load_nonuniformity") == 4
+    expect(box(page, "position_tolerance_mm")).not_to_be_visible()
+    stress = result(page, "bending_stress_MPa")
+    choose(page, "shear", "modulus")
+    settled(page)
+    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=1e-5)
+    reopen(page)
+    assert box(page, "gaps_mm").input_value() == "0; 0.2; 0.2; 0.2"
+    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=1e-5)
+
+
+def test_what_is_wrong_stands_at_its_box(page: Page, service: str) -> None:
+    show(page, service, "rollers")
+    choose(page, "errors", "gaps")
+    settled(page)
+    box(page, "gaps_mm").fill("0; 0.2")
+    settled(page, "wrong")
+    expect(words_at(page, "gaps_mm")).to_contain_text("4 rollers")  # the service's words
+    assert box(page, "gaps_mm").get_attribute("aria-invalid") == "true"
+    assert box(page, "gaps_mm").input_value() == "0; 0.2"
+    box(page, "diameter_mm").fill("-3")
+    expect(words_at(page, "diameter_mm")).to_contain_text("Must be more than 0")
+    # Another tab and back, at once: nothing typed is lost.
+    box(page, "diameter_mm").fill("-31")
+    page.keyboard.press("Alt+3")
+    opened(page, "precession")
+    page.keyboard.press("Alt+2")
+    expect(box(page, "diameter_mm")).to_have_value("-31")
+    expect(box(page, "gaps_mm")).to_have_value("0; 0.2")
+    box(page, "diameter_mm").fill("10")
+    box(page, "gaps_mm").fill("0; 0; 0; 0")
+    settled(page)
+    assert result(page, "load_nonuniformity") == pytest.approx(1)
+
+
+def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
+    page.emulate_media(color_scheme="dark")
+    with page.expect_request("**/roller-strength/chart?theme=dark"):
+        show(page, service, "rollers")
+    titles = page.locator("#example option").all_inner_texts()
+    assert len(titles) > 2 and all("pairs" not in title for title in titles)
+    page.locator("#example").select_option(label=next(one for one in titles if "fig. 5" in one))
+    expect(page.locator(".verdict .numbers .cell.bad")).to_contain_text("1 of")
+    expect(page.locator("#example-source")).to_contain_text("Ovsyannikov")
+    fits_narrow_screens(page, "rollers")
+    expect(page.locator(".notes")).to_contain_text("n/4")
