@@ -14,7 +14,7 @@ RUN_REQUIREMENTS := '$(PROJECT); print(*project["dependencies"], sep="\n")'
 TEST_REQUIREMENTS := '$(PROJECT); print(*project["optional-dependencies"]["test"], sep="\n")'
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit node page
+.PHONY: help run test lint types unit node page accuracy bench
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -65,3 +65,9 @@ node:
 page: .venv/test
 	@tests/tools.sh chromium chromium fonts-dejavu-core
 	$(BIN)/pytest -m browser tests/browser
+
+accuracy: .venv/test  ## check the stated errors against multiple precision; writes docs/accuracy.md
+	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
+
+bench: .venv/test  ## time the calculations against each other, as ratios in one run
+	PYTHONPATH=. $(BIN)/python -m benchmarks.speed

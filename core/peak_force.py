@@ -197,13 +197,17 @@ class _Power(_Law):
         powers = self.weights * relative**self.exponent
         total = float((powers * relative).sum())
         # d(ln f) = v*tan(x)*dx + (1 + v)*sum(c^v*|s|*dx)/sum(c^(1+v)): how the error of the
-        # phases reaches the force.
+        # phases reaches the force. A pair within that error of its switching angle counts with
+        # the cosine that it may have, and once more for one that may just not drive.
+        angle_error = 2 * math.pi * phase_error
+        widened = self.weights * ((cosines + angle_error) / best_cosine) ** self.exponent
+        widened *= 1 + (cosines <= angle_error)
         slope = self.exponent * abs(best_sine) / best_cosine + (1 + self.exponent) * float(
-            (powers * np.abs(sines)).sum()
+            (widened * np.abs(sines)).sum()
         ) / (best_cosine * total)
         others = max(total - 1.0, 0.0) / total
         error = ROUNDING * (6 + 2 * (1 + self.exponent) * others)
-        return 1 / (best_cosine * total), error + 2 * math.pi * phase_error * slope
+        return 1 / (best_cosine * total), error + angle_error * slope
 
     def stationary(self, low: float, high: float) -> list[float]:
         levels = max(16, math.ceil(math.log2(64 * (1 + self.exponent)) / 2))

@@ -1,0 +1,79 @@
+"""What the calculations cost, as ratios in one run: machines differ, ratios much less.
+
+The unit is one call of `hertz`, plain arithmetic of a dozen operations.
+"""
+
+import math
+import timeit
+from collections.abc import Callable
+
+import numpy as np
+
+from core.crank_planetary import contact_force
+from core.cyclogram import cyclogram
+from core.hertz import hertz
+from core.materials import ElasticMaterial
+from core.mechanism import Mechanism
+from core.peak_force import peak_force
+from core.precession.contact_line import contact_lines
+from core.precession.rollers import RollerByLength
+from core.roller_strength import roller_strength
+
+STEEL = ElasticMaterial(210e9, 0.3)
+
+
+def _mechanism(spacing: float = math.pi) -> Mechanism:
+    return Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0, crank_spacing=spacing)
+
+
+def _hertz() -> object:
+    return hertz(
+        force=1e3, contact_length=0.02, pin_radius=0.008, hole_radius=0.01,
+        pin_material=STEEL, hole_material=STEEL,
+    )  # fmt: skip
+
+
+def _rollers() -> object:
+    return roller_strength(
+        output_torque=210.0, hole_circle_radius=0.03, rollers=4, cylinder_length=0.02,
+        sphere_width=0.008, sphere_diameter=0.015, diameter=0.01, friction_coefficient=0.16,
+        youngs_modulus=210e9, poissons_ratio=0.3, position_tolerance=2e-6,
+    )  # fmt: skip
+
+
+def _line() -> object:
+    return contact_lines(
+        roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=0.105, ratio_u12=0.96,
+        rollers=[RollerByLength(0.5, 0.015, 0.025)],
+    )  # fmt: skip
+
+
+CALLS: dict[str, Callable[[], object]] = {
+    "hertz": _hertz,
+    "cyclogram": lambda: cyclogram(mechanism=_mechanism()),
+    "peak, evenly spaced": lambda: peak_force(mechanism=_mechanism()),
+    "peak, v = 1": lambda: peak_force(mechanism=_mechanism(math.pi / 2)),
+    "peak, v = 1.1": lambda: peak_force(mechanism=_mechanism(math.pi / 2), force_exponent=1.1),
+    "peak by 361 samples": lambda: contact_force(
+        mechanism=_mechanism(), output_torque=1.0, pin_circle_radius=1.0, curve_samples=361
+    ).curves.force.max(),  # type: ignore[union-attr]
+    "roller strength": _rollers,
+    "contact line": _line,
+}
+
+
+def main() -> None:
+    """Print the table."""
+    times = {}
+    for name, call in CALLS.items():
+        call()
+        count = max(1, round(0.02 / max(timeit.timeit(call, number=1), 1e-6)))
+        times[name] = float(np.median(timeit.repeat(call, number=count, repeat=7))) / count
+    unit = times["hertz"]
+    print(f"{'calculation':24s} {'ratio':>8s} {'us':>8s}")
+    for name, each in times.items():
+        print(f"{name:24s} {each / unit:8.1f} {each * 1e6:8.1f}")
+
+
+if __name__ == "__main__":
+    main()
