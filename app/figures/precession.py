@@ -113,8 +113,8 @@ def contact_line_figure(
             height=820,
             xaxis=axis(theme, "Arc on the roller x = ρφ, mm", anchor="y"),
             yaxis=axis(theme, "Along the axis z, mm", domain=[0.6, 1]),
-            xaxis2=axis(theme, "Along the axis: x, mm", anchor="y2", domain=[0, 0.62]),
-            xaxis3=axis(theme, "From the side: z, mm", anchor="y2", domain=[0.7, 1]),
+            xaxis2=axis(theme, "x, mm", anchor="y2", domain=[0, 0.62]),
+            xaxis3=axis(theme, "z, mm", anchor="y2", domain=[0.7, 1]),
             yaxis2=axis(theme, "y, mm", domain=[0, 0.48], scaleanchor="x2"),
         ),
     }
@@ -209,7 +209,7 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
             height=680,
             xaxis=axis(theme, "Along the shaft from C to the clamp, mm", anchor="y3"),
             **axes,
-            shapes=[vertical_line(theme, bearing_distance_mm, ink="muted")],
+            shapes=[vertical_line(theme, bearing_distance_mm, ink="muted", layer="above")],
             annotations=[
                 {
                     "text": name,

@@ -105,7 +105,9 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             xaxis3=axis(theme, "Length over diameter l/d", anchor="y3"),
             yaxis3=axis(theme, "Bending stress, MPa", domain=[0, 0.22], rangemode="tozero"),
             shapes=[
-                vertical_line(theme, curves.limit, ink="muted", xref="x2", yref="y2 domain"),
+                vertical_line(
+                    theme, curves.limit, ink="muted", xref="x2", yref="y2 domain", layer="above"
+                ),
             ],
             annotations=[
                 note(
