@@ -1,10 +1,13 @@
 """Error against run time, both axes logarithmic, a line for each method."""
 
-from app.figures.theme import Figure, Theme, axis, curve, layout, marker
+from app.figures.theme import DASHES, Figure, Theme, axis, curve, layout, marker
 from app.schemas.work_precision import WorkPointOut, WorkPrecisionResponse
 
 EXACT = 1e-17
 """Where an error of nothing is drawn: below the rounding of any double."""
+
+SYMBOLS = ("circle", "square", "triangle-up")
+"""Marks that tell methods apart whose colours and dashes repeat."""
 
 
 def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure:
@@ -35,7 +38,11 @@ def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure
             theme,
             f"{method}, %{{customdata}}<br>error %{{y:.2g}} in %{{x:.3g}} µs",
         )
-        line |= {"mode": "lines+markers", "customdata": [point.setting for point in points]}
+        line |= {
+            "mode": "lines+markers",
+            "marker": {"symbol": SYMBOLS[index // len(DASHES) % len(SYMBOLS)], "size": 7},
+            "customdata": [point.setting for point in points],
+        }
         data.append(line)
     chosen = answer.chosen
     data.append(
@@ -51,9 +58,10 @@ def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure
         "data": data,
         "layout": layout(
             theme,
-            height=460,
-            xaxis=axis(theme, "Run time, µs", type="log"),
-            yaxis=axis(theme, "Relative error", type="log", exponentformat="power"),
-            legend={"orientation": "v", "x": 1.02, "y": 1, "font": {"size": 10}},
+            height=600,
+            # Powers of ten as 1e-4: raised exponents would need inline styles on the page.
+            xaxis=axis(theme, "Run time, µs", type="log", exponentformat="e"),
+            yaxis=axis(theme, "Relative error", type="log", exponentformat="e"),
+            legend={"orientation": "h", "y": -0.18, "yanchor": "top", "x": 0, "font": {"size": 11}},
         ),
     }

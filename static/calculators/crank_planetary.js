@@ -237,6 +237,14 @@ export default {
       body: hertzBody,
       height: () => 320,
     },
+    {
+      id: "workPeak",
+      section: "contact_force",
+      path: "/work-precision/chart",
+      onDemand: true,
+      body: (input) => ({ calculation: "peak_force", input: forceBody(input) }),
+      height: () => 620,
+    },
   ],
 
   notes: ["yanchevskiy"],

@@ -95,6 +95,14 @@ export default {
         rows: forces.map((force, i) => [i + 1, force]),
       }],
     },
+    {
+      id: "workSharing",
+      section: "roller_strength",
+      path: "/work-precision/chart",
+      onDemand: true,
+      body: (input) => ({ calculation: "roller_sharing", input: input }),
+      height: () => 620,
+    },
   ],
 
   notes: ["ovsyannikov"],

@@ -36,7 +36,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     modules = [path for path in watch.paths() if "/static/calculators/" in path]
     assert sorted(modules) == ["/static/calculators/index.js", "/static/calculators/rollers.js"]
     assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 14
-    expect(page.locator("[data-figure]")).to_have_count(1)
+    expect(page.locator("[data-figure] .js-plotly-plot")).to_have_count(1)
 
     page.locator('[data-figure="rollers"] .toggle').click()
     rows = page.locator('[data-figure="rollers"] .figure-table tbody tr')
@@ -105,3 +105,18 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     expect(page.locator("#example-source")).to_contain_text("Ovsyannikov")
     fits_narrow_screens(page, "rollers")
     expect(page.locator(".notes")).to_contain_text("n/4")
+
+
+def test_error_against_run_time_is_measured_on_demand_only(page: Page, service: str, watch) -> None:
+    show(page, service, "rollers")
+    work = "/api/v1/work-precision/chart"
+    assert work not in watch.paths()
+    figure = page.locator('[data-figure="workSharing"]')
+    figure.get_by_role("button", name="Measure on these inputs").click()
+    expect(figure.locator(".legendtext", has_text="Used by the calculator")).to_be_visible()
+    assert watch.paths().count(work) == 1
+    # Other inputs need another measurement: the old one does not stay beside new numbers.
+    box(page, "rollers").fill("5")
+    expect(figure.get_by_role("button", name="Measure on these inputs")).to_be_enabled()
+    expect(figure.locator(".legendtext")).to_have_count(0)
+    assert watch.paths().count(work) == 1
