@@ -66,7 +66,8 @@ page: .venv/test
 	@tests/tools.sh chromium chromium fonts-dejavu-core
 	$(BIN)/pytest -m browser tests/browser
 
-accuracy: .venv/test  ## check the stated errors against multiple precision; writes docs/accuracy.md
+accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
+	PYTHONPATH=. $(BIN)/python -m benchmarks.stability
 	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
 
 bench: .venv/test  ## time the calculations against each other, as ratios in one run

@@ -56,6 +56,11 @@ class DrivingSet:
         """Number of driving pairs."""
         return sum(run.count * run.weight for run in self.runs)
 
+    @property
+    def summed_in_runs(self) -> int:
+        """Number of driving pairs in runs of more than one pin, whose squares cancel in sums."""
+        return sum(run.count * run.weight for run in self.runs if run.count > 1)
+
     def sum_of_cosines(self, offset: float) -> float:
         """Sum of cos(gamma) over the driving pairs.
 

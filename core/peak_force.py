@@ -162,7 +162,7 @@ class _Linear(_Law):
         cosines, sines, _ = self.driving.sums_of_squares(offset)
         # sum |sin*cos| <= sqrt(sum sin^2 * sum cos^2)
         slope = math.sqrt(1 - best * best) / best + 2 * math.sqrt(sines / cosines)
-        rounding = ROUNDING * (4 + 2 * self.driving.number / cosines)
+        rounding = ROUNDING * (4 + 2 * self.driving.summed_in_runs / cosines)
         return best / cosines, rounding + 2 * math.pi * phase_error * slope
 
     def stationary(self, low: float, high: float) -> list[float]:

@@ -186,7 +186,8 @@ def axial_scale(
 
     Notes
     -----
-    cos(theta) - 1 is taken as ``-2*sin(theta/2)^2``, which keeps the digits of a small angle.
+    cos(theta) - 1 is taken as ``-2*sin(theta/2)^2``, which keeps the digits of a small angle. A
+    whole number as the ratio is taken to be meant exactly.
     """
     if not roller_circle_radius > 0:
         raise InvalidInput("roller_circle_radius", roller_circle_radius, "must be larger than 0")
@@ -201,7 +202,7 @@ def axial_scale(
     magnitudes = (
         2 * versine
         + abs(1 - ratio_u12)
-        + abs(ratio_u12)
+        + (0.0 if ratio_u12.is_integer() else abs(ratio_u12))
         + nutation_angle * math.sin(nutation_angle)
     )
     if abs(difference) <= ROUNDING * magnitudes:
