@@ -1,7 +1,7 @@
 """Stiff and extreme cases: our error, the stated one, and that of the papers' literal forms.
 
 Writes docs/numerics.md; run by `make accuracy`. Each case says why it is hard. A refusal counts as
-right where the case has no answer. A subset of the cases runs with the tests.
+right where the case has no answer. The cases also run with the tests.
 """
 
 import math
@@ -15,24 +15,33 @@ from pathlib import Path
 
 import numpy as np
 from mpmath import mp, mpf
+from numpy.typing import NDArray
 
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
 from core.mechanism import Mechanism
 from core.peak_force import peak_force
+from core.pin_geometry import pin_geometry
 from core.precession.contact_line import contact_lines
+from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precession.shaft_deflection import shaft_deflection
 from core.roller_strength import roller_strength
 from tests.reference.oracle_crank_planetary import peak
-from tests.reference.oracle_precession import length_by_angle, length_by_z, scale
+from tests.reference.oracle_precession import (
+    length_by_angle,
+    length_by_z,
+    load_integrals,
+    scale,
+)
 from tests.reference.test_precession import exact_deflection
 from tests.reference.test_roller_strength import exact_compliance, exact_forces
 
 REPORT = Path(__file__).parent.parent / "docs" / "numerics.md"
 
+FloatArray = NDArray[np.float64]
 Answer = tuple[float, float]
 """A number and its stated relative error."""
 
@@ -137,6 +146,70 @@ def _peak_cases() -> Iterator[Case]:
     )  # fmt: skip
 
 
+def _p1_forces(radius: float) -> float:
+    """Peak as eq. (4) of 2018 is written, arcsines and all, on a grid of half degrees; L = 1."""
+    waves = np.radians(np.arange(0, 360, 0.5))
+    placed = (waves[:, None] + 2 * np.pi * np.arange(3) / 3 + np.pi) % (2 * np.pi) - np.pi
+    alpha = np.clip(placed, -np.pi / 2, np.pi / 2)
+    rest = np.pi / 2 - alpha
+    op = np.sqrt(1 + radius**2 - 2 * radius * np.cos(rest))
+    beta = np.pi / 2 - np.arcsin(np.sin(rest) / op)
+    reach = op * np.cos(beta)
+    return float((reach / (reach * np.cos(alpha)).sum(axis=1, keepdims=True)).max())
+
+
+def _p1_cases() -> Iterator[Case]:
+    mechanism = Mechanism(3, (0.0,), 20.0)
+    for radius, reason in (
+        (0.5, "the form of 2018 takes the arcsine of numbers above 1"),
+        (1.0, "the form of 2018 divides 0 by 0"),
+    ):
+        yield Case(
+            "peak force", f"pins of r = {radius:g}*L, v = 1", reason,
+            lambda: _peak(mechanism, 1.0),
+            lambda: peak(3, (0.0,), 1.0).ratio,
+            lambda radius=radius: _p1_forces(radius),
+        )  # fmt: skip
+
+
+def _geometry_cases() -> Iterator[Case]:
+    """Contact point of pin 1 with satellite 1, its error over the radius of the pin circle."""
+    pins, ratio, circle, eccentricity = 3, 20.0, 0.05, 0.0015
+
+    def case(name: str, reason: str, degrees: float, pin: float) -> Case:
+        hole = pin + eccentricity
+
+        def ours() -> Answer:
+            found = pin_geometry(
+                mechanism=Mechanism(pins, (0.0,), ratio), crank_angle=math.radians(degrees),
+                pin_circle_radius=circle, pin_radius=pin, hole_radius=hole,
+                eccentricity=eccentricity,
+            )  # fmt: skip
+            return float(found.contact_points[0, 0, 0]), found.accuracy.relative_error
+
+        def exact() -> mpf:
+            angle = mpf(degrees) * mp.pi / 180
+            return -mpf(circle) * mp.sin(angle / ratio) - mpf(pin) * mp.sin(angle)
+
+        def literal() -> float:
+            """Common point of the two circles, C1 = sqrt(...) as printed before eq. (6)."""
+            angle = degrees * math.pi / 180
+            e, x = eccentricity, -circle * math.sin(angle / ratio)
+            c1 = math.sqrt(
+                2 * e**2 * hole**2 + 2 * e**2 * pin**2 + 2 * hole**2 * pin**2
+                - e**4 - pin**4 - hole**4
+            ) / (2 * e)  # fmt: skip
+            c2 = (hole**2 - pin**2 - e**2) / (2 * e)
+            return x - c2 * math.sin(angle) + c1 * math.cos(angle)
+
+        return Case("pin geometry", name, reason, ours, exact, literal)
+
+    yield case("r_out = r_in + e", "C1 is the root of a difference that is 0", 30.0, 0.005)
+    yield case("r_out = r_in + e, 7 mm", "C1 is the root of a rounding error", 30.0, 0.007)
+    yield case("r_out = r_in + e, 6 mm", "C1 is the root of a rounding error", 30.0, 0.006)
+    yield case("phi = 1e12 degrees", "whole turns by the billion", 1e12 + 0.125, 0.005)
+
+
 def _hertz_cases() -> Iterator[Case]:
     steel = ElasticMaterial(210e9, 0.3)
 
@@ -229,20 +302,26 @@ def _roller_cases() -> Iterator[Case]:
         yield case(f"n = {rollers}", "the fewest rollers", 2.0, 1.0, rollers)
 
 
-def _simpson_as_printed(gear: dict[str, float], phi_1: float, low: float, high: float) -> float:
-    """Eq. (4) by Simpson's rule at 1001 points, the slope (5) as the printed difference."""
+def _printed_stretch(
+    gear: dict[str, float], phi_1: float, phi: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Root of eq. (4) with the slope (5) as the printed difference; Simpson's weights times rho."""
     rho = gear["roller_radius"]
     theta = gear["nutation_angle"]
     a = gear["roller_circle_radius"] * (math.cos(theta) - gear["ratio_u12"])
-    phi = np.linspace(low, high, 1001)
     slope = a * np.cos(phi) / (rho * np.sin(phi_1 + phi) * math.sin(theta)) - a * np.sin(
         phi
     ) * np.cos(phi_1 + phi) / (rho * np.sin(phi_1 + phi) ** 2 * math.sin(theta))
-    stretch = np.sqrt(1 + slope**2)
-    weights = np.full(1001, 2.0)
+    weights = np.full(len(phi), 2.0)
     weights[1::2] = 4.0
     weights[[0, -1]] = 1.0
-    return abs(float(rho * (high - low) / 3000 * (weights @ stretch)))
+    return np.sqrt(1 + slope**2), rho * (phi[-1] - phi[0]) / (3 * (len(phi) - 1)) * weights
+
+
+def _simpson_as_printed(gear: dict[str, float], phi_1: float, low: float, high: float) -> float:
+    """Eq. (4) by Simpson's rule at 1001 points."""
+    stretch, weights = _printed_stretch(gear, phi_1, np.linspace(low, high, 1001))
+    return abs(float(weights @ stretch))
 
 
 def _line_cases() -> Iterator[Case]:
@@ -310,6 +389,59 @@ def _line_cases() -> Iterator[Case]:
     )  # fmt: skip
 
 
+def _load_cases() -> Iterator[Case]:
+    gear = {
+        "roller_circle_radius": 0.05, "roller_radius": 0.004,
+        "nutation_angle": math.radians(6), "ratio_u12": 0.96,
+    }  # fmt: skip
+    torque = 10.0
+
+    def case(name: str, reason: str, phi_1: float, low: float, high: float) -> Case:
+        curve_scale = scale(0.05, gear["nutation_angle"], gear["ratio_u12"])
+
+        def ours() -> Answer:
+            found = meshing_load(
+                **gear, rollers=[RollerByLength(phi_1, low, high)], torque=torque, reference_z=0.02
+            )
+            return math.hypot(*found.force), found.accuracy.relative_error
+
+        def exact() -> mpf:
+            x, y, *_ = load_integrals(curve_scale, 0.05, 0.004, phi_1, low, high, 0.02)
+            length = length_by_z(curve_scale, phi_1, 0.004, mpf(low), mpf(high))
+            return torque / length * mp.hypot(x, y)
+
+        def literal() -> float:
+            """Eqs (8)-(13) over phi by Simpson's rule, the slope as the printed difference."""
+            a = float(curve_scale)
+            ends = sorted(
+                math.atan2(-z * math.sin(phi_1), a + z * math.cos(phi_1)) for z in (low, high)
+            )
+            phi = np.linspace(*ends, 1001)
+            stretch, weights = _printed_stretch(gear, phi_1, phi)
+            arm = -0.05 * np.sin(phi)
+            length = weights @ stretch
+            x, y = (weights @ (stretch * n / arm) for n in (np.sin(phi), -np.cos(phi)))
+            return abs(torque / length) * math.hypot(x, y)
+
+        return Case("meshing load", name, reason, ours, exact, literal)
+
+    yield case("30 degrees, 15 to 25 mm", "the usual case", math.radians(30), 0.015, 0.025)
+    yield case("from 1e-9 m", "the arm is nearly zero at one end", 0.5, 1e-9, 0.025)
+    yield case("phi1 = 1e-9", "no arm, and the slope as a difference cancels", 1e-9, 0.015, 0.025)
+    yield case("a thousandth of 1e-9 wide", "hardly any length", 0.5, 0.02, 0.02 * (1 + 1e-12))
+    yield Case(
+        "meshing load", "across z = 0", "the load would be unbounded",
+        lambda: (
+            meshing_load(
+                **gear, rollers=[RollerByLength(0.5, -0.01, 0.02)], torque=torque, reference_z=0.02
+            ).force[0],
+            0.0,
+        ),
+        None,
+        case("", "", 0.5, -0.01, 0.02).literal,
+    )  # fmt: skip
+
+
 def _shaft_cases() -> Iterator[Case]:
     def case(name: str, reason: str, a: float, b: float, diameters: tuple[float, float]) -> Case:
         force, moment = (168.75, -337.5, 0.0), (-0.03125, -0.0703125, 10.0)
@@ -346,9 +478,12 @@ def _shaft_cases() -> Iterator[Case]:
 def cases() -> Iterator[Case]:
     """Every case, calculation by calculation."""
     yield from _peak_cases()
+    yield from _p1_cases()
+    yield from _geometry_cases()
     yield from _hertz_cases()
     yield from _roller_cases()
     yield from _line_cases()
+    yield from _load_cases()
     yield from _shaft_cases()
 
 
@@ -392,9 +527,10 @@ def main() -> int:
         "",
         "Made by `make accuracy` (`benchmarks/stability.py`), each case against 40-digit",
         "arithmetic. The literal form is what a paper prints, evaluated as it stands in doubles:",
-        "sampling at 361 angles for the peak, R*r/(R - r) from radii with three decimals for Hertz,",
-        "eq. (12) for the rollers, eqs. (4) and (5) by Simpson's rule for the contact line, eq. (33)",
-        "for the shaft.",
+        "sampling at 361 angles (2021, eq. 11) or the arcsines of 2018, eq. (4) for the peak, C1",
+        "of 2021, eq. (2) for the contact point, R*r/(R - r) from radii with three decimals for",
+        "Hertz, eq. (12) of 2019 for the rollers, eqs. (4), (5) and (8)-(13) of 2020 by Simpson's",
+        "rule for contact line and meshing load, its eq. (33) for the shaft.",
     ]
     for calculation in dict.fromkeys(row.case.calculation for row in rows):
         lines += [

@@ -1,4 +1,4 @@
-"""Exact answers for the crank-planetary output mechanism, found the slow way in mpmath.
+"""Exact answers for the crank-planetary output mechanism, found the slow way at 40 digits.
 
 Nothing here is shared with ``core``: no symmetry beyond the pin spacing, no closed form, no
 cubic. The doubles that a caller gives are taken as exact numbers, pi is mpmath's.
@@ -16,7 +16,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from flint import arb
 from mpmath import mp, mpf
+
+from tests.reference.balls import from_ball, to_ball
 
 DIGITS = 40
 mp.dps = DIGITS
@@ -79,22 +82,22 @@ def peak(
     their slopes could make up for: thousands of mechanisms become affordable.
     """
     theta = [t for row in phases(pins, crank_angles) for t in row]
-    v = mpf(exponent)
+    v = to_ball(exponent)
 
-    turned = [mp.cos_sin(t) for t in theta]
+    turned = [to_ball(t).sin_cos() for t in theta]
 
-    def log_force(psi: mpf) -> tuple[mpf, mpf]:
+    def log_force(psi: mpf) -> tuple[arb, arb]:
         """Return ln f and its derivative; the derivative is that inside a segment."""
-        cos, sin = mp.cos_sin(psi)
-        pairs = [(-sin * ct - cos * st, sin * st - cos * ct) for ct, st in turned]
-        best, best_slope = max(pairs)
-        total = slope = mpf(0)
+        sin, cos = to_ball(psi).sin_cos()
+        pairs = [(-sin * ct - cos * st, sin * st - cos * ct) for st, ct in turned]
+        best, best_slope = max(pairs, key=lambda pair: pair[0].mid())
+        total = slope = arb(0)
         for c, dc in pairs:
             if c > 0:
-                power = mp.power(c / best, v) if v else mpf(1)
+                power = (c / best) ** v if exponent else arb(1)
                 total += power * c
                 slope += power * dc
-        return -mp.log(total), v * best_slope / best - (1 + v) * slope / total
+        return (-total.log()).mid(), (v * best_slope / best - (1 + v) * slope / total).mid()
 
     breaks = _breaks(theta, 2 * mp.pi if whole_turn else 2 * mp.pi / pins)
     segments = list(pairwise(breaks))
@@ -111,15 +114,16 @@ def peak(
         width = (end - start) / samples
         brackets = [(a, b) for a, b in pairwise(row) if a[2] > 0 > b[2]]
         if row[0][2] < 0:
-            brackets.append(((start, mp.ninf, mp.inf), row[0]))
+            brackets.append(((start, None, None), row[0]))
         if row[-1][2] > 0:
-            brackets.append((row[-1], (end, mp.ninf, -mp.inf)))
+            brackets.append((row[-1], (end, None, None)))
         for left, right in brackets:
-            slope = max(abs(s) for s in (left[2], right[2]) if abs(s) != mp.inf)
-            if max(left[1], right[1]) + 2 * slope * width < best[0]:
+            level = max(f for _, f, _ in (left, right) if f is not None)
+            slope = max(abs(s) for _, _, s in (left, right) if s is not None)
+            if level + 2 * slope * to_ball(width) < best[0]:
                 continue
             best = max(best, _summit(log_force, left[0], right[0]))
-    return Peak(ratio=mp.exp(best[0]), wave_angle=best[1])
+    return Peak(ratio=from_ball(best[0].exp()), wave_angle=best[1])
 
 
 def _worth_searching(
@@ -163,7 +167,7 @@ def _breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
     return [*merged, merged[0] + period]
 
 
-def _summit(log_force, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignore[no-untyped-def]
+def _summit(log_force, left: mpf, right: mpf) -> tuple[arb, mpf]:  # type: ignore[no-untyped-def]
     """Root of the derivative to half the digits: the value is then right to all of them.
 
     Illinois steps, with a bisection as every third: the derivative may rise like a small power.
@@ -172,7 +176,7 @@ def _summit(log_force, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignor
     middle, slope_left, slope_right = (left + right) / 2, None, None
     for step in range(1000):
         value, slope = log_force(middle)
-        if right - left < small or abs(slope) < small**1.2:
+        if right - left < small or abs(slope) < to_ball(small**1.2):
             break
         if slope > 0:
             left, slope_left = middle, slope
@@ -182,7 +186,9 @@ def _summit(log_force, left: mpf, right: mpf) -> tuple[mpf, mpf]:  # type: ignor
             slope_left = slope_left and slope_left / 2
         middle = (left + right) / 2
         if step % 3 and slope_left and slope_right:
-            middle = left + (right - left) * slope_left / (slope_left - slope_right)
+            middle = left + (right - left) * from_ball(
+                (slope_left / (slope_left - slope_right)).mid()
+            )
     return value, middle
 
 

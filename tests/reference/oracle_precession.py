@@ -7,8 +7,11 @@ rotation to the wheel's frame. The doubles that a caller gives are taken as exac
 
 from collections.abc import Callable, Sequence
 
+from flint import acb, arb, ctx
 from mpmath import mp, mpf
 from mpmath.calculus.quadrature import GaussLegendre
+
+from tests.reference.balls import from_ball, to_ball
 
 DIGITS = 40
 mp.dps = DIGITS
@@ -30,15 +33,17 @@ def length_from_steepest(y: mpf, width: mpf, radius: mpf) -> mpf:
         return mpf(0)
     if y < 0:
         return -length_from_steepest(-y, width, radius)
-    with mp.workdps(100):
-        a = mp.mpc(width**2, radius * width)
-        size = abs(a)
-        x, first, second = 1 / y**2, 1 / a, 1 / mp.conj(a)
-        f = mp.elliprf(x, x + first, x + second) / size
-        d = mp.elliprd(x + first, x + second, x) / (3 * size)
-        j = mp.elliprj(x, x + first, x + second, x + 1 / width**2) / (3 * size)
-        total = d + width**2 * f + radius**2 * (f - j / width**2)
-        return +mp.re(total)
+    before, ctx.prec = ctx.prec, 400
+    w, rho = to_ball(width), to_ball(radius)
+    a = acb(w**2, rho * w)
+    size = abs(a)
+    x, first, second, pole = acb(1 / to_ball(y) ** 2), 1 / a, 1 / a.conjugate(), 1 / w**2
+    f = acb.elliptic_rf(x, x + first, x + second) / size
+    d = acb.elliptic_rj(x + first, x + second, x, x) / (3 * size)
+    j = acb.elliptic_rj(x, x + first, x + second, x + pole) / (3 * size)
+    total = (d + w**2 * f + rho**2 * (f - j * pole)).real
+    ctx.prec = before
+    return from_ball(total)
 
 
 def length_by_z(curve_scale: mpf, phi_1: float, radius: float, z_min: mpf, z_max: mpf) -> mpf:
@@ -76,26 +81,28 @@ def load_integrals(
     With the outward normal (erratum of (10)) turned by (20), the place of (21), and the slope of
     (5) inverted; panels halved towards the steep part and towards z = 0.
     """
-    phi1, rho, rc = mpf(phi_1), mpf(radius), mpf(circle)
-    sine, cosine = mp.sin(phi1), mp.cos(phi1)
-    width, offset = curve_scale * sine, curve_scale * cosine
+    rho, rc, a, reference = (to_ball(x) for x in (radius, circle, curve_scale, reference_z))
+    sine, cosine = to_ball(mpf(phi_1)).sin_cos()
+    width, offset = a * sine, a * cosine
 
-    def integrand(z: mpf) -> list[mpf]:
-        phi = mp.atan2(-z * sine, curve_scale + z * cosine)
+    def integrand(z: arb) -> list[arb]:
+        phi = arb.atan2(-z * sine, a + z * cosine)
         slope = rho * width / ((z + offset) ** 2 + width**2)
-        n1 = (mp.sin(phi), -mp.cos(phi))
-        r1 = (rho * mp.sin(phi), rc - rho * mp.cos(phi))
+        sin_phi, cos_phi = phi.sin_cos()
+        n1 = (sin_phi, -cos_phi)
+        r1 = (rho * sin_phi, rc - rho * cos_phi)
         nx, ny = n1[0] * cosine - n1[1] * sine, n1[0] * sine + n1[1] * cosine
         rx, ry = r1[0] * cosine - r1[1] * sine, r1[0] * sine + r1[1] * cosine
         arm = rx * ny - ry * nx
-        ds = mp.sqrt(1 + slope**2) / arm
-        z_arm = z - mpf(reference_z)
+        ds = (1 + slope**2).sqrt() / arm
+        z_arm = z - reference
         return [nx * ds, ny * ds, -ny * z_arm * ds, nx * z_arm * ds, arm * ds]
 
-    totals = [mpf(0)] * 5
-    for left, right in _graded(mpf(z_min), mpf(z_max), -offset, abs(width)):
+    totals = [arb(0)] * 5
+    steepest, height = from_ball(-offset), from_ball(abs(width))
+    for left, right in _graded(mpf(z_min), mpf(z_max), steepest, height):
         totals = [t + p for t, p in zip(totals, _gauss(integrand, left, right), strict=True)]
-    return tuple(totals)
+    return tuple(from_ball(total) for total in totals)
 
 
 def _graded(start: mpf, end: mpf, steepest: mpf, width: mpf) -> list[tuple[mpf, mpf]]:
@@ -112,11 +119,14 @@ def _graded(start: mpf, end: mpf, steepest: mpf, width: mpf) -> list[tuple[mpf, 
     return done
 
 
-_RULE = GaussLegendre(mp).calc_nodes(4, mp.prec + 20)
+_RULE = [(to_ball(x), to_ball(w)) for x, w in GaussLegendre(mp).calc_nodes(4, mp.prec + 20)]
 """Nodes and weights of the 24-point rule on [-1, 1]."""
 
 
-def _gauss(function: Callable[[mpf], Sequence[mpf]], left: mpf, right: mpf) -> list[mpf]:
-    middle, half = (left + right) / 2, (right - left) / 2
-    columns = [[w * half * value for value in function(middle + half * x)] for x, w in _RULE]
-    return [mp.fsum(column) for column in zip(*columns, strict=True)]
+def _gauss(function: Callable[[arb], Sequence[arb]], left: mpf, right: mpf) -> list[arb]:
+    middle, half = to_ball((left + right) / 2), to_ball((right - left) / 2)
+    totals = [arb(0)] * 5
+    for x, w in _RULE:
+        values = function(middle + half * x)
+        totals = [t + w * half * value for t, value in zip(totals, values, strict=True)]
+    return totals

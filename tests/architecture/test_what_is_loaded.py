@@ -1,0 +1,23 @@
+"""What importing the calculations loads: NumPy, and nothing that a case may not need."""
+
+import pkgutil
+import subprocess
+import sys
+
+import core
+
+HEAVY = {"scipy", "mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
+
+
+def test_importing_every_calculation_loads_no_plotting_no_web_and_no_scipy() -> None:
+    names = [module.name for module in pkgutil.walk_packages(core.__path__, "core.")]
+    assert len(names) > 20
+    code = f"import sys, {', '.join(names)}; print(*sorted({HEAVY} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == []
+
+
+def test_the_check_would_see_what_is_loaded() -> None:
+    code = f"import sys, pydantic; print(*sorted({HEAVY} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["pydantic"]
