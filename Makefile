@@ -68,6 +68,7 @@ page: .venv/test
 
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability
+	PYTHONPATH=. $(BIN)/python -m benchmarks.front
 	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
 
 bench: .venv/test  ## time the calculations against each other, as ratios in one run

@@ -1,0 +1,141 @@
+"""Does the default of every calculation lie on the front of error against run time?
+
+Over a set of random designs of ordinary size, a method beats the default where its largest error
+is less than half and its median run time less than half of the default's. Errors below a rounding
+error count as one. Adds its table to docs/numerics.md; run by `make accuracy`.
+"""
+
+import math
+import random
+import statistics
+import sys
+from collections import defaultdict
+from collections.abc import Callable
+
+from benchmarks.stability import REPORT
+from core.mechanism import Mechanism
+from core.precession.rollers import RollerByLength
+from core.precession.shaft import ShaftSection
+from core.results import ROUNDING
+from core.work_precision.mesh import Gear, contact_line_study, meshing_load_study
+from core.work_precision.peak_force import peak_force_study
+from core.work_precision.rollers import roller_sharing_study
+from core.work_precision.shaft import shaft_deflection_study
+from core.work_precision.study import WorkPoint, WorkPrecision
+
+DESIGNS = 24
+HEADING = "## Is the default on the front?"
+
+
+def _peak_force(r: random.Random) -> WorkPrecision:
+    satellites = r.choice([2, 3])
+    mechanism = Mechanism(
+        pins=r.randint(3, 12),
+        crank_angles=tuple(r.uniform(0, 2 * math.pi) for _ in range(satellites)),
+        ratio=r.uniform(8, 60),
+    )
+    return peak_force_study(mechanism=mechanism, force_exponent=r.choice([1.0, 10 / 9, 1.5]))
+
+
+def _gear(r: random.Random) -> tuple[Gear, list[RollerByLength]]:
+    gear = Gear(
+        roller_circle_radius=r.uniform(0.03, 0.1),
+        roller_radius=r.uniform(0.002, 0.006),
+        nutation_angle=math.radians(r.uniform(2, 10)),
+        ratio_u12=1 - 1 / r.randint(15, 40),
+    )
+    rollers = [
+        RollerByLength(math.radians(r.uniform(10, 170)), 0.015, r.uniform(0.02, 0.03))
+        for _ in range(r.randint(2, 6))
+    ]
+    return gear, rollers
+
+
+def _contact_line(r: random.Random) -> WorkPrecision:
+    gear, rollers = _gear(r)
+    return contact_line_study(gear=gear, rollers=rollers)
+
+
+def _meshing_load(r: random.Random) -> WorkPrecision:
+    gear, rollers = _gear(r)
+    return meshing_load_study(gear=gear, rollers=rollers, torque=10.0, reference_z=0.02)
+
+
+def _roller_sharing(r: random.Random) -> WorkPrecision:
+    count = r.randint(3, 12)
+    gaps = [0.0, *(r.uniform(0, 1e-5) for _ in range(count - 1))]
+    return roller_sharing_study(total=3500.0, stiffness=r.uniform(1e8, 1e9), gaps=gaps)
+
+
+def _shaft_deflection(r: random.Random) -> WorkPrecision:
+    sections = [ShaftSection(0.02, r.uniform(0.01, 0.03)) for _ in range(r.randint(1, 4))]
+    length = sum(section.length for section in sections)
+    return shaft_deflection_study(
+        force=(168.0, -337.0, 0.0),
+        moment=(-0.03, -0.07, 10.0),
+        bearing_distance=length / 2,
+        overhang=length / 2,
+        youngs_modulus=210e9,
+        sections=sections,
+    )
+
+
+STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
+    "peak force": _peak_force,
+    "contact-line length": _contact_line,
+    "meshing load": _meshing_load,
+    "roller sharing": _roller_sharing,
+    "shaft deflection": _shaft_deflection,
+}
+
+
+def _measured(points: list[WorkPoint]) -> tuple[float, float]:
+    """Largest error and median run time of a method over the designs."""
+    error = max(max(point.relative_error, ROUNDING) for point in points)
+    return error, statistics.median(point.run_time_us for point in points)
+
+
+def main() -> int:
+    """Add the table to the report, and return 1 where a method beats a default."""
+    lines = [
+        HEADING,
+        "",
+        f"`benchmarks/front.py`, {DESIGNS} designs of ordinary size each: largest error and",
+        "median run time of the default, and of the fastest method about as accurate (its error",
+        "known only here, where the exact value is). A default is off the front where another is",
+        "twice as fast and twice as accurate.",
+        "",
+        "| calculation | default | largest error | run time, us | fastest as accurate | largest "
+        "error | run time, us | off the front |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    beaten = 0
+    for name, study in STUDIES.items():
+        found: dict[str, list[WorkPoint]] = defaultdict(list)
+        chosen: list[WorkPoint] = []
+        for seed in range(DESIGNS):
+            result = study(random.Random(seed))
+            chosen.append(result.chosen)
+            for point in result.points:
+                if point != result.chosen:
+                    found[f"{point.method}, {point.setting}"].append(point)
+        error, cost = _measured(chosen)
+        others = {key: _measured(points) for key, points in found.items() if len(points) == DESIGNS}
+        better = [key for key, (e, t) in others.items() if e < error / 2 and t < cost / 2]
+        rivals = {key: (e, t) for key, (e, t) in others.items() if e <= error * 2}
+        beaten += bool(better)
+        line = f"| {name} | {chosen[0].method} | {error:.1e} | {cost:.0f} | "
+        if rivals:
+            key, (e, t) = min(rivals.items(), key=lambda item: item[1][1])
+            line += f"{key} | {e:.1e} | {t:.0f} | "
+        else:
+            line += "none | - | - | "
+        lines.append(line + ("; ".join(better) or "no") + " |")
+    before = REPORT.read_text(encoding="utf-8").partition(HEADING)[0].rstrip()
+    REPORT.write_text("\n".join([before, "", *lines, ""]), encoding="utf-8")
+    print("\n".join(lines[7:]))
+    return 1 if beaten else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
