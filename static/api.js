@@ -36,6 +36,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}
     }
   }
   return {
+    base,
     get: (path, { signal } = {}) => ask(path, { signal, headers: { accept: "application/json" } }),
     post: (path, body, { signal, query } = {}) =>
       ask(query ? `${path}?${new URLSearchParams(query)}` : path, {

@@ -1,4 +1,12 @@
 /** Numbers as people type them and as they read them. No DOM, no texts: problems are codes. */
+import { shownUnit, shownValue } from "./units.js";
+
+let decimal = ".";
+
+/** The decimal sign of the language in use. */
+export function setDecimal(sign) {
+  decimal = sign;
+}
 
 const MINUS = "\u2212";
 const NARROW_SPACE = "\u202f";
@@ -69,19 +77,24 @@ export function formatNumber(value, digits = 6) {
   const [mantissa, power] = Math.abs(value).toExponential(digits - 1).split("e");
   const exponent = Number(power);
   if (exponent < -3 || exponent > 6) {
-    return `${sign}${trimmed(mantissa)}\u202f×\u202f10${superscript(exponent)}`;
+    return `${sign}${trimmed(mantissa).replace(".", decimal)}\u202f×\u202f10${superscript(exponent)}`;
   }
   const [whole, fraction] = trimmed(Number(`${mantissa}e${power}`).toFixed(
     Math.max(0, digits - 1 - exponent),
   )).split(".");
-  return sign + grouped(whole) + (fraction ? `.${fraction}` : "");
+  return sign + grouped(whole) + (fraction ? `${decimal}${fraction}` : "");
 }
 
-/** A value with its unit; degrees and no unit stand close. */
+/** A value of a canonical unit as `{ value, unit }`, texts in the unit shown. */
+export function quantityParts(value, unit, digits = 6) {
+  return { value: formatNumber(shownValue(value, unit), digits), unit: shownUnit(unit) };
+}
+
+/** A value of a canonical unit with the unit shown; degrees and no unit stand close. */
 export function formatQuantity(value, unit, digits = 6) {
-  const number = formatNumber(value, digits);
-  if (!unit) return number;
-  return unit === "°" ? `${number}°` : `${number}\u00a0${unit}`;
+  const shown = quantityParts(value, unit, digits);
+  if (!unit) return shown.value;
+  return unit === "°" ? `${shown.value}°` : `${shown.value}\u00a0${shown.unit}`;
 }
 
 /** A run time in the unit that suits it. */

@@ -6,9 +6,11 @@
  * (a list), "records" (a list of objects, whose boxes are `columns`), "name" (a text chosen from a
  * list that the service gives) or "option" (an enumeration).
  * A *choice* is a set of options, each with its own fields, of which one option is shown.
- * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`.
+ * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`;
+ * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
  */
 import { exactText, parseNumber, parseNumbers, unitOf } from "./format.js";
+import { canonicalValue, shownStep, shownValue, spell } from "./units.js";
 
 function resolver(openapi) {
   const resolve = (schema) => {
@@ -196,17 +198,39 @@ export function textOfCells(rows) {
   return rows.map((cells) => cells.join("; ")).join(" | ");
 }
 
-/** How a value stands in the box of a field. */
+/** How a value stands in the box of a field, in the unit shown. */
 export function textIn(field, value) {
-  if (field.kind !== "records" || !Array.isArray(value)) return textOf(value);
-  return textOfCells(value.map((record) => field.columns.map(({ name }) => textOf(record[name]))));
+  if (value === undefined || value === null) return "";
+  if (field.kind === "records" && Array.isArray(value)) {
+    return textOfCells(value.map((record) => field.columns.map((column) => textIn(column, record[column.name]))));
+  }
+  if (Array.isArray(value)) return value.map((one) => spell(one, field.unit)).join("; ");
+  return typeof value === "number" ? spell(value, field.unit) : String(value);
 }
 
-/** How a value stands in its box. */
-export function textOf(value) {
+/** A value as links carry it, in canonical units. */
+export function textInLink(field, value) {
   if (value === undefined || value === null) return "";
-  if (Array.isArray(value)) return value.map(exactText).join("; ");
-  return typeof value === "number" ? exactText(value) : String(value);
+  if (field.kind === "records" && Array.isArray(value)) {
+    return value.map((record) => field.columns.map((column) => textInLink(column, record[column.name])).join(";"))
+      .join("|");
+  }
+  return Array.isArray(value) ? value.map(exactText).join(";") : String(value);
+}
+
+/** The text of a box for one that a link carries; what is no number stays as it is. */
+export function textOfLink(field, text) {
+  if (field.kind === "records") {
+    return textOfCells(cellsOf(text).map((cells) =>
+      cells.map((cell, at) => (field.columns[at] ? textOfLink(field.columns[at], cell) : cell))));
+  }
+  if (field.kind === "numbers") {
+    const { values } = parseNumbers(text);
+    return values ? textIn(field, values) : text;
+  }
+  if (field.kind !== "number") return text;
+  const { value } = parseNumber(text);
+  return value === undefined || spell(value, field.unit) === exactText(value) ? text : spell(value, field.unit);
 }
 
 /** The state that shows a request body; fields that it leaves out stand at their defaults. */
@@ -239,13 +263,13 @@ export function shownFields(model, state) {
 const TINY = 1e-9; // a lowest value so small means: more than nothing
 
 function outside(field, value) {
-  const { lowest, highest } = field;
+  const { lowest, highest, unit } = field;
   if (lowest > 0 && lowest < TINY && value <= 0) return { problem: "above", limit: 0 };
   if (lowest !== undefined && (field.lowestAllowed ? value < lowest : value <= lowest)) {
-    return { problem: field.lowestAllowed ? "least" : "above", limit: lowest };
+    return { problem: field.lowestAllowed ? "least" : "above", limit: shownValue(lowest, unit) };
   }
   if (highest !== undefined && (field.highestAllowed ? value > highest : value >= highest)) {
-    return { problem: field.highestAllowed ? "most" : "below", limit: highest };
+    return { problem: field.highestAllowed ? "most" : "below", limit: shownValue(highest, unit) };
   }
   return null;
 }
@@ -273,12 +297,14 @@ export function readField(field, text) {
   if (field.kind === "numbers") {
     const { values, problem } = parseNumbers(typed);
     if (problem) return { problem: problem === "number" ? "list" : problem };
-    return values.map((value) => outside(field, value)).find(Boolean) ?? { value: values };
+    const value = values.map((one) => canonicalValue(one, field.unit));
+    return value.map((one) => outside(field, one)).find(Boolean) ?? { value };
   }
-  const { value, problem, ambiguous } = parseNumber(typed);
+  const { value: number, problem, ambiguous } = parseNumber(typed);
   if (problem) return { problem };
+  const value = canonicalValue(number, field.unit);
   if (field.kind === "integer" && !Number.isInteger(value)) return { problem: "integer" };
-  return outside(field, value) ?? (ambiguous ? { value, ambiguous } : { value });
+  return outside(field, value) ?? (ambiguous ? { value, readAs: number } : { value });
 }
 
 /**
@@ -306,15 +332,15 @@ export function fieldAtPointer(shown, pointer) {
     ?? null;
 }
 
-/** The next value that an arrow key gives, kept inside the field's limits; null if unreadable. */
+/** The text that an arrow key gives, its value kept inside the field's limits; null if unreadable. */
 export function stepped(field, text, direction, factor = 1) {
   if (field.kind !== "number" && field.kind !== "integer") return null;
-  const { value } = readField({ ...field, lowest: undefined, highest: undefined }, text);
-  const from = value ?? field.default;
-  if (from === undefined) return null;
-  const step = (field.step ?? decade(from)) * factor;
-  const next = Number((from + direction * step).toPrecision(12));
-  return outside(field, next) ? null : next;
+  const { value = field.default } = readField({ ...field, lowest: undefined, highest: undefined }, text);
+  if (value === undefined) return null;
+  const from = shownValue(value, field.unit);
+  const step = field.step ? shownStep(field.step, field.unit) : decade(from);
+  const next = Number((from + direction * step * factor).toPrecision(12));
+  return outside(field, canonicalValue(next, field.unit)) ? null : exactText(next);
 }
 
 function decade(value) {

@@ -5,16 +5,13 @@
  * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
  * kept as typed, so that a reload loses nothing.
  */
-import { exactText } from "./format.js";
-import { cellsOf, readField, shownFields, textIn, textOf, textOfCells } from "./schema_form.js";
+import { readField, shownFields, textIn, textInLink, textOfLink } from "./schema_form.js";
 
 export const VERSION = "1";
 
 function canonical(field, text) {
   const { value } = readField(field, text);
-  if (value === undefined) return text.trim();
-  if (field.kind === "records") return textIn(field, value).replace(/\s/g, "");
-  return Array.isArray(value) ? value.map(exactText).join(";") : textOf(value);
+  return value === undefined ? text.trim() : textInLink(field, value);
 }
 
 /** The parameters of a state. */
@@ -22,7 +19,7 @@ export function encodeState(model, state) {
   const parameters = new URLSearchParams();
   for (const field of shownFields(model, state)) {
     const text = canonical(field, state.texts[field.path]);
-    if (text !== "" && text !== textOf(field.default)) parameters.append(field.path, text);
+    if (text !== "" && text !== textInLink(field, field.default)) parameters.append(field.path, text);
   }
   for (const choice of model.choices) {
     const [first] = choice.options;
@@ -41,9 +38,7 @@ export function decodeState(model, parameters) {
   const texts = {};
   for (const field of model.fields.values()) {
     const given = parameters.get(field.path);
-    texts[field.path] = given === null ? textOf(field.default)
-      : field.kind === "numbers" ? given.replace(/;\s*/g, "; ")
-        : field.kind === "records" ? textOfCells(cellsOf(given)) : given;
+    texts[field.path] = given === null ? textIn(field, field.default) : textOfLink(field, given);
   }
   const chosen = {};
   for (const choice of model.choices) {

@@ -5,10 +5,12 @@
  * on Enter), an older request is aborted, and until the answer is there the results count as stale.
  */
 import { newestOnly, Problem } from "./api.js";
+import { createHistory } from "./history.js";
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textIn, textOf } from "./schema_form.js";
+import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textIn } from "./schema_form.js";
 import { query } from "./url_state.js";
+import { createCompare } from "./views/compare.js";
 import { createExamples } from "./views/examples.js";
 import { createFigure } from "./views/figure.js";
 import { createForm, problemText } from "./views/form.js";
@@ -19,24 +21,30 @@ import { inWords } from "./wording.js";
 
 const DEBOUNCE_MS = 120;
 
-/** Posts that are sent once, however often they are asked for. */
-function postingOnce(client, signal) {
+/** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
+function postingOnce(client, signal, done = []) {
   const answers = new Map();
   return (path, body) => {
     const key = `${path} ${JSON.stringify(body)}`;
-    if (!answers.has(key)) answers.set(key, client.post(path, body, { signal }));
+    if (!answers.has(key)) {
+      answers.set(key, client.post(path, body, { signal }).then((answer) => {
+        done.push({ path: client.base + path, body, answer });
+        return answer;
+      }));
+    }
     return answers.get(key);
   };
 }
 
 /** Ask for all sections; where the service refuses, for those that do not need the refused one. */
 async function askSections({ client, calculator, input, tables, signal }) {
-  const post = postingOnce(client, signal);
+  const requests = [];
+  const post = postingOnce(client, signal, requests);
   let refusal = null;
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      return { answer: await calculator.ask({ post, input, sections, tables }), refusal };
+      return { answer: await calculator.ask({ post, input, sections, tables }), refusal, requests };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
       refusal ??= problem;
@@ -69,16 +77,18 @@ function placed(refusal, shown, titles) {
   return { refused, elsewhere };
 }
 
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, state, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, state, on }) {
   const words = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
   ]);
   const newest = newestOnly();
   const tables = new Set();
+  const history = createHistory(state);
+  const designAnswers = new Map(); // of the designs that are kept, by their inputs
   let reading = readState(model, state);
   let refused = {};
-  let drawn = null;
+  let drawn = null; // { input, answer, requests } of the results on the screen
   let timer = 0;
 
   const startOf = (example) => stateFromInput(model, { ...calculator.start, ...example.input });
@@ -89,11 +99,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const picker = createExamples({
     examples,
     on: {
-      picked(example) {
-        state = startOf(example);
-        changed();
-        compute();
-      },
+      picked: (example) => take(startOf(example)),
     },
   });
   const form = createForm({
@@ -101,20 +107,14 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     calculator,
     catalogues,
     on: {
-      typed(path, text) {
-        state = { ...state, texts: { ...state.texts, [path]: text } };
-        changed(path);
-      },
+      typed: (path, text) => type(path, text),
       step(path, direction, factor) {
         const next = stepped(model.fields.get(path), state.texts[path], direction, factor);
-        if (next === null) return;
-        state = { ...state, texts: { ...state.texts, [path]: textOf(next) } };
-        changed(path);
+        if (next !== null) type(path, next);
       },
       chosen(choice, option) {
         const seeded = seed(model.choices.find(({ id }) => id === choice), option);
-        state = { texts: { ...state.texts, ...seeded }, chosen: { ...state.chosen, [choice]: option } };
-        changed();
+        change({ texts: { ...state.texts, ...seeded }, chosen: { ...state.chosen, [choice]: option } });
       },
       apply() {
         compute();
@@ -133,20 +133,50 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         else tables.delete(id);
         compute();
       },
+      async tables(of) {
+        const { input } = drawn;
+        const post = postingOnce(client);
+        return of.tables(await calculator.ask({
+          post, input, sections: calculator.sections.filter((id) => drawn.answer[id]), tables: new Set([of.id]),
+        }));
+      },
     },
   }));
+  const compare = createCompare({
+    model,
+    calculator,
+    on: {
+      pin() {
+        const { name } = designs.add(calculator.id, drawn.input);
+        compareAnew(message("compare.kept", { name }));
+      },
+      open: ({ input }) => take(stateFromInput(model, input)),
+      rename(design, name) {
+        designs.rename(design.kept, name);
+        compareAnew();
+      },
+      remove(design) {
+        designs.remove(design.kept);
+        compareAnew();
+      },
+      export: () => compare.save(designs.exported()),
+      import(text) {
+        const count = designs.imported(text);
+        compareAnew(count === null ? message("compare.notOurs") : message("compare.imported", { count }));
+      },
+    },
+  });
 
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  outputs.append(verdict.root, ...figures.map(({ root }) => root), results.root);
+  outputs.append(verdict.root, ...figures.map(({ root }) => root), results.root, compare.root);
   host.replaceChildren(inputs, outputs);
 
   /** The same design in the fields of an option that is still empty, where it can be said so. */
   function seed(choice, option) {
     const { fields } = choice.options.find(({ id }) => id === option);
-    const untouched = ({ path, default: start }) => ["", textOf(start)].includes(state.texts[path]);
-    if (!fields.every(untouched)) return {};
+    if (!fields.every((field) => ["", textIn(field, field.default)].includes(state.texts[field.path]))) return {};
     const values = choice.auto
       ? fromCatalogue(choice, option)
       : calculator.seeds[`${choice.id}.${option}`]?.(reading.input) ?? {};
@@ -183,8 +213,32 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       .join("; ");
   }
 
+  function type(path, text) {
+    change({ ...state, texts: { ...state.texts, [path]: text } }, path);
+  }
+
+  /** Take over a whole design at once. */
+  function take(next) {
+    change(next);
+    compute();
+  }
+
+  function change(next, path) {
+    state = next;
+    history.record(state, path);
+    changed(path);
+  }
+
+  function move(next) {
+    if (next === null) return;
+    state = next;
+    changed();
+    compute();
+  }
+
   /** After any change: what is typed is checked and shown at once, the answer follows. */
   function changed(path) {
+    on.history(history);
     reading = readState(model, state);
     if (path) delete refused[path];
     else refused = {};
@@ -211,7 +265,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     clearTimeout(timer);
     const asked = query(calculator.id, model, state);
     picker.setCurrent(exampleQueries.get(asked));
-    on.state(state, asked);
+    on.state(asked);
     const { input, wrong } = reading;
     if (wrong.length > 0) {
       on.say(showWrong());
@@ -232,7 +286,27 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     settle(input, answer);
   }
 
-  function settle(input, { answer, refusal }) {
+  /** The designs kept of this calculator, each with its answer (none where it was refused). */
+  async function keptDesigns() {
+    return Promise.all(designs.of(calculator.id).map(async (kept) => {
+      const key = JSON.stringify(kept.input);
+      if (!designAnswers.has(key)) {
+        designAnswers.set(key, askSections({
+          client, calculator, input: kept.input, tables: new Set(), signal: undefined,
+        }).then(({ answer }) => answer, () => null));
+      }
+      return { ...kept, kept, answer: await designAnswers.get(key) };
+    }));
+  }
+
+  async function compareAnew(said) {
+    if (said) on.say(said);
+    const kept = await keptDesigns();
+    compare.update(kept, drawn);
+    redraw(kept);
+  }
+
+  function settle(input, { answer, refusal, requests }) {
     const { refused: atFields, elsewhere } = placed(refusal, shownFields(model, state), words);
     refused = atFields;
     showForm();
@@ -242,7 +316,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const refusalText = [...elsewhere, atBoxes].filter(Boolean).join("; ");
     show(!refusal ? "fresh" : atBoxes ? "wrong" : "refused", answer === null);
     if (answer) {
-      drawn = { input, answer };
+      drawn = { input, answer, requests };
       const cells = calculator.verdict(answer);
       verdict.setCells(cells);
       results.update(answer);
@@ -250,7 +324,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         if (answer[figure.section]) figure.setTables(answer);
         else figure.clear(refusalText);
       }
-      redraw();
+      compareAnew();
       if (!refusal) {
         const warnings = warningsOf(answer);
         verdict.setMessage(...warningLine(warnings));
@@ -270,26 +344,33 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     return ["warning", message(key, { count: warnings.length, first: inWords(warnings[0].detail, words) })];
   }
 
-  function redraw() {
+  function redraw(kept) {
     if (!drawn) return;
     for (const figure of figures) {
-      if (drawn.answer[figure.section]) figure.draw(drawn.input, drawn.answer, currentTheme());
+      const others = kept.filter(({ answer }) => answer?.[figure.section]);
+      if (drawn.answer[figure.section]) figure.draw(drawn.input, drawn.answer, currentTheme(), others);
     }
   }
 
   showForm();
   verdict.setCells(calculator.verdict({}));
   for (const figure of figures) figure.reserve(reading.input);
+  compare.update([], null);
+  on.history(history);
   compute();
 
   return {
-    redraw,
+    redraw: () => compareAnew(),
+    undo: () => move(history.undo()),
+    redo: () => move(history.redo()),
+    /** What was asked for the results on the screen, and answered; null where there are none. */
+    exchange: () => drawn && { calculator: calculator.id, ...drawn },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
     close() {
       clearTimeout(timer);
       newest.cancel();
       for (const figure of figures) figure.close();
-      on.state(state, query(calculator.id, model, state));
+      on.state(query(calculator.id, model, state));
     },
   };
 }

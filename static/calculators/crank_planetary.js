@@ -4,7 +4,7 @@
  * Only what the schema cannot say stands here: which fields exclude each other, the values that the
  * theory suggests, what the verdict reads from the answer, which figures there are.
  */
-import { formatNumber, formatQuantity, shownDigits, tidy } from "../format.js";
+import { formatNumber, formatQuantity, quantityParts, shownDigits, tidy } from "../format.js";
 import { message } from "../messages/index.js";
 
 const MOST_ROWS = 24;
@@ -65,8 +65,7 @@ function peakCell(section) {
   const digits = digitsOf(section);
   return {
     label,
-    value: formatNumber(section.peak_force_N, digits),
-    unit: "N",
+    ...quantityParts(section.peak_force_N, "N", digits),
     note: message("verdict.peakAt", {
       angle: formatQuantity(section.peak_crank_angle_deg, "°", Math.min(5, digits)),
       ...section.peak_pair,
@@ -79,8 +78,7 @@ function pressureCell(section) {
   if (!section) return { label };
   const cell = {
     label,
-    value: formatNumber(section.max_pressure_MPa, Math.min(4, digitsOf(section))),
-    unit: "MPa",
+    ...quantityParts(section.max_pressure_MPa, "MPa", Math.min(4, digitsOf(section))),
   };
   const safety = section.safety_factor;
   if (safety === undefined) return { ...cell, note: message("verdict.noLimit") };
@@ -95,17 +93,22 @@ function pressureCell(section) {
   };
 }
 
+function columns(...names) {
+  const unit = { from: "°", to: "°" };
+  return names.map((name) => ({ title: message(`figure.${name}`), unit: unit[name] }));
+}
+
 function phaseTables({ cyclogram }) {
   return [
     {
       title: message("figure.phases"),
-      columns: ["satellite", "pin", "from", "to"].map((name) => message(`figure.${name}`)),
+      columns: columns("satellite", "pin", "from", "to"),
       rows: cyclogram.pairs.flatMap(({ satellite, pin, driving_deg: driving }) =>
         driving.map(([from, to]) => [satellite, pin, from, to])),
     },
     {
       title: message("figure.counts"),
-      columns: ["from", "to", "driving"].map((name) => message(`figure.${name}`)),
+      columns: columns("from", "to", "driving"),
       rows: cyclogram.driving_count.map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
     },
   ];
@@ -115,8 +118,8 @@ function forceTables({ contact_force: { curves } }) {
   return [{
     title: message("figure.forces"),
     columns: [
-      message("figure.crankAngle"),
-      ...curves.pairs.map((pair) => message("figure.pairForce", pair)),
+      { title: message("figure.crankAngle"), unit: "°" },
+      ...curves.pairs.map((pair) => ({ title: message("figure.pairForce", pair), unit: "N" })),
     ],
     rows: curves.crank_angle_deg.map((angle, i) => [angle, ...curves.force_N.map((pair) => pair[i])]),
   }];
@@ -226,6 +229,7 @@ export default {
       id: "force",
       section: "contact_force",
       path: "/contact-force/chart",
+      compared: true,
       body: forceBody,
       height: () => 400,
       tables: forceTables,
@@ -234,6 +238,7 @@ export default {
       id: "hertz",
       section: "hertz",
       path: "/hertz/chart",
+      compared: true,
       body: hertzBody,
       height: () => 320,
     },

@@ -1,5 +1,5 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
-import { formatNumber, formatQuantity, shownDigits, tidy } from "../format.js";
+import { formatQuantity, quantityParts, shownDigits, tidy, unitOf } from "../format.js";
 import { message } from "../messages/index.js";
 
 const GEAR = [
@@ -18,8 +18,8 @@ function lineBody(input) {
 }
 
 /** As many digits as the section's accuracy allows. */
-function shown(section, value, most = 4) {
-  return formatNumber(value, shownDigits(section.accuracy.relative_error, most));
+function shown(section, value, unit, most = 4) {
+  return quantityParts(value, unit, shownDigits(section.accuracy.relative_error, most));
 }
 
 function lengthCell(section) {
@@ -27,8 +27,7 @@ function lengthCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: shown(section, section.total_length_mm),
-    unit: "mm",
+    ...shown(section, section.total_length_mm, "mm"),
     note: message("verdict.lines", { count: section.lines.length }),
   };
 }
@@ -38,8 +37,7 @@ function loadCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: shown(section, section.max_line_load_N_per_mm),
-    unit: "N/mm",
+    ...shown(section, section.max_line_load_N_per_mm, "N/mm"),
     note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N", 4) }),
   };
 }
@@ -49,8 +47,7 @@ function deflectionCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: shown(section, section.deflection_C_mm.total, 3),
-    unit: "mm",
+    ...shown(section, section.deflection_C_mm.total, "mm", 3),
     note: message("verdict.deflectionB", {
       deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3),
       ...Object.fromEntries(["B", "C"].map((at) =>
@@ -65,7 +62,7 @@ function lineTables({ contact_line: { lines } }) {
   ];
   return [{
     title: message("figure.contactLines"),
-    columns: columns.map((name) => message(`quantity.${name}`)[0]),
+    columns: columns.map((name) => ({ title: message(`quantity.${name}`)[0], unit: unitOf(name) })),
     rows: lines.map((line) => columns.map((name) => line[name])),
   }];
 }
@@ -177,6 +174,7 @@ export default {
       id: "lineLoad",
       section: "meshing_load",
       path: "/precession/meshing-load/chart",
+      compared: true,
       body: (input) => pick(input, LOAD),
       height: () => 360,
     },
@@ -184,6 +182,7 @@ export default {
       id: "shaft",
       section: "shaft_deflection",
       path: "/precession/shaft-deflection/chart",
+      compared: true,
       body: (input) => input,
       height: () => 700,
     },

@@ -1,5 +1,5 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
-import { formatNumber, formatQuantity, shownDigits } from "../format.js";
+import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../format.js";
 import { message } from "../messages/index.js";
 
 function forceCell(section) {
@@ -7,8 +7,7 @@ function forceCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: formatNumber(section.max_force_N, Math.min(5, shownDigits(section.accuracy.relative_error))),
-    unit: "N",
+    ...quantityParts(section.max_force_N, "N", Math.min(5, shownDigits(section.accuracy.relative_error))),
     note: message("verdict.rollerMean", { mean: formatQuantity(section.mean_force_N, "N", 4) }),
   };
 }
@@ -31,8 +30,7 @@ function stressCell(section) {
   if (!section) return { label };
   return {
     label,
-    value: formatNumber(section.bending_stress_MPa, 4),
-    unit: "MPa",
+    ...quantityParts(section.bending_stress_MPa, "MPa", 4),
     note: message("verdict.bendingMoment", { moment: formatQuantity(section.bending_moment_Nm, "N·m", 4) }),
   };
 }
@@ -87,11 +85,12 @@ export default {
       id: "rollers",
       section: "roller_strength",
       path: "/roller-strength/chart",
+      compared: true,
       body: (input) => input,
       height: () => 940,
       tables: ({ roller_strength: { forces_N: forces } }) => [{
         title: message("figure.rollerForces"),
-        columns: [message("figure.roller"), message("figure.forceN")],
+        columns: [{ title: message("figure.roller") }, { title: message("figure.rollerForce"), unit: "N" }],
         rows: forces.map((force, i) => [i + 1, force]),
       }],
     },

@@ -1,5 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, html } from "../lib/html.js";
+import { shownUnit } from "../units.js";
 import { symbolMarkup } from "./symbol.js";
 
 function box(field, id) {
@@ -28,7 +29,7 @@ export function createField(field, { suggestion, on }) {
         ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
         ${box(field, id)}
       </span>
-      <span class="unit">${field.unit}</span>
+      <span class="unit">${shownUnit(field.unit)}</span>
       <p class="field-message" id="${id}-message"></p>
     </div>`);
   const input = root.querySelector(".box");

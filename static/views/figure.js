@@ -1,7 +1,10 @@
 /** A figure drawn by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../api.js";
+import { curveTables, inShownUnits, overlaid, translated } from "../chart.js";
+import { csvOfTables } from "../csv.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { download } from "./download.js";
 import { loadPlotly } from "./plotly.js";
 import { tableMarkup } from "./table.js";
 
@@ -9,20 +12,28 @@ import { tableMarkup } from "./table.js";
 const HOVERS = matchMedia("(hover: hover)").matches;
 const NARROW_PX = 520;
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
+const SAVED = { width: 900, scale: 2 }; // of a saved picture: points, and pixels a point
 const CONFIG = {
   displaylogo: false,
   displayModeBar: HOVERS ? "hover" : false,
   responsive: true,
-  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d"],
+  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d", "toImage"],
 };
 
+/**
+ * `on.tabled(id, shown)` reports whether the table is wanted, `on.tables(figure)` gives the tables
+ * of a figure that has its own, to be saved.
+ */
 export function createFigure({ figure, client, on }) {
   const title = message(`figure.${figure.id}`);
+  const saver = (kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
+    aria-label="${message("figure.save", { title, kind })}">${kind}</button>`;
   const root = element(html`
     <figure class="card figure" data-figure="${figure.id}">
-      <figcaption><h3>${title}</h3>${figure.tables && html`
-        <button type="button" class="toggle" aria-pressed="false"
-          aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>`}
+      <figcaption><h3>${title}</h3><span class="figure-tools">
+        <button type="button" class="toggle show-table" aria-pressed="false"
+          aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>
+        ${["CSV", "PNG", "SVG"].map(saver)}</span>
       </figcaption>
       <div class="canvas">
         <div class="plot" role="img" aria-label="${message(`figure.${figure.id}Label`)}"></div>
@@ -35,11 +46,13 @@ export function createFigure({ figure, client, on }) {
   const plot = root.querySelector(".plot");
   const table = root.querySelector(".figure-table");
   const trouble = root.querySelector(".figure-message");
-  const toggle = root.querySelector(".toggle");
+  const tools = root.querySelector(".figure-tools");
+  const toggle = root.querySelector(".show-table");
   const measure = root.querySelector(".measure");
   const newest = newestOnly();
   let tabled = false;
-  let latest = null; // what to draw when a figure on demand is asked for
+  let latest = null; // { input, answer, theme, others } of what is drawn or to be drawn
+  let chart = null; // of `latest`, in the language of the page
   let drawnBy = null;
 
   function complain(text) {
@@ -48,12 +61,13 @@ export function createFigure({ figure, client, on }) {
     plot.classList.toggle("absent", text !== "");
   }
 
-  toggle?.addEventListener("click", () => {
+  toggle.addEventListener("click", () => {
     tabled = !tabled;
     toggle.setAttribute("aria-pressed", String(tabled));
     table.hidden = !tabled;
     plot.hidden = tabled;
-    on.tabled(figure.id, tabled);
+    if (measure) show();
+    else on.tabled(figure.id, tabled);
   });
 
   function reserve(input, open) {
@@ -63,10 +77,12 @@ export function createFigure({ figure, client, on }) {
   measure?.addEventListener("click", async () => {
     measure.disabled = true;
     measure.textContent = message("figure.measuring");
-    reserve(latest[0], true);
+    reserve(latest.input, true);
     const asked = latest;
-    await drawNow(...asked);
-    if (latest === asked) measure.hidden = true;
+    await drawNow();
+    if (latest !== asked) return;
+    measure.hidden = true;
+    tools.hidden = false;
   });
 
   /** A figure on demand of other inputs than these gives way to its button. */
@@ -74,15 +90,28 @@ export function createFigure({ figure, client, on }) {
     measure.hidden = false;
     measure.disabled = latest === null;
     measure.textContent = message("figure.measure");
+    tools.hidden = true;
     newest.cancel();
     drawnBy?.purge(plot);
+    fill(table, html``);
     complain("");
   }
 
-  async function drawNow(input, answer, theme) {
-    const [{ answer: chart, problem, superseded }, Plotly] = await Promise.all([
-      newest.ask((signal) =>
-        client.post(figure.path, figure.body(input, answer), { signal, query: { theme } })),
+  function post({ input, answer }, theme, signal) {
+    return client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }).then(translated);
+  }
+
+  /** The figure with those of the designs it is compared with, where it has curves to compare. */
+  async function ask(signal) {
+    const { theme, others } = latest;
+    const [own, ...charts] = await Promise.all([latest, ...(figure.compared ? others : [])].map((design) =>
+      post(design, theme, signal)));
+    return { own, all: overlaid(own, charts.map((one, i) => ({ name: others[i].name, chart: one }))) };
+  }
+
+  async function drawNow() {
+    const [{ answer, problem, superseded }, Plotly] = await Promise.all([
+      newest.ask(ask),
       loadPlotly().catch(() => null),
     ]);
     if (superseded || !root.isConnected) return;
@@ -91,18 +120,57 @@ export function createFigure({ figure, client, on }) {
       return;
     }
     complain("");
-    const { height, width, ...layout } = chart.layout; // the room kept on the page decides
-    if (!HOVERS) layout.dragmode = false;
-    // Half as many labels where they would not fit side by side.
-    if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis.dtick *= 2;
+    chart = answer.own;
     drawnBy = Plotly;
-    await Plotly.react(plot, chart.data, { ...layout, autosize: true }, CONFIG);
+    await show(answer.all);
   }
+
+  async function show(all = chart) {
+    if (tabled) {
+      if (!figure.tables) fill(table, html`${curveTables(chart).map(tableMarkup)}`);
+      return;
+    }
+    const { data, layout: { height, width, ...layout } } = inShownUnits(all); // the page's room decides
+    if (!HOVERS) layout.dragmode = false;
+    layout.separators = `${message("page.decimal")}\u202f`;
+    // Half as many labels where they would not fit side by side.
+    if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
+    await drawnBy.react(plot, data, { ...layout, autosize: true }, CONFIG);
+  }
+
+  /** The figure as a picture for paper: light, on white; a data URL. */
+  async function picture(format) {
+    const [light, Plotly] = await Promise.all([post(latest, "light"), loadPlotly()]);
+    const { data, layout } = inShownUnits(light);
+    const size = { width: SAVED.width, height: figure.height(latest.input) };
+    const paper = { paper_bgcolor: "#ffffff", title: { text: title }, margin: { ...layout.margin, t: 72 } };
+    return Plotly.toImage(
+      { data, layout: { ...layout, ...paper, ...size, separators: `${message("page.decimal")}\u202f` } },
+      { format, ...size, scale: format === "png" ? SAVED.scale : 1 },
+    );
+  }
+
+  tools.addEventListener("click", async (event) => {
+    const kind = event.target.closest("[data-kind]")?.dataset.kind.toLowerCase();
+    if (!kind || !latest) return;
+    try {
+      if (kind === "csv") {
+        const tables = figure.tables ? await on.tables(figure) : curveTables(chart ?? await post(latest, "light"));
+        download(`${figure.id}.csv`, csvOfTables(tables), "text/csv");
+      } else {
+        download(`${figure.id}.${kind}`, await picture(kind));
+      }
+    } catch (problem) {
+      complain(message("figure.failed", { detail: problem.message }));
+    }
+  });
+  if (measure) tools.hidden = true;
 
   return {
     root,
     id: figure.id,
     section: figure.section,
+    picture,
     /** Keep the room that the figure of this input will take. */
     reserve(input) {
       if (measure) {
@@ -112,16 +180,20 @@ export function createFigure({ figure, client, on }) {
       reserve(input, !measure);
     },
     setTables(answer) {
-      if (tabled) fill(table, html`${figure.tables(answer).map(tableMarkup)}`);
+      if (tabled && figure.tables) fill(table, html`${figure.tables(answer).map(tableMarkup)}`);
     },
-    /** Draw the figure of this input; an older request that is still under way is given up. */
-    async draw(input, answer, theme) {
+    /**
+     * Draw the figure of this input, over it the curves of `others`: `[{ name, input, answer }]`;
+     * an older request that is still under way is given up.
+     */
+    async draw(input, answer, theme, others = []) {
+      latest = { input, answer, theme, others };
+      chart = null;
       if (measure) {
-        latest = [input, answer, theme];
         fold();
         reserve(input, false);
-      } else if (!tabled) {
-        await drawNow(input, answer, theme);
+      } else if (!tabled || !figure.tables) {
+        await drawNow();
       }
     },
     /** Give up the place on the page and what Plotly listens to for it. */
@@ -132,6 +204,7 @@ export function createFigure({ figure, client, on }) {
     /** Say in the figure's place why there is none. */
     clear(detail) {
       newest.cancel();
+      latest = null;
       complain(message("figure.failed", { detail }));
     },
   };

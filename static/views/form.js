@@ -1,8 +1,8 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
-import { exactText, formatNumber } from "../format.js";
+import { exactText, formatNumber, formatQuantity, quantityParts } from "../format.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { textOf } from "../schema_form.js";
+import { textIn } from "../schema_form.js";
 import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
@@ -30,9 +30,9 @@ function properties(entry) {
   if (!entry) return "";
   const pressure = entry.allowable_pressure_MPa;
   return message("form.properties", {
-    modulus: formatNumber(entry.youngs_modulus_GPa),
+    modulus: formatQuantity(entry.youngs_modulus_GPa, "GPa"),
     ratio: formatNumber(entry.poissons_ratio),
-    limit: pressure === undefined ? "" : message("form.allowable", { pressure: formatNumber(pressure) }),
+    limit: pressure === undefined ? "" : message("form.allowable", { pressure: formatQuantity(pressure, "MPa") }),
   });
 }
 
@@ -64,7 +64,7 @@ export function createForm({ model, calculator, catalogues, on }) {
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
         suggest: () => {
-          on.typed(field.path, exactText(suggested[field.path]));
+          on.typed(field.path, textIn(field, suggested[field.path]));
           view.focus();
         },
       },
@@ -98,7 +98,7 @@ export function createForm({ model, calculator, catalogues, on }) {
   }
 
   function noteOf(field, reading, state) {
-    if (reading?.ambiguous) return message("form.readAs", { value: exactText(reading.value) });
+    if (reading?.readAs !== undefined) return message("form.readAs", { value: exactText(reading.readAs) });
     const entries = catalogues[field.path];
     return entries ? properties(entries.find(({ name }) => name === state.texts[field.path])) : "";
   }
@@ -112,7 +112,7 @@ export function createForm({ model, calculator, catalogues, on }) {
       for (const [path, field] of model.fields) {
         const view = fields.get(path);
         const reading = readings[path];
-        const special = field.advanced && state.texts[path] !== textOf(field.default);
+        const special = field.advanced && state.texts[path] !== textIn(field, field.default);
         if (special) view.root.closest("details").open = true;
         const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
         if (names) view.setNames(names, state.texts[path]);
@@ -131,12 +131,12 @@ export function createForm({ model, calculator, catalogues, on }) {
         const possible = Number.isFinite(amount);
         if (possible) suggested[path] = amount;
         const { title, required, unit } = model.fields.get(path);
-        const shown = possible ? `${formatNumber(amount)}\u00a0${unit}` : formula;
+        const shown = possible ? formatQuantity(amount, unit) : formula;
         fields.get(path).setSuggestion({
           possible,
           label: message("form.suggestion", { title, formula, value: shown }),
         });
-        if (!required) fields.get(path).setPlaceholder(possible ? formatNumber(amount) : formula);
+        if (!required) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
       }
     },
   };

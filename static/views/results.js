@@ -1,7 +1,8 @@
 /** All results as tables, a section each; warnings above, accuracy and cost below. */
-import { formatDuration, formatNumber, shownDigits, unitOf } from "../format.js";
+import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { shownUnit } from "../units.js";
 import { inWords } from "../wording.js";
 import { symbolMarkup } from "./symbol.js";
 import { tableMarkup } from "./table.js";
@@ -13,30 +14,33 @@ function isScalar(value) {
 }
 
 /** Short lists of numbers and pairs read as one value; what is longer has its table or figure. */
-function asText(value, digits) {
-  if (typeof value === "number") return formatNumber(value, Number.isInteger(value) ? 15 : digits);
+function asText(value, digits, unit = "") {
+  if (typeof value === "number") {
+    const whole = Number.isInteger(value) && shownUnit(unit) === unit;
+    return quantityParts(value, unit, whole ? 15 : digits).value;
+  }
   if (typeof value === "boolean") return message(value ? "results.yes" : "results.no");
   if (typeof value === "string") return value;
   if (Array.isArray(value) && value.every(isScalar)) {
-    return value.length === 0 ? message("results.none") : value.map((one) => asText(one, digits)).join("; ");
+    return value.length === 0 ? message("results.none") : value.map((one) => asText(one, digits, unit)).join("; ");
   }
   if (value && "satellite" in value && "pin" in value && Object.keys(value).length === 2) {
     return message("results.pair", value);
   }
   if (value && !Array.isArray(value) && Object.values(value).every((one) => typeof one === "number")) {
     return Object.entries(value)
-      .map(([name, one]) => `${message(`quantity.${name}`)[0]}\u00a0${formatNumber(one, digits)}`).join("; ");
+      .map(([name, one]) => `${message(`quantity.${name}`)[0]}\u00a0${quantityParts(one, unit, digits).value}`).join("; ");
   }
   return null;
 }
 
 function row([name, value], digits) {
-  const text = asText(value, digits);
+  const unit = unitOf(name);
+  const text = asText(value, digits, unit);
   if (text === null) return null;
   const [title, symbol = ""] = message(`quantity.${name}`);
-  const unit = value.length === 0 ? "" : unitOf(name);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
-    <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${unit}</td></tr>`;
+    <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
 }
 
 /** A list of flat records that no figure shows, as a table of its own. */
@@ -46,11 +50,9 @@ function records([name, value]) {
   const columns = Object.keys(value[0]);
   return tableMarkup({
     title: message(`quantity.${name}`)[0],
-    columns: columns.map((column) => {
-      const [title] = message(`quantity.${column}`);
-      return unitOf(column) ? `${title}, ${unitOf(column)}` : title;
-    }),
-    rows: value.map((record) => columns.map((column) => asText(record[column], 6))),
+    columns: columns.map((column) => ({ title: message(`quantity.${column}`)[0], unit: unitOf(column) })),
+    rows: value.map((record) => columns.map((column) =>
+      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column))))),
   });
 }
 

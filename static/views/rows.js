@@ -1,7 +1,8 @@
 /** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { cellsOf, stepped, textOf, textOfCells } from "../schema_form.js";
+import { cellsOf, stepped, textOfCells } from "../schema_form.js";
+import { shownUnit } from "../units.js";
 import { symbolMarkup } from "./symbol.js";
 
 function about({ title, help }) {
@@ -16,7 +17,7 @@ export function createRows(field, { on }) {
       <span class="records-title" id="${id}-title" title="${field.help}">${field.title}</span>
       <table class="records"><thead><tr>${field.columns.map((column) => html`
         <th scope="col" title="${about(column)}">${column.symbol ? symbolMarkup(column.symbol) : column.title}
-          <span class="unit">${column.unit}</span></th>`)}
+          <span class="unit">${shownUnit(column.unit)}</span></th>`)}
         <th><span class="unseen">${message("rows.remove")}</span></th></tr></thead><tbody></tbody></table>
       <button type="button" class="add-row">${message("rows.add")}</button>
       <p class="field-message" id="${id}-message"></p>
@@ -63,7 +64,7 @@ export function createRows(field, { on }) {
     event.preventDefault();
     const next = stepped(column, event.target.value, direction, event.shiftKey ? 10 : 1);
     if (next === null) return;
-    event.target.value = textOf(next);
+    event.target.value = next;
     typed();
   });
   body.addEventListener("click", (event) => {

@@ -293,7 +293,7 @@ def test_enter_does_not_wait(page: Page, service: str) -> None:
 
 def test_only_what_is_shown_is_asked(page: Page, service: str) -> None:
     show(page, service, ZYL)
-    toggle = page.locator('[data-figure="force"] .toggle')
+    toggle = page.locator('[data-figure="force"] .show-table')
     with page.expect_request("**/api/v1/crank-planetary") as asked:
         change(page, toggle.click)
     body = asked.value.post_data_json
@@ -410,6 +410,7 @@ def test_dark_follows_the_system_and_the_switch_and_is_remembered(page: Page, se
     expect(page.locator('[data-figure="force"] .xtick text').first).to_be_attached()
     paper, ink = look(page)
     assert paper < 0.2 < 0.6 < ink
+    page.get_by_role("button", name="Settings").click()
     with page.expect_response("**/contact-force/chart?theme=light"):
         page.get_by_label("Theme").select_option("light")
     expect(page.locator('[data-figure="force"] .xtick text').first).to_have_css(

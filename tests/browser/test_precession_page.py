@@ -97,7 +97,7 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     cell(page, 3, "Contact from").fill("-50")
     cell(page, 3, "Contact to").fill("-40")
     settled(page)
-    page.locator('[data-figure="contactLines"] .toggle').click()
+    page.locator('[data-figure="contactLines"] .show-table').click()
     row = page.locator('[data-figure="contactLines"] .figure-table tbody tr').nth(2)
     expect(row).to_contain_text("\u221250")
 

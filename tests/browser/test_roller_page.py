@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 14
     expect(page.locator("[data-figure] .js-plotly-plot")).to_have_count(1)
 
-    page.locator('[data-figure="rollers"] .toggle').click()
+    page.locator('[data-figure="rollers"] .show-table').click()
     rows = page.locator('[data-figure="rollers"] .figure-table tbody tr')
     expect(rows).to_have_count(4)
     shown = [number(row.split("\t")[1]) for row in rows.all_inner_texts()]

@@ -1,0 +1,119 @@
+/** Kept designs beside the one at hand: inputs that differ, results and their differences. */
+import { element, fill, html } from "../lib/html.js";
+import { formatNumber, quantityParts, unitOf } from "../format.js";
+import { message } from "../messages/index.js";
+import { readState, shownFields, stateFromInput, textIn } from "../schema_form.js";
+import { MOST } from "../designs.js";
+import { shownUnit } from "../units.js";
+import { download } from "./download.js";
+
+const DIGITS = 5;
+
+/** The boxes of an input by path: `{ title, unit, text }`. */
+function boxesOf(model, input) {
+  const state = stateFromInput(model, input);
+  const { readings } = readState(model, state);
+  return new Map(shownFields(model, state)
+    .filter(({ path }) => readings[path].value !== undefined)
+    .map((field) => [field.path, { field, text: textIn(field, readings[field.path].value) }]));
+}
+
+function inputRows(model, designs) {
+  const boxes = designs.map(({ input }) => boxesOf(model, input));
+  const paths = new Set(boxes.flatMap((one) => [...one.keys()]));
+  return [...paths].flatMap((path) => {
+    const texts = boxes.map((one) => one.get(path)?.text);
+    if (new Set(texts).size === 1) return [];
+    const { field } = boxes.find((one) => one.has(path)).get(path);
+    return [{ title: field.title, unit: shownUnit(field.unit), cells: texts.map((text) => ({ text: text ?? "–" })) }];
+  });
+}
+
+function change(value, own) {
+  if (value === own) return "";
+  const percent = (100 * (value - own)) / Math.abs(own);
+  return Number.isFinite(percent) ? `${percent > 0 ? "+" : ""}${formatNumber(percent, 3)} %` : "≠";
+}
+
+function resultRows(sections, elsewhere, designs) {
+  const [{ answer: own }] = designs;
+  return sections.flatMap((section) => Object.entries(own?.[section] ?? {})
+    .filter(([name, value]) => typeof value === "number" && !elsewhere.includes(name))
+    .map(([name, value]) => ({
+      title: message(`quantity.${name}`)[0],
+      unit: shownUnit(unitOf(name)),
+      cells: designs.map(({ answer }, i) => {
+        const other = answer?.[section]?.[name];
+        if (other === undefined) return { text: "–" };
+        return {
+          text: quantityParts(other, unitOf(name), DIGITS).value,
+          ...(i > 0 && { change: change(other, value), differs: other !== value }),
+        };
+      }),
+    })));
+}
+
+function tableRows(rows) {
+  return rows.map(({ title, unit, cells }) => html`
+    <tr><th scope="row">${title}${unit && html` <span class="unit">${unit}</span>`}</th>${cells.map((cell) => html`
+      <td class="${cell.differs && "differs"}">${cell.text}${cell.change && html` <small>${cell.change}</small>`}</td>`)}</tr>`);
+}
+
+/**
+ * `on.pin()`, `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
+ * `on.import(text)` report what the user does.
+ */
+export function createCompare({ model, calculator, on }) {
+  const root = element(html`
+    <section class="card compare" aria-labelledby="compare-title">
+      <div class="compare-head"><h3 id="compare-title">${message("compare.title")}</h3>
+        <button type="button" class="toggle" data-do="pin">${message("compare.pin")}</button>
+        <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
+        <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>
+      </div>
+      <div class="compare-table" tabindex="0" role="region" aria-labelledby="compare-title"></div>
+    </section>`);
+  const table = root.querySelector(".compare-table");
+  const pin = root.querySelector("[data-do=pin]");
+  let designs = [];
+
+  root.addEventListener("click", ({ target }) => {
+    const act = target.closest("[data-do]")?.dataset.do;
+    const design = designs[target.closest("[data-design]")?.dataset.design];
+    if (act === "pin" || act === "export") on[act]();
+    else if (act) on[act](design);
+  });
+  root.addEventListener("change", async ({ target }) => {
+    if (target.type === "file") {
+      const [file] = target.files;
+      if (file) on.import(await file.text());
+      target.value = "";
+    } else {
+      on.rename(designs[target.closest("[data-design]").dataset.design], target.value);
+    }
+  });
+
+  return {
+    root,
+    save: (text) => download("khv-calc-designs.json", text, "application/json"),
+    /** `kept`: the designs with their answers; `own`: `{ input, answer }` of the one at hand. */
+    update(kept, own) {
+      designs = kept;
+      pin.disabled = !own || kept.length >= MOST;
+      if (kept.length === 0 || !own) {
+        fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
+        return;
+      }
+      const all = [own, ...kept];
+      fill(table, html`
+        <table class="data">
+          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")}</th>${kept.map(({ name }, i) => html`
+            <th scope="col" data-design="${i}"><input class="box free-text" value="${name}" maxlength="24" aria-label="${message("compare.name", { name })}">
+              <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button>
+              <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", { name })}">×</button></span></th>`)}</tr></thead>
+          <tbody>${tableRows(inputRows(model, all))}</tbody>
+          <tbody>${tableRows(resultRows(calculator.sections, calculator.elsewhere, all))}</tbody>
+        </table>`);
+    },
+  };
+}

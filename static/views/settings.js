@@ -1,0 +1,28 @@
+/** What is chosen once: theme, units, language, in a sheet under one button. */
+import { element, html } from "../lib/html.js";
+import { LANGUAGES, message } from "../messages/index.js";
+import { SYSTEMS } from "../units.js";
+
+function choice(name, options, current) {
+  return html`
+    <label for="${name}">${message(`settings.${name}`)}</label>
+    <select id="${name}" class="box">${Object.entries(options).map(([id, title]) =>
+      html`<option value="${id}" ${id === current && html`selected`}>${title}</option>`)}</select>`;
+}
+
+/** `current` and `on` by name: the choice in force, and what to do with a new one. */
+export function createSettings({ current, on }) {
+  const themes = message("theme");
+  const units = Object.fromEntries(SYSTEMS.map((id) => [id, message(`units.${id}`)]));
+  const button = element(html`
+    <button type="button" class="tool" popovertarget="settings" aria-label="${message("settings.title")}"
+      title="${message("settings.title")}">⚙</button>`);
+  const sheet = element(html`
+    <div id="settings" class="card" popover role="dialog" aria-label="${message("settings.title")}">
+      ${choice("theme", themes, current.theme)}
+      ${choice("units", units, current.units)}
+      ${choice("language", LANGUAGES, current.language)}
+    </div>`);
+  sheet.addEventListener("change", ({ target }) => on[target.id](target.value));
+  return { button, sheet };
+}

@@ -1,0 +1,75 @@
+/** What the user may take along: the link, the request for other programs, request and answer as files. */
+import { flatValues } from "../answers.js";
+import { csvOf } from "../csv.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { curlLine, pythonCode } from "../snippets.js";
+import { createDialog } from "./dialog.js";
+import { download } from "./download.js";
+
+function resultsCsv(answer) {
+  return csvOf({
+    columns: ["section", "name", "value", "unit"].map((title) => ({ title })),
+    rows: flatValues(answer).map(({ section, name, value, unit }) => [section, name, value, unit]),
+  });
+}
+
+function snippet(kind, label, text) {
+  return html`
+    <div class="snippet" data-kind="${kind}">
+      <div class="snippet-head"><h3>${label}</h3>
+        <button type="button" class="toggle copy" aria-label="${message("share.copyWhat", { what: label })}">${message("share.copy")}</button></div>
+      <pre tabindex="0" aria-label="${label}">${text}</pre>
+    </div>`;
+}
+
+/**
+ * `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
+ * body, answer }], answer }`, or null where there are none.
+ */
+export function createShare({ exchange, say }) {
+  const title = message("share.title");
+  const button = element(html`
+    <button type="button" class="tool" aria-haspopup="dialog" aria-label="${title}" title="${title}">⇩</button>`);
+  const dialog = createDialog({ id: "share", title, content: html`<div class="share"></div>` });
+  const content = dialog.querySelector(".share");
+  let shown = null;
+
+  function show() {
+    shown = exchange();
+    const url = (path) => new URL(path, location.origin).href;
+    const bodies = shown?.requests ?? [];
+    fill(content, html`
+      ${snippet("link", message("share.link"), location.href)}
+      ${bodies.length > 0 && snippet("curl", message("share.curl"),
+        bodies.map(({ path, body }) => curlLine(url(path), body)).join("\n"))}
+      ${bodies.length > 0 && snippet("python", message("share.python"),
+        pythonCode(url(bodies.at(-1).path), bodies.at(-1).body))}
+      ${bodies.length > 0 ? html`<div class="files">
+        <button type="button" class="toggle" data-file="json">${message("share.json")}</button>
+        <button type="button" class="toggle" data-file="csv">${message("share.csv")}</button></div>`
+        : html`<p>${message("share.nothing")}</p>`}`);
+    dialog.showModal();
+  }
+
+  content.addEventListener("click", async ({ target }) => {
+    const piece = target.closest(".copy")?.closest(".snippet");
+    if (piece) {
+      const text = piece.querySelector("pre");
+      try {
+        await navigator.clipboard.writeText(text.textContent);
+        target.textContent = message("share.copied");
+        say(message("share.copied"));
+      } catch {
+        // Where the browser forbids it, the text is selected for the user's own keys.
+        getSelection().selectAllChildren(text);
+      }
+    }
+    const file = target.closest("[data-file]")?.dataset.file;
+    const { calculator, requests, answer } = shown ?? {};
+    if (file === "json") download(`${calculator}.json`, `${JSON.stringify({ requests }, null, 2)}\n`, "application/json");
+    if (file === "csv") download(`${calculator}.csv`, resultsCsv(answer), "text/csv");
+  });
+  button.addEventListener("click", show);
+  return { button };
+}
