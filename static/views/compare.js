@@ -66,12 +66,12 @@ function tableRows(rows) {
 export function createCompare({ model, calculator, on }) {
   const root = element(html`
     <section class="card compare" aria-labelledby="compare-title">
-      <div class="compare-head"><h3 id="compare-title">${message("compare.title")}</h3>
+      <div class="compare-head"><h2 id="compare-title">${message("compare.title")}</h2>
         <button type="button" class="toggle" data-do="pin">${message("compare.pin")}</button>
         <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
         <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>
       </div>
-      <div class="compare-table" tabindex="0" role="region" aria-labelledby="compare-title"></div>
+      <div class="compare-table" tabindex="0" role="group" aria-labelledby="compare-title"></div>
     </section>`);
   const table = root.querySelector(".compare-table");
   const pin = root.querySelector("[data-do=pin]");

@@ -30,13 +30,13 @@ export function createFigure({ figure, client, on }) {
     aria-label="${message("figure.save", { title, kind })}">${kind}</button>`;
   const root = element(html`
     <figure class="card figure" data-figure="${figure.id}">
-      <figcaption><h3>${title}</h3><span class="figure-tools">
+      <figcaption><h2>${title}</h2><span class="figure-tools">
         <button type="button" class="toggle show-table" aria-pressed="false"
           aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>
         ${["CSV", "PNG", "SVG"].map(saver)}</span>
       </figcaption>
       <div class="canvas">
-        <div class="plot" role="img" aria-label="${message(`figure.${figure.id}Label`)}"></div>
+        <div class="plot" role="group" aria-label="${message(`figure.${figure.id}Label`)}"></div>
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
         ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}

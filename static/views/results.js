@@ -73,7 +73,7 @@ function warningsMarkup(warnings = [], words) {
 
 function sectionMarkup(id, section, elsewhere, words) {
   if (!section) {
-    return html`<section class="card result" data-section="${id}"><h3>${message(`section.${id}`)}</h3>
+    return html`<section class="card result" data-section="${id}"><h2>${message(`section.${id}`)}</h2>
       <p class="missing">${message("results.missing")}</p></section>`;
   }
   const digits = shownDigits(section.accuracy.relative_error);
@@ -82,7 +82,7 @@ function sectionMarkup(id, section, elsewhere, words) {
   const lists = entries.filter(([, value]) => Array.isArray(value));
   return html`
     <section class="card result" data-section="${id}">
-      <h3>${message(`section.${id}`)}</h3>
+      <h2>${message(`section.${id}`)}</h2>
       ${warningsMarkup(section.warnings, words)}
       <table class="quantities">
         <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
@@ -97,7 +97,7 @@ function sectionMarkup(id, section, elsewhere, words) {
 
 /** What of the cited papers cannot be right as printed, and what is computed instead. */
 function notesMarkup(notes) {
-  return html`<section class="card result notes"><h3>${message("notes.title")}</h3>
+  return html`<section class="card result notes"><h2>${message("notes.title")}</h2>
     <ul>${notes.flatMap((id) => message(`notes.${id}`)).map((note) => html`<li>${note}</li>`)}</ul></section>`;
 }
 

@@ -29,7 +29,7 @@ function stateMarkup(state, stale) {
 export function createVerdict() {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
-      <dl class="cells"><div class="numbers"></div><div class="now"></div></dl>
+      <div class="cells"><dl class="numbers"></dl><dl class="now"></dl></div>
       <p class="say" data-level=""></p>
     </section>`);
   const numbers = root.querySelector(".numbers");

@@ -1,0 +1,95 @@
+"""WCAG 2.2 AA by axe in every calculator and state, and what axe cannot see."""
+
+from collections.abc import Iterator
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.calculator_page import box, settled, show
+
+CALCULATORS = {
+    "crank-planetary": "load.output_torque_Nm",
+    "rollers": "output_torque_Nm",
+    "precession": "torque_Nm",
+}
+OPTIONS = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]}
+
+
+@pytest.fixture
+def open_page(browser: Browser) -> Iterator[Page]:
+    """A page into which axe may be put: without the policy that forbids foreign scripts."""
+    context = browser.new_context(bypass_csp=True, reduced_motion="reduce")
+    yield context.new_page()
+    context.close()
+
+
+def violations(page: Page) -> list[str]:
+    found = Axe().run(page, options=OPTIONS).response["violations"]
+    return [
+        f"{each['id']}: {node['target']} {node['failureSummary']}"
+        for each in found
+        for node in each["nodes"]
+    ]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_axe_finds_nothing(open_page: Page, service: str, calculator: str, scheme: str) -> None:
+    page = open_page
+    page.emulate_media(color_scheme=scheme)
+    show(page, service, calculator)
+    expect(page.locator(".js-plotly-plot").first).to_be_attached()
+    page.get_by_role("button", name="Keep this design").click()
+    expect(page.get_by_label("Name of design A")).to_be_attached()
+    assert violations(page) == []
+    box(page, CALCULATORS[calculator]).fill("x")
+    settled(page, "wrong")
+    page.locator(".show-table").first.click()
+    assert violations(page) == []
+    for name in ("Settings", "Take along", "Keys"):
+        page.get_by_role("button", name=name).click()
+        assert violations(page) == [], name
+        page.keyboard.press("Escape")
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_four_times_enlarged_nothing_is_cut_off(
+    open_page: Page, service: str, calculator: str
+) -> None:
+    # 400 % of 1280 x 1024 leaves 320 x 256 points.
+    open_page.set_viewport_size({"width": 320, "height": 256})
+    show(open_page, service, calculator)
+    assert open_page.evaluate("() => document.documentElement.scrollWidth <= innerWidth")
+    covered = open_page.evaluate(
+        "() => [...document.querySelectorAll('.bar, .verdict, .inputs')]"
+        ".filter((part) => ['sticky', 'fixed'].includes(getComputedStyle(part).position))"
+        ".reduce((sum, part) => sum + Math.min(part.offsetHeight, innerHeight), 0) / innerHeight"
+    )
+    assert covered <= 0.5  # what sticks leaves room for what is read
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_every_control_is_reached_by_the_tab_key(
+    open_page: Page, service: str, calculator: str
+) -> None:
+    show(open_page, service, calculator)
+    wanted = open_page.evaluate(
+        "() => [...document.querySelectorAll('button, input, select, summary, [tabindex=\"0\"]')]"
+        ".filter((each) => !each.disabled && each.tabIndex >= 0 && each.checkVisibility()"
+        " && !each.closest('[popover]:not(:popover-open), dialog:not([open])')"
+        " && !(each.type === 'radio' && !each.checked)"
+        " && each.id !== 'results').map((each, i) => (each.dataset.wanted = i))"
+    )
+    reached = set()
+    for _ in range(3 * len(wanted)):
+        open_page.keyboard.press("Tab")
+        here = open_page.evaluate("() => document.activeElement.dataset.wanted ?? null")
+        if here is not None:
+            reached.add(int(here))
+            seen = open_page.evaluate(
+                "() => { const box = document.activeElement.getBoundingClientRect();"
+                " return box.bottom > 0 && box.top < innerHeight }"
+            )
+            assert seen
+    assert reached == set(wanted)
