@@ -14,10 +14,10 @@ RUN_REQUIREMENTS := '$(PROJECT); print(*project["dependencies"], sep="\n")'
 TEST_REQUIREMENTS := '$(PROJECT); print(*project["optional-dependencies"]["test"], sep="\n")'
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit node page accuracy bench
+.PHONY: help run test lint types unit node page accuracy bench bench-page
 
 help:  ## list the commands
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
 
 .venv/run: pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
@@ -73,3 +73,6 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 
 bench: .venv/test  ## time the calculations against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
+
+bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
+	PYTHONPATH=. $(BIN)/python -m benchmarks.page

@@ -5,6 +5,7 @@ import shutil
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -22,8 +23,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.browser)
 
 
+def chromium_path() -> str | None:
+    """The Chromium of this machine, if it has one."""
+    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+
+
 def _chromium() -> str:
-    found = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+    found = chromium_path()
     if found:
         return found
     reason = (
@@ -34,9 +40,9 @@ def _chromium() -> str:
     pytest.skip(reason)
 
 
-@pytest.fixture(scope="session")
-def service() -> Iterator[str]:
-    """Address of the running service."""
+@contextmanager
+def running_service() -> Iterator[str]:
+    """The service on a free port, and its address."""
     from app.main import create_app
 
     server = uvicorn.Server(
@@ -52,6 +58,13 @@ def service() -> Iterator[str]:
     yield f"http://127.0.0.1:{port}"
     server.should_exit = True
     thread.join(timeout=10)
+
+
+@pytest.fixture(scope="session")
+def service() -> Iterator[str]:
+    """Address of the running service."""
+    with running_service() as address:
+        yield address
 
 
 @pytest.fixture(scope="session")

@@ -1,0 +1,72 @@
+"""How soon the page shows new numbers and figures after the last key, in a real Chromium.
+
+Run by `make bench-page`. Times include the pause that the page waits for more keys (120 ms) and are
+of this machine; the marks are 250 ms for numbers and 350 ms for figures.
+"""
+
+import statistics
+import sys
+
+from playwright.sync_api import Page, sync_playwright
+
+from tests.browser.conftest import chromium_path, running_service
+
+NUMBERS_MS, FIGURES_MS = 250, 350
+ROUNDS = 15
+CALCULATORS = {
+    "crank-planetary": ("load.output_torque_Nm", "force"),
+    "rollers": ("output_torque_Nm", "rollers"),
+    "precession": ("torque_Nm", "lineLoad"),
+}
+
+# Types a value as a key would, and gives the times until the numbers and the figure are of it.
+TYPE = """([path, value, figure]) => new Promise((resolve) => {
+  const box = document.querySelector(`[data-path="${path}"] .box`);
+  const panel = document.getElementById("panel");
+  const plot = document.querySelector(`[data-figure="${figure}"] .plot`);
+  const times = {};
+  const done = (name) => () => {
+    if (times[name] !== undefined || panel.dataset.state !== "fresh") return;
+    times[name] = performance.now() - start;
+    if (times.numbers !== undefined && times.figures !== undefined) resolve(times);
+  };
+  new MutationObserver(done("numbers")).observe(panel, { attributeFilter: ["data-state"] });
+  plot.once("plotly_afterplot", done("figures"));
+  const start = performance.now();
+  box.value = value;
+  box.dispatchEvent(new InputEvent("input", { bubbles: true }));
+})"""
+
+
+def measure(page: Page, service: str, calculator: str) -> tuple[float, float]:
+    """Median times to numbers and to the figure, milliseconds."""
+    path, figure = CALCULATORS[calculator]
+    page.goto(f"{service}/?calculator={calculator}")
+    page.wait_for_selector('#panel[data-state="fresh"]')
+    page.wait_for_selector(f'[data-figure="{figure}"] .js-line')
+    page.wait_for_timeout(500)
+    times = []
+    for count in range(ROUNDS):
+        times.append(page.evaluate(TYPE, [path, str(50 + count), figure]))
+        page.wait_for_timeout(300)
+    return tuple(statistics.median(each[name] for each in times) for name in ("numbers", "figures"))
+
+
+def main() -> int:
+    """Measure all calculators; 1 if a mark is missed."""
+    missed = False
+    with running_service() as service, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=chromium_path(), args=["--no-proxy-server", "--no-sandbox"]
+        )
+        page = browser.new_page()
+        for calculator in CALCULATORS:
+            numbers, figures = measure(page, service, calculator)
+            missed |= numbers > NUMBERS_MS or figures > FIGURES_MS
+            print(f"{calculator:16} numbers {numbers:5.0f} ms, figures {figures:5.0f} ms")
+        browser.close()
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
