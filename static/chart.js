@@ -43,7 +43,7 @@ function mapTexts(chart, change) {
 }
 
 /** The texts of a figure in the language of the page. */
-export function translated(chart) {
+export function inLanguage(chart) {
   return mapTexts(chart, chartWords);
 }
 

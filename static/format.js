@@ -49,7 +49,12 @@ export function parseNumbers(text) {
   return { values };
 }
 
-/** The shortest text that reads back as the same number: for boxes, links and JSON. */
+/** The text of a number as one types it in the language in use. */
+export function typedText(text) {
+  return text.replace(".", decimal);
+}
+
+/** The shortest text that reads back as the same number: for links and JSON. */
 export function exactText(value) {
   return String(value);
 }

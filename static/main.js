@@ -3,7 +3,7 @@ import { createClient } from "./api.js";
 import { CALCULATORS } from "./calculators/index.js";
 import { createDesigns } from "./designs.js";
 import { element, html } from "./lib/html.js";
-import { LANGUAGES, message, useLanguage } from "./messages/index.js";
+import { LANGUAGES, message, translated, useLanguage } from "./messages/index.js";
 import { preference, setPreference } from "./preferences.js";
 import { formModel, stateFromInput } from "./schema_form.js";
 import { setUnits, SYSTEMS } from "./units.js";
@@ -48,6 +48,8 @@ function chosenLanguage() {
 const language = chosenLanguage();
 await useLanguage(language);
 document.documentElement.lang = language;
+document.querySelector(".skip").textContent = message("page.skip");
+document.getElementById("tabs").setAttribute("aria-label", message("page.calculators"));
 const units = SYSTEMS.find((id) => id === preference("units")) ?? SYSTEMS[0];
 setUnits(units);
 
@@ -84,7 +86,7 @@ async function openCalculator(id) {
   tabs.setOpen(id);
   const { load } = CALCULATORS.find((one) => one.id === id);
   const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
-  const model = formModel(openapi, { ...calculator, path: API + calculator.path });
+  const model = formModel(openapi, { ...calculator, path: API + calculator.path, words: translated });
   const own = examples.filter((example) => `/${example.calculation}` === calculator.path);
   const catalogues = await cataloguesOf(calculator);
   if (wanted !== id) return; // another tab was opened meanwhile

@@ -9,7 +9,7 @@
  * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`;
  * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
  */
-import { exactText, parseNumber, parseNumbers, unitOf } from "./format.js";
+import { exactText, parseNumber, parseNumbers, typedText, unitOf } from "./format.js";
 import { canonicalValue, shownStep, shownValue, spell } from "./units.js";
 
 function resolver(openapi) {
@@ -34,8 +34,8 @@ function resolver(openapi) {
 }
 
 /** The schema of a POST endpoint's body, and the means to resolve its references. */
-function bodySchema(openapi, path) {
-  const resolve = resolver(openapi);
+function bodySchema(openapi, path, words) {
+  const resolve = Object.assign(resolver(openapi), { words });
   const body = openapi.paths[path].post.requestBody.content["application/json"].schema;
   return { schema: resolve(body), resolve };
 }
@@ -65,8 +65,8 @@ function fieldOf(schema, path, required, resolve) {
     path,
     name,
     kind,
-    title: schema.title ?? name,
-    help: schema.description ?? "",
+    title: resolve.words(schema.title ?? name),
+    help: resolve.words(schema.description ?? ""),
     symbol: schema.symbol ?? "",
     unit: schema.unit ?? unitOf(name),
     step: schema.step ?? (kind === "integer" ? 1 : undefined),
@@ -156,10 +156,10 @@ function groupsByField(schema, { groups, inline, choices, hidden, resolve }) {
  *
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
- * `hidden` what the page decides for the user.
+ * `hidden` what the page decides for the user, `words` the schema's words in the user's language.
  */
-export function formModel(openapi, { path, groups, inline, choices = [], hidden = [] }) {
-  const { schema, resolve } = bodySchema(openapi, path);
+export function formModel(openapi, { path, groups, inline, choices = [], hidden = [], words = (said) => said }) {
+  const { schema, resolve } = bodySchema(openapi, path, words);
   const parts = inline
     ? groupsByField(schema, { groups, inline, choices, hidden, resolve })
     : groups.map((id) => {
@@ -204,8 +204,8 @@ export function textIn(field, value) {
   if (field.kind === "records" && Array.isArray(value)) {
     return textOfCells(value.map((record) => field.columns.map((column) => textIn(column, record[column.name]))));
   }
-  if (Array.isArray(value)) return value.map((one) => spell(one, field.unit)).join("; ");
-  return typeof value === "number" ? spell(value, field.unit) : String(value);
+  if (Array.isArray(value)) return value.map((one) => typedText(spell(one, field.unit))).join("; ");
+  return typeof value === "number" ? typedText(spell(value, field.unit)) : String(value);
 }
 
 /** A value as links carry it, in canonical units. */
@@ -230,7 +230,7 @@ export function textOfLink(field, text) {
   }
   if (field.kind !== "number") return text;
   const { value } = parseNumber(text);
-  return value === undefined || spell(value, field.unit) === exactText(value) ? text : spell(value, field.unit);
+  return value === undefined || textIn(field, value) === exactText(value) ? text : textIn(field, value);
 }
 
 /** The state that shows a request body; fields that it leaves out stand at their defaults. */
@@ -340,7 +340,7 @@ export function stepped(field, text, direction, factor = 1) {
   const from = shownValue(value, field.unit);
   const step = field.step ? shownStep(field.step, field.unit) : decade(from);
   const next = Number((from + direction * step * factor).toPrecision(12));
-  return outside(field, canonicalValue(next, field.unit)) ? null : exactText(next);
+  return outside(field, canonicalValue(next, field.unit)) ? null : typedText(exactText(next));
 }
 
 function decade(value) {

@@ -2,6 +2,8 @@
 export default {
   page: {
     decimal: ".",
+    skip: "Skip to the results",
+    calculators: "Calculators",
     keys: "Keys",
     undo: "Undo",
     redo: "Redo",
@@ -258,6 +260,7 @@ export default {
       "Khatetovsky 2020, eqs. (33) to (36): the unit loads of B and C are exchanged; as printed Maxwell's reciprocity fails.",
     ],
   },
+  plotly: { Zoom: "Zoom", Pan: "Pan", "Zoom in": "Zoom in", "Zoom out": "Zoom out", "Reset axes": "Reset axes", "Double-click to zoom back out": "Double-click to zoom back out" },
   figure: {
     table: "Table",
     showTable: "Show as a table",

@@ -1,6 +1,6 @@
 /** The papers' examples to start from, and where the chosen one comes from. */
 import { element, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, translated } from "../messages/index.js";
 
 export function createExamples({ examples, on }) {
   const root = element(html`
@@ -8,7 +8,7 @@ export function createExamples({ examples, on }) {
       <label for="example">${message("examples.label")}</label>
       <select id="example" class="box">
         <option value="">${message("examples.own")}</option>
-        ${examples.map(({ id, title }) => html`<option value="${id}">${title}</option>`)}
+        ${examples.map(({ id, title }) => html`<option value="${id}">${translated(title)}</option>`)}
       </select>
       <p class="field-message" id="example-source"></p>
     </div>`);

@@ -1,5 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, html } from "../lib/html.js";
+import { translated } from "../messages/index.js";
 import { shownUnit } from "../units.js";
 import { symbolMarkup } from "./symbol.js";
 
@@ -73,11 +74,11 @@ export function createField(field, { suggestion, on }) {
     setNames(names, current) {
       const known = names.some(({ name }) => name === current) || current === "";
       const all = known ? names : [...names, { name: current, title: current, group: "" }];
-      const option = ({ name, title }) => html`<option value="${name}">${title ?? name}</option>`;
+      const option = ({ name, title }) => html`<option value="${name}">${translated(title ?? name)}</option>`;
       const groups = [...new Set(all.map(({ group }) => group ?? ""))];
       input.innerHTML = groups.map((group) => {
         const members = all.filter((one) => (one.group ?? "") === group).map(option);
-        return group === "" ? html`${members}` : html`<optgroup label="${group}">${members}</optgroup>`;
+        return group === "" ? html`${members}` : html`<optgroup label="${translated(group)}">${members}</optgroup>`;
       }).join("");
       input.value = current;
     },

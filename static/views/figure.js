@@ -1,6 +1,6 @@
 /** A figure drawn by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../api.js";
-import { curveTables, inShownUnits, overlaid, translated } from "../chart.js";
+import { curveTables, inLanguage, inShownUnits, overlaid } from "../chart.js";
 import { csvOfTables } from "../csv.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -98,7 +98,7 @@ export function createFigure({ figure, client, on }) {
   }
 
   function post({ input, answer }, theme, signal) {
-    return client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }).then(translated);
+    return client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }).then(inLanguage);
   }
 
   /** The figure with those of the designs it is compared with, where it has curves to compare. */
@@ -135,7 +135,8 @@ export function createFigure({ figure, client, on }) {
     layout.separators = `${message("page.decimal")}\u202f`;
     // Half as many labels where they would not fit side by side.
     if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
-    await drawnBy.react(plot, data, { ...layout, autosize: true }, CONFIG);
+    const locales = { page: { dictionary: message("plotly"), format: {} } };
+    await drawnBy.react(plot, data, { ...layout, autosize: true }, { ...CONFIG, locale: "page", locales });
   }
 
   /** The figure as a picture for paper: light, on white; a data URL. */

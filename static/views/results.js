@@ -1,7 +1,7 @@
 /** All results as tables, a section each; warnings above, accuracy and cost below. */
 import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../format.js";
 import { element, fill, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, translated } from "../messages/index.js";
 import { shownUnit } from "../units.js";
 import { inWords } from "../wording.js";
 import { symbolMarkup } from "./symbol.js";
@@ -58,7 +58,7 @@ function records([name, value]) {
 
 function accuracyMarkup({ method, relative_error: error, evaluations, run_time_us: time }) {
   return html`<p class="accuracy">${message("results.accuracy", {
-    method,
+    method: translated(method),
     error: error === 0 ? message("results.exact") : formatNumber(error, 2),
     evaluations: formatNumber(evaluations, 15),
     time: formatDuration(time),

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-import { curveTables, inShownUnits, overlaid, translated } from "../../static/chart.js";
+import { curveTables, inShownUnits, overlaid, inLanguage } from "../../static/chart.js";
 import { setUnits } from "../../static/units.js";
 
 afterEach(() => setUnits("metric"));
@@ -72,6 +72,6 @@ test("other designs lie dashed over the curves, each named once", () => {
 });
 
 test("in English a figure keeps the service's words", () => {
-  assert.deepEqual(translated(CHART).data.map(({ name }) => name), ["a", "b", "χ = 25.4 mm"]);
-  assert.equal(translated(CHART).layout.yaxis.title.text, "Place, mm");
+  assert.deepEqual(inLanguage(CHART).data.map(({ name }) => name), ["a", "b", "χ = 25.4 mm"]);
+  assert.equal(inLanguage(CHART).layout.yaxis.title.text, "Place, mm");
 });

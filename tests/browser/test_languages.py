@@ -1,0 +1,97 @@
+"""The page in every language: all its words, decimal signs, and the same numbers."""
+
+import re
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.calculator_page import box, settled, show
+
+CALCULATORS = {
+    "crank-planetary": "contact.pin_radius_mm",
+    "rollers": "diameter_mm",
+    "precession": "",
+}
+# What is the same in all languages: names of programs, files, units, keys, standards.
+COMMON = re.compile(
+    r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
+    r"|QUADPACK|cos|doi|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
+)
+TEXTS = """() => {
+  const seen = [];
+  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walk.nextNode()) {
+    const holder = walk.currentNode.parentElement;
+    if (!holder.closest("script, style, pre, var, kbd, #example-source, noscript, dialog, option"))
+      seen.push(walk.currentNode.data);
+  }
+  for (const each of document.querySelectorAll("[aria-label], [title]"))
+    seen.push(each.getAttribute("aria-label") ?? "", each.getAttribute("title") ?? "");
+  for (const each of document.querySelectorAll("option")) seen.push(each.textContent);
+  return seen;
+}"""
+
+
+def foreign(page: Page) -> set[str]:
+    """Texts with English words in them."""
+    return {
+        text.strip()
+        for text in page.evaluate(TEXTS)
+        if re.search(r"[A-Za-z]{4,}", COMMON.sub(" ", re.sub(r"%\{.*?\}", "", text)))
+    }
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_nothing_is_left_in_english(
+    page: Page, service: str, calculator: str, language: str
+) -> None:
+    show(page, service, calculator)
+    expect(page.locator(".js-plotly-plot .xtitle").first).to_be_attached()
+    english = page.locator(".results .value").all_inner_texts()
+    assert foreign(page)  # the check sees English
+    page.get_by_role("button", name="Settings").click()
+    with page.expect_navigation():
+        page.locator("#language").select_option(language)
+    settled(page)
+    assert page.evaluate("() => document.documentElement.lang") == language
+    expect(page.locator(".js-plotly-plot .xtitle").first).to_be_attached()
+    page.wait_for_timeout(300)
+    assert foreign(page) == set()
+
+    def numbers(texts: list[str]) -> list[str]:
+        return [text.replace(".", ",") for text in texts if re.fullmatch(r"[\d.,\s\u2212]+", text)]
+
+    shown = page.locator(".results .value").all_inner_texts()
+    assert numbers(shown) == numbers(english)
+    for typed in page.locator("form input.box:not([type=radio])").all():
+        assert "." not in typed.input_value()
+    for measure in page.locator(".measure").all():
+        measure.click()
+        expect(measure).to_be_hidden(timeout=30_000)
+    assert foreign(page) == set()
+    if CALCULATORS[calculator]:
+        box(page, CALCULATORS[calculator]).fill("-1")
+        settled(page, "wrong")
+        assert foreign(page) == set()
+
+
+def test_the_browsers_language_is_taken(browser, service: str) -> None:  # type: ignore[no-untyped-def]
+    context = browser.new_context(locale="uk-UA")
+    page = context.new_page()
+    show(page, service, "rollers")
+    expect(page.locator("#tab-rollers")).to_have_text("Хитні ролики")
+    context.close()
+
+
+def test_refusals_of_the_service_are_translated(browser, service: str) -> None:  # type: ignore[no-untyped-def]
+    context = browser.new_context(locale="ru-RU")
+    page = context.new_page()
+    show(page, service, "crank-planetary")
+    for path, value in (("mechanism.pins", "2"), ("mechanism.satellites", "1")):
+        box(page, path).fill(value)
+    box(page, "mechanism.crank_spacing_deg").fill("0")
+    settled(page, "refused")
+    expect(page.locator(".verdict .say")).to_contain_text("не передаёт момента")
+    assert foreign(page) == set()
+    context.close()
