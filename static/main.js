@@ -83,6 +83,7 @@ async function cataloguesOf(calculator) {
 async function openCalculator(id) {
   if (wanted === id) return;
   wanted = id;
+  panel.dataset.state = "computing";
   tabs.setOpen(id);
   const { load } = CALCULATORS.find((one) => one.id === id);
   const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
