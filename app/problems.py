@@ -95,7 +95,9 @@ class TooLarge(HTTPException):
 
 
 def http_problem(error: HTTPException) -> Problem:
-    """Problem of an HTTP error: no such path, wrong method, body too large."""
+    """Problem of an HTTP error: no such path, wrong method, body too large or unreadable."""
+    if error.status_code == 400:  # FastAPI's word for bytes that are no text, or nest too deeply
+        return invalid_input([ErrorItem("", "is not valid JSON: it cannot be read")])
     title = "Too large" if error.status_code == 413 else HTTPStatus(error.status_code).phrase
     return Problem(
         error.status_code,

@@ -88,8 +88,7 @@ async def test_the_input_is_not_echoed(api, value):
 @pytest.mark.parametrize("content", [b"\xff\xfe", b'{"\\ud800": 1}', b"[" * 200_000, b"\x00"])
 async def test_garbage_is_the_senders_error(api, content):
     response = await api.post("cyclogram", content=content, headers=JSON)
-    assert response.status_code in (400, 422)
-    refused(response, response.status_code)
+    assert [pointer for pointer, _ in refused(response, 422)] in ([""], ["/\\ud800"])
 
 
 async def test_an_impossible_mechanism_says_where(api):
