@@ -14,6 +14,7 @@ import { createCompare } from "./views/compare.js";
 import { createExamples } from "./views/examples.js";
 import { createFigure } from "./views/figure.js";
 import { createForm, problemText } from "./views/form.js";
+import { createMechanism } from "./views/mechanism.js";
 import { createResults, warningsOf } from "./views/results.js";
 import { currentTheme } from "./views/theme.js";
 import { createVerdict, spoken } from "./views/verdict.js";
@@ -133,6 +134,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         else tables.delete(id);
         compute();
       },
+      charted(id, chart) {
+        if (id === calculator.drawing.figure) updateDrawing(chart.data.filter(({ mode }) => mode === "lines"));
+      },
+      picked: (pair) => mechanism.select(pair),
       async tables(of) {
         const { input } = drawn;
         const post = postingOnce(client);
@@ -142,6 +147,16 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
   }));
+  const mechanism = createMechanism({
+    calculator,
+    on: {
+      moved: () => followDrawing(),
+      selected: () => followDrawing(),
+    },
+  });
+  const followDrawing = () => {
+    for (const figure of figures) figure.follow(mechanism.angle, mechanism.selected);
+  };
   const compare = createCompare({
     model,
     calculator,
@@ -170,7 +185,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  outputs.append(verdict.root, ...figures.map(({ root }) => root), results.root, compare.root);
+  outputs.append(verdict.root, mechanism.root, ...figures.map(({ root }) => root), results.root, compare.root);
   host.replaceChildren(inputs, outputs);
 
   /** The same design in the fields of an option that is still empty, where it can be said so. */
@@ -191,6 +206,24 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const entry = entries.find(({ name }) => name === state.texts[id]) ?? {};
     return Object.fromEntries([...model.fields.keys()].filter((path) => path.startsWith(`${id}.`))
       .map((path) => [path, entry[path.slice(id.length + 1)]]));
+  }
+
+  /** A field lights its dimension in the drawing, and a dimension its field. */
+  for (const event of ["pointerover", "focusin"]) {
+    form.root.addEventListener(event, ({ target }) => mechanism.light(target.closest("[data-path]")?.dataset.path));
+  }
+  form.root.addEventListener("pointerleave", () => mechanism.light(null));
+  mechanism.root.addEventListener("pointerover", ({ target }) => {
+    const path = target.closest(".dimension")?.dataset.dimension;
+    for (const field of form.root.querySelectorAll("[data-path]")) field.classList.toggle("lit", field.dataset.path === path);
+  });
+  host.addEventListener("keydown", ({ key }) => {
+    if (key === "Escape" && mechanism.selected) mechanism.select(mechanism.selected);
+  });
+
+  function updateDrawing(curves) {
+    const { section } = calculator.drawing;
+    if (drawn?.answer[section]) mechanism.update(drawn.input, drawn.answer, curves);
   }
 
   function showForm() {
@@ -325,6 +358,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         else figure.clear(refusalText);
       }
       compareAnew();
+      // The curves come with the figure; where that stays away, the drawing does without.
+      const source = figures.find(({ id }) => id === calculator.drawing.figure);
+      if (!source || !answer[source.section] || tables.has(source.id)) updateDrawing(curvesOf(answer));
       if (!refusal) {
         const warnings = warningsOf(answer);
         verdict.setMessage(...warningLine(warnings));
@@ -336,6 +372,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       verdict.setMessage("bad", refusalText);
       on.say(refusalText);
     }
+  }
+
+  function curvesOf({ contact_force: force }) {
+    if (!force?.curves) return [];
+    const { crank_angle_deg: x, pairs, force_N: forces } = force.curves;
+    return pairs.map(({ satellite, pin }, i) => ({ name: `${satellite}.${pin}`, x, y: forces[i] }));
   }
 
   function warningLine(warnings) {
@@ -369,6 +411,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     close() {
       clearTimeout(timer);
       newest.cancel();
+      mechanism.close();
       for (const figure of figures) figure.close();
       on.state(query(calculator.id, model, state));
     },

@@ -213,9 +213,13 @@ export default {
   /** Values of the answer that the figures and their tables show, or that only place the others. */
   elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg"],
 
+  /** The drawing takes its forces from a figure's curves. */
+  drawing: { load: () => import("../drawing/crank_planetary.js"), section: "cyclogram", figure: "force", moving: true },
+
   figures: [
     {
       id: "cyclogram",
+      follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
       path: "/cyclogram/chart",
       body: ({ mechanism }) => mechanism,
@@ -229,6 +233,7 @@ export default {
       id: "force",
       section: "contact_force",
       path: "/contact-force/chart",
+      follows: ({ data }) => (data.mode === "lines" ? data.name : null),
       compared: true,
       body: forceBody,
       height: () => 400,

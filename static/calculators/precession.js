@@ -161,6 +161,8 @@ export default {
 
   elsewhere: ["lines"],
 
+  drawing: { load: () => import("../drawing/precession.js"), section: "shaft_deflection", figure: "shaft" },
+
   figures: [
     {
       id: "contactLines",

@@ -80,6 +80,8 @@ export default {
 
   elsewhere: ["forces_N"],
 
+  drawing: { load: () => import("../drawing/rollers.js"), section: "roller_strength" },
+
   figures: [
     {
       id: "rollers",

@@ -22,7 +22,8 @@ const CONFIG = {
 
 /**
  * `on.tabled(id, shown)` reports whether the table is wanted, `on.tables(figure)` gives the tables
- * of a figure that has its own, to be saved.
+ * of a figure that has its own, to be saved; `on.charted(id, chart)` tells of what was drawn, and
+ * `on.picked(pair)` of a click on a pair in a figure that follows the drawing.
  */
 export function createFigure({ figure, client, on }) {
   const title = message(`figure.${figure.id}`);
@@ -122,6 +123,7 @@ export function createFigure({ figure, client, on }) {
     complain("");
     chart = answer.own;
     drawnBy = Plotly;
+    on.charted(figure.id, chart);
     await show(answer.all);
   }
 
@@ -137,6 +139,43 @@ export function createFigure({ figure, client, on }) {
     if (layout.xaxis?.dtick && plot.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
     const locales = { page: { dictionary: message("plotly"), format: {} } };
     await drawnBy.react(plot, data, { ...layout, autosize: true }, { ...CONFIG, locale: "page", locales });
+    if (figure.follows) watch();
+  }
+
+  const cursor = figure.follows && element(html`<div class="cursor" hidden></div>`);
+  if (cursor) canvas.append(cursor);
+  let followed = { angle: 0, pair: null };
+
+  /** Let the drawing know what is clicked, and follow it. */
+  function watch() {
+    plot.removeAllListeners("plotly_click");
+    plot.on("plotly_click", ({ points: [point] }) => {
+      const pair = figure.follows(point);
+      if (pair) on.picked(pair);
+    });
+    plot.removeAllListeners("plotly_relayout");
+    plot.on("plotly_relayout", moveCursor);
+    emphasise();
+    moveCursor();
+  }
+
+  function moveCursor() {
+    const { xaxis, _size: size } = plot._fullLayout ?? {};
+    cursor.hidden = !xaxis || tabled || plot.classList.contains("absent");
+    if (cursor.hidden) return;
+    const x = xaxis.l2p(followed.angle);
+    cursor.hidden = x < 0 || x > xaxis._length;
+    cursor.style.transform = `translate(${xaxis._offset + x}px, ${size.t}px)`;
+    cursor.style.height = `${size.h}px`;
+  }
+
+  /** Pale what is not of the pair selected. */
+  function emphasise() {
+    const { pair } = followed;
+    const weight = (name) => (pair === null || name === pair ? 1 : 0.25);
+    const bars = plot.data.map((trace) => (trace.type === "bar" ? trace.y.map(weight) : 1));
+    const lines = plot.data.map((trace) => (/^\d+\.\d+$/.test(trace.name) ? weight(trace.name) : trace.opacity ?? 1));
+    drawnBy.restyle(plot, { "marker.opacity": bars, opacity: lines });
   }
 
   /** The figure as a picture for paper: light, on white; a data URL. */
@@ -172,6 +211,15 @@ export function createFigure({ figure, client, on }) {
     id: figure.id,
     section: figure.section,
     picture,
+    /** Follow the drawing: its crank angle, the pair selected. */
+    follow(angle, pair) {
+      if (!figure.follows) return;
+      const other = pair !== followed.pair;
+      followed = { angle, pair };
+      if (!drawnBy || !plot.data || tabled) return;
+      moveCursor();
+      if (other) emphasise();
+    },
     /** Keep the room that the figure of this input will take. */
     reserve(input) {
       if (measure) {
