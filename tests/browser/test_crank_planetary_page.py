@@ -446,7 +446,7 @@ def test_figures_offer_no_upload(page: Page, service: str) -> None:
         title for title in titles if re.search("share|cloud|edit", title or "", re.IGNORECASE)
     ]
     expect(plot.locator(".plotlyjsicon")).to_have_count(0)
-    assert plot.get_attribute("role") == "img" and plot.get_attribute("aria-label")
+    assert plot.get_attribute("role") == "group" and plot.get_attribute("aria-label")
 
 
 def test_without_the_service_everything_typed_stays(page: Page, service: str, watch: Any) -> None:
