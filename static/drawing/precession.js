@@ -35,7 +35,7 @@ function planeView(input, section, curve, plane) {
     const foot = -Math.sign(force || 1) * (widest / 2);
     const arrow = svg("path", { class: "force series-0", d: arrowPath([x, foot - reach], [x, foot], size * 0.6), "data-reaction": name });
     arrow.dataset.length = Math.abs(reach);
-    view.append(arrow, label([x + size, foot - reach], `${name}_${axis}`, size));
+    view.append(arrow, label([x + 1.2 * size, foot - reach - 0.7 * Math.sign(force || 1) * size], `${name}_${axis}`, size));
   }
   if (curve) {
     const largest = Math.max(...curve.y.map(Math.abs), Number.MIN_VALUE);
