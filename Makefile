@@ -36,8 +36,7 @@ help:  ## list the commands
 
 run: .venv/run  ## start the service on http://127.0.0.1:8000 (HOST, PORT, WORKERS)
 	@echo "KHV Calc: http://$(HOST):$(PORT) (the page), http://$(HOST):$(PORT)/docs (the API)"
-	@exec $(BIN)/uvicorn app.main:app --host $(HOST) --port $(PORT) --workers $(WORKERS) \
-		--no-server-header
+	@exec $(BIN)/python -m app.serve --host $(HOST) --port $(PORT) --workers $(WORKERS)
 
 test: lint types unit node page  ## run everything: style, types, imports, tests, the page
 	@echo

@@ -1,15 +1,20 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI
+from fastapi.middleware.cors import CORSMiddleware
 from fastapi.middleware.gzip import GZipMiddleware
-from fastapi.responses import FileResponse, JSONResponse
+from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
 
-from app import VERSION, problems
-from app.middleware import BodyLimit, ServiceHeaders
+from app import VERSION, observability, problems
+from app.middleware import BodyLimit, Requests
+from app.processes import warm_up
 from app.routers import (
     contact_force,
     crank_planetary,
@@ -44,6 +49,7 @@ PROBLEMS: dict[int | str, dict[str, Any]] = {
     for status, text in (
         (413, "The request is too large"),
         (422, "The input is wrong, or the mechanism cannot work"),
+        (503, "Too much is asked now, or it takes too long; `Retry-After` says when to ask again"),
     )
 }
 
@@ -68,6 +74,20 @@ def describe_problems(app: FastAPI) -> None:
     app.openapi = openapi  # type: ignore[method-assign]
 
 
+@asynccontextmanager
+async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+    """Be ready once the process for long calculations is."""
+
+    async def prepare() -> None:
+        await warm_up()
+        app.state.ready = True
+
+    preparing = asyncio.create_task(prepare())
+    yield
+    app.state.ready = False
+    preparing.cancel()
+
+
 def create_app(settings: Settings | None = None) -> FastAPI:
     """The service as an ASGI application.
 
@@ -82,15 +102,29 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     settings = settings or Settings.from_environment()
     app = FastAPI(
-        title="KHV Calc", version=VERSION, description=DESCRIPTION, docs_url=None, redoc_url=None
+        title="KHV Calc",
+        version=VERSION,
+        description=DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        lifespan=lifespan,
     )
+    app.state.ready = False
     for router in ROUTERS:
         app.include_router(router.router, prefix=API, responses=PROBLEMS)
     problems.install(app)
     describe_problems(app)
     app.add_middleware(GZipMiddleware, minimum_size=2048, compresslevel=6)
     app.add_middleware(BodyLimit, limit=settings.max_body_bytes)
-    app.add_middleware(ServiceHeaders)
+    if settings.cors_origins:
+        app.add_middleware(
+            CORSMiddleware,
+            allow_origins=settings.cors_origins,
+            allow_methods=["GET", "POST"],
+            allow_headers=["content-type", "x-request-id"],
+            expose_headers=["server-timing", "x-request-id", "retry-after"],
+        )
+    app.add_middleware(Requests, settings=settings)
 
     @app.api_route("/", methods=["GET", "HEAD"], include_in_schema=False)
     async def page() -> FileResponse:
@@ -99,6 +133,20 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     @app.api_route("/docs", methods=["GET", "HEAD"], include_in_schema=False)
     async def docs() -> FileResponse:
         return FileResponse(STATIC / "docs.html")
+
+    @app.get("/livez", include_in_schema=False)
+    async def livez() -> PlainTextResponse:
+        return PlainTextResponse("alive")
+
+    @app.get("/readyz", include_in_schema=False)
+    async def readyz() -> PlainTextResponse:
+        if not app.state.ready:
+            raise problems.unavailable("The service is starting or stopping")
+        return PlainTextResponse("ready")
+
+    @app.get("/metrics", include_in_schema=False)
+    async def metrics() -> Response:
+        return observability.metrics()
 
     @app.get(f"{API}/openapi.json", include_in_schema=False)
     async def openapi() -> JSONResponse:

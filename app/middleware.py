@@ -1,12 +1,15 @@
-"""What happens around every request: security headers, the body limit, Server-Timing."""
+"""What happens around every request: its record, the limit of its body, headers of its answer."""
 
+import os
+import re
 import time
 
-from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.calculation import timings_us
+from app import observability
 from app.problems import TooLarge, failure, http_problem
+from app.record import Record, at_hand
+from app.settings import Settings
 
 CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
@@ -14,55 +17,57 @@ CONTENT_SECURITY_POLICY = (
     "frame-ancestors 'none'"
 )
 
-HEADERS = {
-    "content-security-policy": CONTENT_SECURITY_POLICY,
-    "x-content-type-options": "nosniff",
-    "referrer-policy": "no-referrer",
-    "cross-origin-opener-policy": "same-origin",
-    "cross-origin-resource-policy": "same-origin",
-    "cache-control": "no-cache",
-}
+HEADERS = [
+    (b"content-security-policy", CONTENT_SECURITY_POLICY.encode()),
+    (b"x-content-type-options", b"nosniff"),
+    (b"referrer-policy", b"no-referrer"),
+    (b"cross-origin-opener-policy", b"same-origin"),
+    (b"cross-origin-resource-policy", b"same-origin"),
+    (b"cache-control", b"no-cache"),
+]
+"""Headers of every answer that does not set them itself."""
+
+REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
+"""Request ids of clients that are taken over: nothing that could break a log line or a header."""
 
 
-class ServiceHeaders:
-    """Headers of every answer, the last-resort one included; the time on those of the API."""
+class Requests:
+    """Keeps the record of every request; completes its answer; answers where all else failed."""
 
-    def __init__(self, app: ASGIApp) -> None:
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
+        self.settings = settings
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        start = time.perf_counter()
-        parts: list[float] = []
-        timings_us.set(parts)
-        started = False
+        record = Record(self.settings, _request_id(scope), receive)
+        at_hand.set(record)
+        observability.begin()
+        status, answered = 0, 0.0
+        failed: Exception | None = None
 
         async def with_headers(message: Message) -> None:
-            nonlocal started
-            started = True
+            nonlocal status, answered
             if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                for name, value in HEADERS.items():
-                    headers.setdefault(name, value)
-                if scope["path"].startswith("/api/"):
-                    total = (time.perf_counter() - start) * 1e3
-                    calculation = f"calculation;dur={sum(parts) / 1e3:.3f}, " if parts else ""
-                    headers["server-timing"] = f"{calculation}total;dur={total:.3f}"
+                status, answered = message["status"], time.perf_counter()
+                message["headers"] = _completed(message.get("headers", []), scope, record, answered)
             await send(message)
 
         try:
             await self.app(scope, receive, with_headers)
-        except Exception:
-            if not started:
-                await failure().response()(scope, receive, with_headers)
-            raise
+        except Exception as error:
+            failed = error
+            if not status:
+                await failure(record.request_id).response()(scope, receive, with_headers)
+        finally:
+            observability.end(record, scope, status, answered, failed)
 
 
 class BodyLimit:
-    """Refuses a body above a limit, whether it says its length or not."""
+    """Refuses a body above a limit, whether it says its length or not; notes when it is whole."""
 
     def __init__(self, app: ASGIApp, limit: int) -> None:
         self.app = app
@@ -78,6 +83,7 @@ class BodyLimit:
             await http_problem(TooLarge(self.limit)).response()(scope, receive, send)
             return
         received = 0
+        record = at_hand.get()
 
         async def limited() -> Message:
             nonlocal received
@@ -85,6 +91,30 @@ class BodyLimit:
             received += len(message.get("body", b""))
             if received > self.limit:
                 raise TooLarge(self.limit)
+            if record and not message.get("more_body") and not record.received:
+                record.received = time.perf_counter()
             return message
 
         await self.app(scope, limited, send)
+
+
+def _request_id(scope: Scope) -> str:
+    for name, value in scope["headers"]:
+        if name == b"x-request-id" and REQUEST_ID.fullmatch(value):
+            return str(value, "ascii")
+    return os.urandom(12).hex()
+
+
+def _completed(
+    given: list[tuple[bytes, bytes]], scope: Scope, record: Record, now: float
+) -> list[tuple[bytes, bytes]]:
+    """Headers of an answer with those of every answer."""
+    names = {name for name, _ in given}
+    headers = [*given, *(each for each in HEADERS if each[0] not in names)]
+    headers.append((b"x-request-id", record.request_id.encode()))
+    if scope["path"].startswith("/api/"):
+        parts = sum(record.calculations_us) / 1e3
+        calculation = f"calculation;dur={parts:.3f}, " if record.calculations_us else ""
+        total = (now - record.started) * 1e3
+        headers.append((b"server-timing", f"{calculation}total;dur={total:.3f}".encode()))
+    return headers

@@ -17,6 +17,9 @@ from core.errors import ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
 
+RETRY_AFTER_S = "5"
+"""When to ask again after a 503, seconds."""
+
 
 @dataclass(frozen=True, slots=True)
 class ErrorItem:
@@ -108,10 +111,20 @@ def http_problem(error: HTTPException) -> Problem:
     )
 
 
-def failure() -> Problem:
-    """Problem of an error of our own; what it was is for the log only."""
+def unavailable(detail: str) -> Problem:
+    """Problem of a service that cannot answer now but may soon."""
     return Problem(
-        500, "failure", "The service failed", "This is an error of the service, not of the input"
+        503, "unavailable", "Not available now", detail, headers={"retry-after": RETRY_AFTER_S}
+    )
+
+
+def failure(request_id: str) -> Problem:
+    """Problem of an error of our own; what it was is for the log only, under the request's id."""
+    return Problem(
+        500,
+        "failure",
+        "The service failed",
+        f"This is an error of the service, not of the input; its log names request {request_id}",
     )
 
 
@@ -206,7 +219,7 @@ def impossible(error: ImpossibleMechanism) -> Problem:
 
 
 def install(app: FastAPI) -> None:
-    """Make every refusal a problem; errors of our own are left to `ServiceHeaders`."""
+    """Make every refusal a problem; errors of our own are left to `Requests`."""
 
     async def on_problem(_: Request, problem: Exception) -> Response:
         assert isinstance(problem, Problem)

@@ -5,6 +5,7 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.contact_force import contact_force_figure
 from app.figures.theme import Figure, Theme
+from app.processes import calculating, drawing
 from app.schemas.contact_force import ContactForceRequest, ContactForceResponse
 from app.units import from_si
 
@@ -12,13 +13,15 @@ router = APIRouter(prefix="/contact-force", tags=["crank-planetary"])
 
 
 @router.post("", response_model_exclude_none=True)
-async def contact_force(body: ContactForceRequest) -> ContactForceResponse:
+@calculating
+def contact_force(body: ContactForceRequest) -> ContactForceResponse:
     """Contact force of the pairs: the exact peak, and curves and approximations where asked."""
     return ContactForceResponse.from_core(*run(body, body.solve))
 
 
 @router.post("/chart")
-async def contact_force_chart(body: ContactForceRequest, theme: Theme = "light") -> Figure:
+@drawing
+def contact_force_chart(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)
     (force, switching), run_time_us = run(body, lambda: body.solve_for_drawing(body.mechanism()))

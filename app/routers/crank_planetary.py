@@ -9,6 +9,7 @@ from app.figures.contact_force import contact_force_figure
 from app.figures.crank_planetary import over_one_axis
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
+from app.processes import calculating, drawing
 from app.schemas.contact_force import ContactForceResponse
 from app.schemas.crank_planetary import CrankPlanetaryRequest, CrankPlanetaryResponse, GeometryOut
 from app.schemas.cyclogram import CyclogramResponse
@@ -19,7 +20,8 @@ router = APIRouter(prefix="/crank-planetary", tags=["crank-planetary"])
 
 
 @router.post("", response_model_exclude_none=True)
-async def crank_planetary(body: CrankPlanetaryRequest) -> CrankPlanetaryResponse:
+@calculating
+def crank_planetary(body: CrankPlanetaryRequest) -> CrankPlanetaryResponse:
     """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked."""
     sections: dict[str, Any] = {}
     if "cyclogram" in body.include:
@@ -37,7 +39,8 @@ async def crank_planetary(body: CrankPlanetaryRequest) -> CrankPlanetaryResponse
 
 
 @router.post("/chart")
-async def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
+@drawing
+def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)
     pattern = cyclogram_figure(CyclogramResponse.from_core(*run(body, body.mechanism.solve)), theme)

@@ -5,19 +5,22 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
+from app.processes import calculating, drawing
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 
 router = APIRouter(prefix="/cyclogram", tags=["crank-planetary"])
 
 
 @router.post("", response_model_exclude_none=True)
-async def cyclogram(body: CyclogramRequest) -> CyclogramResponse:
+@calculating
+def cyclogram(body: CyclogramRequest) -> CyclogramResponse:
     """Which pin/hole pairs drive, when, how many together; dead centres; assembly angles."""
     return CyclogramResponse.from_core(*run(body, body.solve))
 
 
 @router.post("/chart")
-async def cyclogram_chart(body: CyclogramRequest, theme: Theme = "light") -> Figure:
+@drawing
+def cyclogram_chart(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     """The cyclogram as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)
-    return cyclogram_figure(await cyclogram(body), theme)
+    return cyclogram_figure(CyclogramResponse.from_core(*run(body, body.solve)), theme)

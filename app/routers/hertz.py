@@ -5,6 +5,7 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.hertz import PressureCurve, hertz_figure
 from app.figures.theme import Figure, Theme
+from app.processes import calculating, drawing
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.units import from_si
 
@@ -12,13 +13,15 @@ router = APIRouter(prefix="/hertz", tags=["crank-planetary"])
 
 
 @router.post("", response_model_exclude_none=True)
-async def hertz(body: HertzRequest) -> HertzResponse:
+@calculating
+def hertz(body: HertzRequest) -> HertzResponse:
     """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
     return HertzResponse.from_core(*run(body, body.solve))
 
 
 @router.post("/chart")
-async def hertz_chart(body: HertzRequest, theme: Theme = "light") -> Figure:
+@drawing
+def hertz_chart(body: HertzRequest, theme: Theme = "light") -> Figure:
     """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
     profiles, _ = run(body, body.solve_profiles)
     return hertz_figure(

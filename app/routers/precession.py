@@ -5,6 +5,7 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.precession import contact_line_figure, meshing_load_figure, shaft_figure
 from app.figures.theme import Figure, Theme
+from app.processes import calculating, drawing
 from app.schemas.precession.contact_line import ContactLineRequest, ContactLineResponse
 from app.schemas.precession.meshing_load import MeshingLoadRequest, MeshingLoadResponse
 from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest, ShaftDeflectionResponse
@@ -13,13 +14,15 @@ router = APIRouter(prefix="/precession", tags=["precessional gear"])
 
 
 @router.post("/contact-line", response_model_exclude_none=True)
-async def contact_line(body: ContactLineRequest) -> ContactLineResponse:
+@calculating
+def contact_line(body: ContactLineRequest) -> ContactLineResponse:
     """Contact lines of the rollers and their lengths; points for drawing where asked."""
     return ContactLineResponse.from_core(*run(body, body.solve))
 
 
 @router.post("/contact-line/chart")
-async def contact_line_chart(body: ContactLineRequest, theme: Theme = "light") -> Figure:
+@drawing
+def contact_line_chart(body: ContactLineRequest, theme: Theme = "light") -> Figure:
     """Contact lines developed on the rollers, and the wheel seen along its axis."""
     asked = body.model_copy(update={"include": ["points"], "samples": 41})
     lines = ContactLineResponse.from_core(*run(asked, asked.solve))
@@ -27,26 +30,30 @@ async def contact_line_chart(body: ContactLineRequest, theme: Theme = "light") -
 
 
 @router.post("/meshing-load", response_model_exclude_none=True)
-async def meshing_load(body: MeshingLoadRequest) -> MeshingLoadResponse:
+@calculating
+def meshing_load(body: MeshingLoadRequest) -> MeshingLoadResponse:
     """Line load, force and moment of the mesh."""
     return MeshingLoadResponse.from_core(*run(body, body.solve_load))
 
 
 @router.post("/meshing-load/chart")
-async def meshing_load_chart(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
+@drawing
+def meshing_load_chart(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
     """Line load along every contact line."""
     curves, _ = run(body, body.solve_curves)
     return meshing_load_figure(curves, theme)
 
 
 @router.post("/shaft-deflection", response_model_exclude_none=True)
-async def shaft_deflection(body: ShaftDeflectionRequest) -> ShaftDeflectionResponse:
+@calculating
+def shaft_deflection(body: ShaftDeflectionRequest) -> ShaftDeflectionResponse:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
     return ShaftDeflectionResponse.from_core(*run(body, body.solve))
 
 
 @router.post("/shaft-deflection/chart")
-async def shaft_deflection_chart(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
+@drawing
+def shaft_deflection_chart(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes."""
     (_, diagram), _ = run(body, body.solve_diagram)
     return shaft_figure(diagram, body.bearing_distance_mm, theme)

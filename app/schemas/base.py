@@ -7,6 +7,7 @@ from typing import Any, Self, cast, get_args
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
+from app.settings import Settings
 from app.units import core_name, from_si, shown_unit, to_si
 from core.errors import ImpossibleMechanism
 from core.results import Accuracy, Notice
@@ -57,6 +58,19 @@ class RequestModel(BaseModel):
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
         return {core_name(name): to_si(name, value) for name, value in self if value is not None}
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """About what the answer will cost on one core, milliseconds, or its figure if `drawn`."""
+        return 0.0
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits.
+
+        Raises
+        ------
+        InvalidInput
+            If it does.
+        """
 
 
 def quantity(

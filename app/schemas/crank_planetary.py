@@ -18,6 +18,7 @@ from app.schemas.contact_force import ContactForceResponse, LoadFields
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 from app.schemas.hertz import ContactFields, HertzResponse
 from app.schemas.mechanism import Angle
+from app.settings import Settings
 from app.units import from_si, to_si
 from core.contact_force import FloatArray
 from core.crank_planetary import ContactForce
@@ -94,6 +95,23 @@ class CrankPlanetaryRequest(RequestModel):
                 if getattr(self, part) is None:
                     raise field_error(part, f"is needed for the section {section}")
         return self
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """What the sections that are asked cost."""
+        cost = 0.0
+        if drawn or "cyclogram" in self.include:
+            cost += self.mechanism.cost_ms(drawn=drawn)
+        if self.load is not None and (drawn or {"contact_force", "hertz"} & {*self.include}):
+            cost += self.load.cost_of(self.mechanism, drawn=drawn)
+        if "geometry" in self.include:
+            cost += 0.02 * self.mechanism.pairs
+        return cost
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits in mechanism or load."""
+        self.mechanism.refuse_beyond(settings)
+        if self.load is not None:
+            self.load.refuse_beyond(settings)
 
     @cached_property
     def built(self) -> Mechanism:

@@ -30,6 +30,10 @@ class RangeFields(RequestModel):
 class CyclogramRequest(MechanismFields, RangeFields):
     """A mechanism and the range of its cyclogram."""
 
+    def cost_ms(self, *, drawn: bool) -> float:
+        """About 0.02 ms a pair and revolution, thrice that drawn."""
+        return (0.07 if drawn else 0.02) * self.pairs * max(1.0, self.revolutions)
+
     def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
         """Cyclogram, and the assembly angles where the numbers of teeth are given."""
         mechanism = self.mechanism()

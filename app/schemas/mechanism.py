@@ -5,6 +5,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, model_validator
 
 from app.schemas.base import RequestModel, field_error, quantity
+from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
 from core.mechanism import Mechanism, ratio_from_teeth
@@ -135,6 +136,28 @@ class MechanismFields(RequestModel):
                 f"{self.satellites} satellites ({MAX_PAIRS} pairs)",
             )
         return self
+
+    @property
+    def pairs(self) -> int:
+        """Number of pin/hole pairs."""
+        return self.pins * self.satellites
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse more pairs than the operator allows.
+
+        Raises
+        ------
+        InvalidInput
+            If there are.
+        """
+        if self.pairs > settings.max_pairs:
+            raise InvalidInput(
+                "pins",
+                self.pins,
+                f"must be at most {settings.max_pairs // self.satellites} for {self.satellites} "
+                f"satellites: this service takes {settings.max_pairs} pairs",
+            )
+        super().refuse_beyond(settings)
 
     def refuse_undrawable(self) -> None:
         """Refuse a figure of more pairs than anyone can tell apart.

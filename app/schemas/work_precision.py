@@ -22,7 +22,15 @@ MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
 
 
-class PeakForceStudy(RequestModel):
+class Study(RequestModel):
+    """A study of one calculation: always long, as it repeats every method."""
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """A second or more."""
+        return 1000.0
+
+
+class PeakForceStudy(Study):
     """Peak of the contact force."""
 
     calculation: Literal["peak_force"]
@@ -35,7 +43,7 @@ class PeakForceStudy(RequestModel):
         )
 
 
-class ContactLineStudy(RequestModel):
+class ContactLineStudy(Study):
     """Total length of the contact lines."""
 
     calculation: Literal["contact_line_length"]
@@ -48,7 +56,7 @@ class ContactLineStudy(RequestModel):
         return contact_line_study(gear=self.input.gear(), rollers=rollers)
 
 
-class MeshingLoadStudy(RequestModel):
+class MeshingLoadStudy(Study):
     """Force of the mesh."""
 
     calculation: Literal["meshing_load"]
@@ -66,7 +74,7 @@ class MeshingLoadStudy(RequestModel):
         )
 
 
-class RollerSharingStudy(RequestModel):
+class RollerSharingStudy(Study):
     """Forces of the swinging rollers."""
 
     calculation: Literal["roller_sharing"]
@@ -82,7 +90,7 @@ class RollerSharingStudy(RequestModel):
         )
 
 
-class ShaftDeflectionStudy(RequestModel):
+class ShaftDeflectionStudy(Study):
     """Deflection of the shaft at C."""
 
     calculation: Literal["shaft_deflection"]

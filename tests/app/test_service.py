@@ -82,7 +82,7 @@ async def test_the_description_is_enough_for_a_form(api):
 
 async def test_refusals_are_part_of_the_description(api):
     operation = (await api.get("openapi.json")).json()["paths"]["/api/v1/cyclogram"]["post"]
-    assert set(operation["responses"]) == {"200", "413", "422"}
+    assert set(operation["responses"]) == {"200", "413", "422", "503"}
     assert list(operation["responses"]["422"]["content"]) == ["application/problem+json"]
 
 

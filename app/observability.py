@@ -1,0 +1,144 @@
+"""What is seen from outside: a log line and metrics for each request.
+
+With several workers the metrics of all are added up through files: prometheus-client does so where
+``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sees to.
+"""
+
+import logging
+import os
+from pathlib import Path
+from typing import Any
+
+import orjson
+from prometheus_client import (
+    CONTENT_TYPE_LATEST,
+    REGISTRY,
+    CollectorRegistry,
+    Counter,
+    Gauge,
+    Histogram,
+    generate_latest,
+)
+from prometheus_client.multiprocess import MultiProcessCollector, mark_process_dead
+from starlette.responses import Response
+from starlette.types import Scope
+
+from app.record import Record
+
+LOG = logging.getLogger("khv.request")
+
+BUCKETS_S = (0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
+
+REQUESTS = Counter("khv_requests", "Requests answered.", ("method", "route", "status"))
+DURATION = Histogram(
+    "khv_request_seconds",
+    "From the arrival of a request to the start of its answer.",
+    ("route",),
+    buckets=BUCKETS_S,
+)
+CALCULATION = Histogram(
+    "khv_calculation_seconds",
+    "Calculations of a request, without reading and encoding.",
+    ("route",),
+    buckets=BUCKETS_S,
+)
+IN_FLIGHT = Gauge(
+    "khv_requests_in_flight", "Requests that are being answered.", multiprocess_mode="livesum"
+)
+
+
+class JsonLines(logging.Formatter):
+    """One JSON object to a line: time, level, and the message or the fields of a request."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """The line of a record."""
+        line: dict[str, Any] = {
+            "time": self.formatTime(record, "%Y-%m-%dT%H:%M:%S") + f".{record.msecs:03.0f}",
+            "level": record.levelname.lower(),
+        }
+        if isinstance(record.msg, dict):
+            line |= record.msg
+        else:
+            line["message"] = record.getMessage()
+        if record.exc_info:
+            line["traceback"] = self.formatException(record.exc_info)
+        return orjson.dumps(line).decode()
+
+
+def begin() -> None:
+    """Count a request that has come."""
+    IN_FLIGHT.inc()
+
+
+def end(
+    record: Record, scope: Scope, status: int, answered: float, error: Exception | None
+) -> None:
+    """Log and count a request that has been answered; what it said is in neither.
+
+    Parameters
+    ----------
+    record : Record
+        The request.
+    scope : Scope
+        Its ASGI scope, after routing.
+    status : int
+        HTTP status of the answer; 499 is logged where there is none, as its client has gone.
+    answered : float
+        When the answer started, seconds of `time.perf_counter`.
+    error : Exception or None
+        What failed, for the log alone.
+    """
+    IN_FLIGHT.dec()
+    method, route = scope["method"], _template(scope)
+    if method not in METHODS:
+        method = "other"
+    status = status or 499
+    total_s = max(0.0, answered - record.started)
+    calculation_s = sum(record.calculations_us) / 1e6
+    REQUESTS.labels(method, route, str(status)).inc()
+    DURATION.labels(route).observe(total_s)
+    if record.calculations_us:
+        CALCULATION.labels(route).observe(calculation_s)
+    line = {
+        "id": record.request_id,
+        "method": method,
+        "route": route,
+        "status": status,
+        "total_ms": round(total_s * 1e3, 3),
+    }
+    if record.received:
+        line["read_ms"] = round((record.received - record.started) * 1e3, 3)
+    if record.calculated:
+        line["calculation_ms"] = round(calculation_s * 1e3, 3)
+        line["encode_ms"] = round((answered - record.calculated) * 1e3, 3)
+    LOG.log(logging.ERROR if error else logging.INFO, line, exc_info=error)
+
+
+METHODS = frozenset(("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"))
+
+
+def _template(scope: Scope) -> str:
+    """Path of a request, but none that a client made up; our routes have no parameters in it."""
+    if "route" in scope:
+        return str(scope["path"])
+    return "/static" if scope["path"].startswith("/static/") else "unknown"
+
+
+def _forget_the_dead(shared: Path) -> None:
+    """Drop what killed workers had in flight; what they had answered stays counted."""
+    for file in shared.glob("gauge_live*_*.db"):
+        pid = int(file.stem.rsplit("_", 1)[1])
+        try:
+            os.kill(pid, 0)
+        except ProcessLookupError:
+            mark_process_dead(pid)  # type: ignore[no-untyped-call]
+
+
+def metrics() -> Response:
+    """All metrics in the text form of Prometheus, those of the other workers included."""
+    registry = REGISTRY
+    if "PROMETHEUS_MULTIPROC_DIR" in os.environ:
+        _forget_the_dead(Path(os.environ["PROMETHEUS_MULTIPROC_DIR"]))
+        registry = CollectorRegistry()
+        MultiProcessCollector(registry)  # type: ignore[no-untyped-call]
+    return Response(generate_latest(registry), media_type=CONTENT_TYPE_LATEST)

@@ -1,0 +1,51 @@
+"""What is known of the request at hand, for its log line, its metrics and its calculations."""
+
+import time
+from collections.abc import Awaitable, Callable
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from typing import Any
+
+from app.settings import Settings
+
+
+async def _nothing_more() -> Any:
+    """What a client outside any request sends: nothing."""
+    return {"type": "http.disconnect"}
+
+
+@dataclass(slots=True)
+class Record:
+    """One request: who asks, and where its time goes.
+
+    Attributes
+    ----------
+    settings : Settings
+        Limits of the service that answers.
+    request_id : str
+        The client's own, or one made.
+    receive : callable
+        The client: what it sends next, which after its body is that it has gone.
+    started, received, calculated : float
+        When the request came, its body was whole, its last calculation was done; seconds of
+        `time.perf_counter`, 0 where it has not happened.
+    calculations_us : list of float
+        Run times of its calculations, microseconds.
+    """
+
+    settings: Settings = field(default_factory=Settings)
+    request_id: str = ""
+    receive: Callable[[], Awaitable[Any]] = _nothing_more
+    started: float = field(default_factory=time.perf_counter)
+    received: float = 0.0
+    calculated: float = 0.0
+    calculations_us: list[float] = field(default_factory=list)
+
+    def calculation_took(self, run_time_us: float) -> None:
+        """Note a calculation that has just been done."""
+        self.calculations_us.append(run_time_us)
+        self.calculated = time.perf_counter()
+
+
+at_hand: ContextVar[Record | None] = ContextVar("at_hand", default=None)
+"""Record of the request at hand, if there is one."""

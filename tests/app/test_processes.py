@@ -1,0 +1,172 @@
+"""Long calculations: they hold nobody up, end in time, and end when their client has gone."""
+
+import asyncio
+import os
+import random
+import signal
+import time
+
+import httpx
+import pytest
+
+from app import processes
+from app.main import create_app
+from app.schemas.contact_force import ContactForceRequest
+from app.settings import Settings
+
+pytestmark = pytest.mark.anyio
+
+LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
+angles = random.Random(6)
+SLOW = {
+    "pins": 100,
+    "satellites": 100,
+    "ratio": 20.0,
+    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(100)],
+    "force_exponent": 1.5,
+    **LOAD,
+}
+"""A force whose peak takes seconds: 10,000 pairs, none like another."""
+
+MANY = {"pins": 40, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
+"""A cyclogram long enough for a process, and quick enough for a test."""
+
+
+def service(**limits):
+    return httpx.AsyncClient(
+        transport=httpx.ASGITransport(app=create_app(Settings(**limits))),
+        base_url="http://service/api/v1/",
+    )
+
+
+def descendants():
+    """Processes started by this one that are still calculating or waiting for work."""
+    children = f"/proc/{os.getpid()}/task/{os.getpid()}/children"
+    with open(children) as listed:
+        return [int(pid) for pid in listed.read().split()]
+
+
+async def test_health_is_answered_while_a_long_calculation_runs():
+    async with service(max_seconds=5.0) as api:
+        slow = asyncio.create_task(api.post("contact-force", json=SLOW))
+        await asyncio.sleep(0.2)
+        waits = []
+        for _ in range(20):
+            start = time.perf_counter()
+            assert (await api.get("health")).status_code == 200
+            waits.append(time.perf_counter() - start)
+            await asyncio.sleep(0.02)
+        assert not slow.done()
+        assert sorted(waits)[10] < 0.1
+        await slow
+
+
+async def test_what_takes_too_long_is_stopped_and_refused_for_now():
+    async with service(max_seconds=3.0) as api:
+        assert (await api.post("cyclogram", json=MANY)).status_code == 200
+        before = descendants()
+        start = time.perf_counter()
+        response = await api.post("contact-force", json=SLOW)
+        assert time.perf_counter() - start < 6
+    assert response.status_code == 503
+    assert response.headers["content-type"] == "application/problem+json"
+    assert int(response.headers["retry-after"]) > 0
+    assert "3 s" in response.json()["detail"]
+    assert before
+    assert not set(before) & set(descendants())
+
+
+async def test_a_calculation_stops_when_its_client_has_gone():
+    """Told by the ASGI message alone: the process is killed long before its time is over."""
+    app = create_app(Settings(max_seconds=60))
+    body = ContactForceRequest(**SLOW).model_dump_json(exclude_none=True).encode()
+    messages = iter([{"type": "http.request", "body": body, "more_body": False}])
+
+    async def receive():
+        for message in messages:
+            return message
+        await asyncio.sleep(1.5)
+        return {"type": "http.disconnect"}
+
+    async def send(message):
+        pass
+
+    scope = {
+        "type": "http",
+        "method": "POST",
+        "path": "/api/v1/contact-force",
+        "raw_path": b"/api/v1/contact-force",
+        "query_string": b"",
+        "headers": [(b"content-type", b"application/json")],
+    }
+    start = time.perf_counter()
+    await app(scope, receive, send)
+    assert time.perf_counter() - start < 4
+    assert not descendants()
+
+
+async def test_a_process_that_dies_is_no_server_error():
+    async with service() as api:
+        assert (await api.post("cyclogram", json=MANY)).status_code == 200
+        slow = asyncio.create_task(api.post("contact-force", json=SLOW))
+        await asyncio.sleep(0.5)
+        for pid in descendants():
+            os.kill(pid, signal.SIGKILL)
+        await asyncio.sleep(1.5)
+        for pid in descendants():
+            os.kill(pid, signal.SIGKILL)
+        assert (await slow).status_code == 503
+        assert (await api.post("cyclogram", json=MANY)).status_code == 200
+
+
+@pytest.mark.parametrize(
+    ("path", "body"),
+    [
+        ("cyclogram", MANY),
+        ("cyclogram/chart?theme=dark", MANY | {"pins": 20}),
+        ("contact-force", MANY | LOAD | {"include": ["curves"], "force_exponent": 1.5}),
+        ("contact-force", MANY | LOAD | {"include": ["curves"], "samples": 9999}),
+        ("contact-force", MANY | LOAD | {"force_exponent": 0.5, "pins": 1, "satellites": 1}),
+    ],
+)
+async def test_a_process_gives_the_same_answer_as_the_event_loop(monkeypatch, path, body):
+    async with service() as api:
+        monkeypatch.setattr(processes, "INLINE_MS", float("inf"))
+        inline = await api.post(path, json=body)
+        monkeypatch.setattr(processes, "INLINE_MS", -1.0)
+        apart = await api.post(path, json=body)
+    assert apart.status_code == inline.status_code
+    assert apart.headers["content-type"] == inline.headers["content-type"]
+    first, second = inline.json(), apart.json()
+    for answer in (first, second):
+        answer.get("accuracy", {}).pop("run_time_us", None)
+    assert first == second
+    if inline.status_code == 200 and "chart" not in path:
+        assert "calculation;dur=" in apart.headers["server-timing"]
+
+
+@pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5])
+@pytest.mark.parametrize("include", [[], ["curves"]])
+def test_usual_designs_run_at_once(exponent, include):
+    request = ContactForceRequest(
+        pins=6, satellites=3, ratio=20.0, force_exponent=exponent, include=include, **LOAD
+    )
+    assert request.cost_ms(drawn=False) <= processes.INLINE_MS
+
+
+def test_long_calculations_are_known_beforehand():
+    assert ContactForceRequest(**SLOW).cost_ms(drawn=False) > 1000
+
+
+async def test_the_operator_limits_pairs_and_samples():
+    async with service(max_pairs=12, max_curve_samples=100) as api:
+        job = {"pins": 7, "satellites": 2, "ratio": 20.0}
+        for path, body, pointer in (
+            ("cyclogram", job, "/pins"),
+            ("crank-planetary", {"mechanism": job, "include": ["cyclogram"]}, "/mechanism/pins"),
+            ("contact-force", job | LOAD | {"pins": 6, "samples": 101}, "/samples"),
+        ):
+            response = await api.post(path, json=body)
+            assert response.status_code == 422
+            assert [each["pointer"] for each in response.json()["errors"]] == [pointer]
+        assert (await api.post("cyclogram", json=job | {"pins": 6})).status_code == 200

@@ -1,0 +1,126 @@
+"""Stopping, several workers, logs and metrics of a running service."""
+
+import os
+import random
+import signal
+import threading
+import time
+
+import httpx
+import pytest
+
+LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
+angles = random.Random(6)
+LONG = {
+    "pins": 20,
+    "satellites": 25,
+    "ratio": 20.0,
+    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(25)],
+    "force_exponent": 1.5,
+    **LOAD,
+}
+"""A force whose peak takes some tenths of a second, in a process of its own."""
+
+
+@pytest.mark.parametrize(("workers", "whole_group"), [(1, True), (2, False)])
+def test_stopping_loses_no_request_in_flight(serve, workers, whole_group):
+    with serve(workers=workers, max_seconds=60) as service:
+        answers = []
+        client = httpx.Client(base_url=service.url, timeout=30)
+
+        def ask():
+            answers.append(client.post("/api/v1/contact-force", json=LONG))
+
+        asking = [threading.Thread(target=ask) for _ in range(4)]
+        for each in asking:
+            each.start()
+        while "khv_requests_in_flight 5.0" not in client.get("/metrics").text:
+            assert not answers
+        for pid in family(service.process.pid) if whole_group else [service.process.pid]:
+            os.kill(pid, signal.SIGTERM)
+        for each in asking:
+            each.join()
+        client.close()
+        service.process.wait(30)
+        lost = [line for line in service.log() if line.get("status", 200) != 200]
+        assert [each.status_code for each in answers] == [200] * 4, lost
+        with pytest.raises(httpx.TransportError):
+            httpx.get(f"{service.url}/livez")
+
+
+def family(pid):
+    """A process and all that it and they have started."""
+    with open(f"/proc/{pid}/task/{pid}/children") as listed:
+        children = [int(child) for child in listed.read().split()]
+    return [pid, *(each for child in children for each in family(child))]
+
+
+def test_no_process_outlives_the_service(serve):
+    with serve(workers=2) as service:
+        httpx.post(f"{service.url}/api/v1/contact-force", json=LONG, timeout=30)
+        started = family(service.process.pid)
+        assert len(started) >= 5
+        service.process.send_signal(signal.SIGTERM)
+        service.process.wait(30)
+        for _ in range(50):
+            left = [pid for pid in started if lives(pid)]
+            if not left:
+                break
+            time.sleep(0.1)
+        assert not left
+
+
+def lives(pid):
+    """Whether a process still runs; one that nobody has buried does not."""
+    try:
+        with open(f"/proc/{pid}/stat") as stat:
+            return stat.read().rsplit(")", 1)[1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def test_a_killed_worker_is_replaced(serve):
+    with serve(workers=2) as service:
+        workers = set(family(service.process.pid)[1:])
+        for pid in workers:
+            os.kill(pid, signal.SIGKILL)
+        service.wait_until_ready()
+        assert httpx.get(f"{service.url}/api/v1/health").status_code == 200
+
+
+def test_each_request_is_one_line_without_its_body(serve):
+    with serve() as service:
+        client = httpx.Client(base_url=service.url)
+        client.post("/api/v1/contact-force", json=LONG, headers={"x-request-id": "abc-1"})
+        client.get("/static/main.js")
+        client.get("/api/v1/health", headers={"x-request-id": "bad id"})
+        client.get("/secret-path/4711")
+        client.close()
+    lines = [line for line in service.log() if line.get("route") not in (None, "/readyz")]
+    lines.sort(key=lambda line: (line["method"], line["route"]))
+    assert [(line["method"], line["route"], line["status"]) for line in lines] == [
+        ("GET", "/api/v1/health", 200),
+        ("GET", "/static", 200),
+        ("GET", "unknown", 404),
+        ("POST", "/api/v1/contact-force", 200),
+    ]
+    health, *_, first = lines
+    assert first["id"] == "abc-1"
+    parts = first["read_ms"] + first["calculation_ms"] + first["encode_ms"]
+    assert 0 < parts <= first["total_ms"]
+    assert health["id"] != "bad id" and len(health["id"]) == 24
+    assert "4711" not in "".join(service.lines)
+    assert "crank_angles" not in "".join(service.lines)
+
+
+def test_metrics_of_all_workers_are_added_up(serve):
+    with serve(workers=2) as service:
+        for _ in range(20):
+            with httpx.Client(base_url=service.url) as client:
+                client.post("/api/v1/cyclogram", json={"pins": 3, "ratio": 20})
+        found = httpx.get(f"{service.url}/metrics").text
+    labels = 'method="POST",route="/api/v1/cyclogram",status="200"'
+    assert f"khv_requests_total{{{labels}}} 20.0" in found
+    assert 'khv_calculation_seconds_count{route="/api/v1/cyclogram"} 20.0' in found
+    assert 'khv_request_seconds_bucket{le="+Inf",route="/api/v1/cyclogram"} 20.0' in found
+    assert "khv_requests_in_flight 1.0" in found
