@@ -40,7 +40,7 @@ def methods(cls: type) -> list[FunctionType]:
     ]
 
 
-ORDERED = {"core.peak_force.depressed_cubic_roots"}
+ORDERED = {"core.force_laws.depressed_cubic_roots"}
 """Functions whose arguments have an order of their own: a polynomial's coefficients."""
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]

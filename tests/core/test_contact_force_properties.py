@@ -15,8 +15,9 @@ from core.contact_force import (
     reference_force,
 )
 from core.errors import InvalidInput
+from core.force_laws import depressed_cubic_roots
 from core.mechanism import Mechanism
-from core.peak_force import depressed_cubic_roots, peak_force
+from core.peak_force import peak_force
 
 settings.register_profile("no deadline", deadline=None)
 settings.load_profile("no deadline")
