@@ -1,15 +1,23 @@
 ARG BASE_IMAGE=python:3.11-slim
-FROM ${BASE_IMAGE}
 
+FROM ${BASE_IMAGE} AS packages
+COPY requirements/run.txt requirements.txt
+RUN python -m venv /packages \
+    && /packages/bin/pip install --no-cache-dir --require-hashes --no-deps -r requirements.txt \
+    && /packages/bin/python -m compileall -q /packages/lib \
+    && /packages/bin/pip uninstall --yes --quiet pip setuptools
+
+FROM ${BASE_IMAGE}
+ENV PATH=/packages/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 WORKERS=1
 WORKDIR /service
-COPY pyproject.toml ./
-RUN python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["project"]["dependencies"], sep="\n")' \
-    > requirements.txt && pip install --no-cache-dir -r requirements.txt && useradd --system khv
+COPY --from=packages /packages /packages
 COPY core core
 COPY app app
 COPY static static
+RUN python -m compileall -q core app
 
-USER khv
+USER 65534:65534
 EXPOSE 8000
-HEALTHCHECK --interval=30s --timeout=3s CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8000/api/v1/health', timeout=2)"]
-CMD ["uvicorn", "app.main:app", "--host", "0.0.0.0", "--port", "8000", "--no-server-header"]
+HEALTHCHECK --interval=30s --timeout=3s --start-period=10s \
+    CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8000/livez', timeout=2)"]
+CMD ["sh", "-c", "exec python -m app.serve --host 0.0.0.0 --workers ${WORKERS}"]

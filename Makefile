@@ -6,32 +6,30 @@ PORT ?= 8000
 WORKERS ?= 1
 PYTHON ?= python3
 BIN := .venv/bin
-PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check
 
-# The pinned requirements, read from pyproject.toml; the service itself runs from the checkout.
-PROJECT := import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]
-RUN_REQUIREMENTS := '$(PROJECT); print(*project["dependencies"], sep="\n")'
-TEST_REQUIREMENTS := '$(PROJECT); print(*project["optional-dependencies"]["test"], sep="\n")'
+# Every package and what it needs, by version and hash; the service runs from the checkout.
+PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check
+HASHED := $(PIP_INSTALL) --require-hashes --no-deps -r
+COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
+	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit node page accuracy bench bench-page
+.PHONY: help run test lint types unit node page accuracy bench bench-page requirements audit
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
 
-.venv/run: pyproject.toml
+.venv/run: requirements/run.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
 		|| { echo "KHV Calc needs Python 3.11 or newer: make PYTHON=python3.12 ..."; exit 1; }
 	@$(PYTHON) -c 'import ensurepip' \
 		|| { echo "Python lacks venv; on Debian: apt-get install python3-venv"; exit 1; }
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -c $(RUN_REQUIREMENTS) > .venv/run.txt
-	$(PIP_INSTALL) -r .venv/run.txt
+	$(HASHED) requirements/run.txt
 	@touch $@
 
-.venv/test: .venv/run
-	$(BIN)/python -c $(TEST_REQUIREMENTS) > .venv/test.txt
-	$(PIP_INSTALL) -r .venv/test.txt
+.venv/test: .venv/run requirements/test.txt
+	$(HASHED) requirements/test.txt
 	@touch $@
 
 run: .venv/run  ## start the service on http://127.0.0.1:8000 (HOST, PORT, WORKERS)
@@ -75,3 +73,11 @@ bench: .venv/test  ## time the calculations against each other, as ratios in one
 
 bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
 	PYTHONPATH=. $(BIN)/python -m benchmarks.page
+
+requirements: .venv/run  ## pin what pyproject.toml asks for, and what that needs, with hashes
+	$(PIP_INSTALL) uv
+	$(COMPILE) -o requirements/run.txt
+	$(COMPILE) --extra test -c requirements/run.txt -o requirements/test.txt
+
+audit:  ## look for known weaknesses of the pinned packages
+	@tests/audit.sh
