@@ -44,9 +44,12 @@ def _chromium() -> str:
 def running_service() -> Iterator[str]:
     """The service on a free port, and its address."""
     from app.main import create_app
+    from app.settings import Settings
 
     server = uvicorn.Server(
-        uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="warning")
+        uvicorn.Config(
+            create_app(Settings(max_seconds=300)), host="127.0.0.1", port=0, log_level="warning"
+        )
     )
     thread = threading.Thread(target=server.run, daemon=True)
     thread.start()
