@@ -218,3 +218,34 @@ EXAMPLES: list[dict[str, Any]] = [
     ),
 ]
 """Ready requests in the order of the page, which opens with the first of a calculation."""
+
+
+def _of(calculation: str) -> dict[str, Any]:
+    """Request of the first example of a calculation."""
+    found = next(each for each in EXAMPLES if each["calculation"] == calculation)
+    return dict(found["input"])
+
+
+def _without(request: dict[str, Any], *names: str) -> dict[str, Any]:
+    return {name: value for name, value in request.items() if name not in names}
+
+
+_JOB = _of("crank-planetary")
+_SHAFT = _of("precession/shaft-deflection")
+_MESH = _without(
+    _SHAFT, "bearing_distance_mm", "overhang_mm", "shaft_diameter_mm", "youngs_modulus_GPa"
+)
+_FORCE = _JOB["mechanism"] | _JOB["load"]
+
+REQUESTS: dict[str, dict[str, Any]] = {
+    "cyclogram": _JOB["mechanism"],
+    "contact-force": _FORCE,
+    "hertz": {"force_N": 6667.0} | _CONTACT,
+    "crank-planetary": _JOB,
+    "roller-strength": _of("roller-strength"),
+    "precession/contact-line": _without(_MESH, "torque_Nm", "reference_z_mm") | {"torque_sign": 1},
+    "precession/meshing-load": _MESH,
+    "precession/shaft-deflection": _SHAFT,
+    "work-precision": {"calculation": "peak_force", "input": _FORCE},
+}
+"""One request for each endpoint, for the API's description; its chart takes the same."""

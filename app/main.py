@@ -13,6 +13,7 @@ from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Res
 from fastapi.staticfiles import StaticFiles
 
 from app import VERSION, observability, problems
+from app.examples import REQUESTS
 from app.middleware import BodyLimit, Requests
 from app.processes import warm_up
 from app.routers import (
@@ -60,8 +61,8 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def describe_problems(app: FastAPI) -> None:
-    """Put the schema of a problem into the API's description; FastAPI would call it JSON."""
+def complete_description(app: FastAPI) -> None:
+    """Put into the API's description what FastAPI does not: problems and working examples."""
     generate = app.openapi
 
     def openapi() -> dict[str, Any]:
@@ -69,6 +70,10 @@ def describe_problems(app: FastAPI) -> None:
         models = ProblemOut.model_json_schema(ref_template="#/components/schemas/{model}")
         nested = models.pop("$defs")
         schema["components"]["schemas"] |= nested | {"ProblemOut": models}
+        for calculation, example in REQUESTS.items():
+            for path in (f"{API}/{calculation}", f"{API}/{calculation}/chart"):
+                body = schema["paths"][path]["post"]["requestBody"]
+                body["content"]["application/json"]["example"] = example
         return schema
 
     app.openapi = openapi  # type: ignore[method-assign]
@@ -113,7 +118,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for router in ROUTERS:
         app.include_router(router.router, prefix=API, responses=PROBLEMS)
     problems.install(app)
-    describe_problems(app)
+    complete_description(app)
     app.add_middleware(GZipMiddleware, minimum_size=2048, compresslevel=6)
     app.add_middleware(BodyLimit, limit=settings.max_body_bytes)
     if settings.cors_origins:

@@ -5,9 +5,11 @@ import json
 import os
 from pathlib import Path
 
+import httpx
 import pytest
 
 from app import VERSION
+from app.main import create_app
 from app.settings import Settings
 from app.units import shown_unit
 
@@ -86,6 +88,55 @@ async def test_refusals_are_part_of_the_description(api):
     assert list(operation["responses"]["422"]["content"]) == ["application/problem+json"]
 
 
+async def test_every_example_of_the_description_works_as_it_stands(api):
+    paths = (await api.get("openapi.json")).json()["paths"]
+    asked = 0
+    for path, methods in paths.items():
+        if "post" in methods:
+            example = methods["post"]["requestBody"]["content"]["application/json"]["example"]
+            response = await api.post(SITE + path, json=example)
+            assert response.status_code == 200, (path, response.text)
+            asked += 1
+    assert asked >= 18
+
+
+async def test_other_sites_may_ask_only_where_that_is_set(api):
+    page = {"origin": "https://tools.example"}
+    asks = page | {
+        "access-control-request-method": "POST",
+        "access-control-request-headers": "content-type",
+    }
+    assert (await api.options("cyclogram", headers=asks)).status_code == 405
+    assert "access-control-allow-origin" not in (await api.get("health", headers=page)).headers
+    allowing = create_app(Settings(cors_origins=("https://tools.example",)))
+    transport = httpx.ASGITransport(app=allowing)
+    async with httpx.AsyncClient(transport=transport, base_url=f"{SITE}/api/v1/") as other:
+        before = await other.options("cyclogram", headers=asks)
+        assert before.headers["access-control-allow-origin"] == "https://tools.example"
+        answer = await other.post("cyclogram", json=JOB, headers=page)
+        assert answer.headers["access-control-allow-origin"] == "https://tools.example"
+        assert "x-request-id" in answer.headers["access-control-expose-headers"]
+        stranger = await other.post(
+            "cyclogram", json=JOB, headers={"origin": "https://bad.example"}
+        )
+        assert "access-control-allow-origin" not in stranger.headers
+
+
+async def test_requests_have_an_id_their_own_or_a_new_one(api):
+    for own in ("a-b_c.d~1", "x" * 64):
+        given = (await api.get("health", headers={"x-request-id": own})).headers
+        assert given["x-request-id"] == own
+    for bad in ("", "x" * 65, "a b", 'a"b', "é".encode()):
+        made = (await api.get("health", headers={"x-request-id": bad})).headers["x-request-id"]
+        assert len(made) == 24 and made.isalnum()
+
+
+async def test_a_service_that_has_not_started_is_alive_but_not_ready(api):
+    assert (await api.get(f"{SITE}/livez")).text == "alive"
+    starting = await api.get(f"{SITE}/readyz")
+    assert starting.status_code == 503 and "retry-after" in starting.headers
+
+
 def test_vendored_files_are_the_published_ones():
     packages = json.loads((VENDOR / "manifest.json").read_text())
     expected = {name: digest for package in packages for name, digest in package["files"].items()}
@@ -103,7 +154,16 @@ def test_the_environment_overrides_the_settings(monkeypatch):
         monkeypatch.delenv(name)
     assert Settings.from_environment() == Settings()
     monkeypatch.setenv("KHV_MAX_BODY_BYTES", "10")
-    assert Settings.from_environment() == Settings(max_body_bytes=10)
+    monkeypatch.setenv("KHV_MAX_SECONDS", "2.5")
+    monkeypatch.setenv("KHV_CORS_ORIGINS", "https://a.example, https://b.example")
+    assert Settings.from_environment() == Settings(
+        max_body_bytes=10,
+        max_seconds=2.5,
+        cors_origins=("https://a.example", "https://b.example"),
+    )
+    monkeypatch.setenv("KHV_MAX_PAIRS", "many")
+    with pytest.raises(ValueError, match="KHV_MAX_PAIRS must be a number, not 'many'"):
+        Settings.from_environment()
 
 
 async def test_large_answers_travel_compressed(api):
