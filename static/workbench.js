@@ -214,12 +214,14 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   }
   form.root.addEventListener("pointerleave", () => mechanism.light(null));
   mechanism.root.addEventListener("pointerover", ({ target }) => {
-    const path = target.closest(".dimension")?.dataset.dimension;
-    for (const field of form.root.querySelectorAll("[data-path]")) field.classList.toggle("lit", field.dataset.path === path);
+    const paths = target.closest("[data-field]")?.dataset.field.split(" ") ?? [];
+    for (const field of form.root.querySelectorAll("[data-path]")) field.classList.toggle("lit", paths.includes(field.dataset.path));
   });
-  host.addEventListener("keydown", ({ key }) => {
-    if (key === "Escape" && mechanism.selected) mechanism.select(mechanism.selected);
-  });
+  const listening = new AbortController();
+  document.addEventListener("keydown", ({ key }) => {
+    if (key !== "Escape" || !mechanism.selected || document.querySelector("dialog[open], :popover-open")) return;
+    mechanism.select(mechanism.selected);
+  }, { signal: listening.signal });
 
   function updateDrawing(curves) {
     const { section } = calculator.drawing;
@@ -411,6 +413,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     close() {
       clearTimeout(timer);
       newest.cancel();
+      listening.abort();
       mechanism.close();
       for (const figure of figures) figure.close();
       on.state(query(calculator.id, model, state));

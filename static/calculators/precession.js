@@ -161,7 +161,7 @@ export default {
 
   elsewhere: ["lines"],
 
-  drawing: { load: () => import("../drawing/precession.js"), section: "shaft_deflection", figure: "shaft" },
+  drawing: { load: () => import("../drawing/precession.js"), section: "contact_line", figure: "shaft" },
 
   figures: [
     {

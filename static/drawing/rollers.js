@@ -1,76 +1,111 @@
-/** One swinging roller with its lengths, and the row of rollers with their forces. */
+/** One swinging roller to scale with its lengths and forces, and the circle of rollers with their forces. */
 import { formatQuantity } from "../format.js";
+import { html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { arrowPath, canvas, circle, dimension, label, line, svg } from "./svg.js";
+import { roundBelow } from "./crank.js";
+import { arrow, circle, createView, dimension, label, line, paper, path, radius, scaleBar, words } from "./svg.js";
 
 const MOST_ROLLERS = 60;
+const MOST_NAMED = 12; // rollers whose force is written beside them
+const WIDE_PX = 640;
+const ARC_POINTS = 12;
 
-/** Outline of a sphere cut to its width: arcs above and below, straight at the sides. */
-function slice(x, width, diameter) {
+function mm(value) {
+  return formatQuantity(value, "mm", 4);
+}
+
+/** Outline of a spherical part of a width, cut from a sphere: half of it above the axis, mm. */
+export function sphereOutline(middle, width, diameter) {
   const half = Math.min(width, diameter) / 2;
-  const cut = Math.sqrt(Math.max(0, (diameter / 2) ** 2 - half ** 2));
-  const r = diameter / 2;
-  return `M${x - half} ${-cut}A${r} ${r} 0 0 1 ${x + half} ${-cut}L${x + half} ${cut}A${r} ${r} 0 0 1 ${x - half} ${cut}Z`;
+  const over = Array.from({ length: ARC_POINTS + 1 }, (_, i) => {
+    const x = -half + (2 * half * i) / ARC_POINTS;
+    return [middle + x, Math.sqrt(Math.max(0, (diameter / 2) ** 2 - x * x))];
+  });
+  return [...over, ...over.map(([x, y]) => [x, -y]).reverse()];
 }
 
-function rollerView(input, section) {
+function rollerView(place, input, section, newton) {
   const { cylinder_length_mm: l, sphere_width_mm: b, sphere_diameter_mm: D, diameter_mm: d } = input;
-  const reach = l + 1.5 * b;
+  const reach = l + 1.5 * b; // from the middle to an end
   const tall = Math.max(D, d) / 2;
-  const size = Math.max(reach, tall) * 0.075;
-  const force = tall + 2.2 * size;
-  const view = canvas({
-    left: -reach - 2 * size, right: reach + 3 * size, bottom: -force - 2.2 * size, top: force + 2.2 * size, name: message("drawing.roller"),
+  const view = createView({
+    x: place.x - 44, y: place.y,
+    scale: Math.min((place.width / 2 - 76) / reach, (place.height / 2 - 100) / tall),
   });
-  view.append(
-    svg("path", { class: "body", d: `M${-l - b / 2} ${-d / 2}H${l + b / 2}V${d / 2}H${-l - b / 2}Z` }),
-    ...[-l - b, 0, l + b].map((x) => svg("path", { class: "body", d: slice(x, b, D) })),
-    line([-reach - size, 0], [reach + size, 0], "centre"),
-    dimension({ from: [b / 2, -tall - size], to: [b / 2 + l, -tall - size], symbol: "l", size, path: "cylinder_length_mm", aside: [0, -size * 0.8] }),
-    dimension({ from: [-b / 2, -tall - size], to: [b / 2, -tall - size], symbol: "b", size, path: "sphere_width_mm", aside: [0, -size * 0.8] }),
-    dimension({ from: [-l / 2 - b / 2, -d / 2], to: [-l / 2 - b / 2, d / 2], symbol: "d", size, path: "diameter_mm", aside: [size * 0.6, 0] }),
-    dimension({ from: [reach + size, -D / 2], to: [reach + size, D / 2], symbol: "D", size, path: "sphere_diameter_mm", aside: [size * 0.8, 0] }),
-  );
-  if (section) {
-    const up = (x, from, to) => svg("path", { class: "force series-0", d: arrowPath([x, from], [x, to], size * 0.6) });
-    view.append(
-      up(-l - b, -force - size, -D / 2), up(l + b, -force - size, -D / 2),
-      svg("path", { class: "force series-1", d: arrowPath([0, force + size], [0, D / 2], size * 0.6) }),
-      label([-l - b + size * 1.2, -force], "F_1", size), label([size * 1.2, force], "F_0", size),
-    );
-  }
-  return view;
+  const at = (x, y) => view.at([x, y]);
+  const below = view.size(tall) + 24;
+  const level = (x, tier) => [at(x, 0)[0], at(0, 0)[1] + below + 26 * tier];
+  const dim = (from, to, tier, symbol, value, field) =>
+    dimension(level(from, tier), level(to, tier), symbol, { value: mm(value), field, beside: -13 });
+  const right = [l + 1.5 * b, l + 1.5 * b];
+  const end = l + b;
+  const { max_force_N: F1, centre_force_N: F0 } = section ?? {};
+  const push = (x, force, side, name, said = true) => {
+    const tip = at(x, (side * D) / 2);
+    const tail = [tip[0], tip[1] - side * force * newton];
+    return html`${arrow(tail, tip, `force ${side > 0 ? "series-2" : "series-1"}`)}
+      ${label([tip[0] + 8, (side > 0 ? tail[1] + 10 : tail[1] - 2)], name, { anchor: "start", value: said && formatQuantity(force, "N", 4) })}`;
+  };
+  return html`
+    ${path([at(-end, d / 2), at(end, d / 2), at(end, -d / 2), at(-end, -d / 2)], "body", "diameter_mm cylinder_length_mm")}
+    ${[-end, 0, end].map((x) => path(sphereOutline(x, b, D).map((point) => view.at(point)), "body", "sphere_diameter_mm sphere_width_mm"))}
+    ${line([at(-reach, 0)[0] - 14, place.y], [at(reach, 0)[0] + 14, place.y], "centre")}
+    ${[[-b / 2, 1], [b / 2, 1], [l + b / 2, 0]].map(([x, tier]) => line(at(x, -tall), [level(x, tier)[0], level(x, tier)[1] + 4], "extension"))}
+    ${dim(b / 2, b / 2 + l, 0, "l", l, "cylinder_length_mm")}
+    ${dim(-b / 2, b / 2, 1, "b", b, "sphere_width_mm")}
+    ${dimension(at(-l / 2 - b / 2, -d / 2), at(-l / 2 - b / 2, d / 2), "d", { value: mm(d), field: "diameter_mm", beside: -6 })}
+    ${dimension(at(right[0], -D / 2), at(right[1], D / 2), "D", { value: mm(D), field: "sphere_diameter_mm", offset: -18, beside: -6 })}
+    ${section && [push(-end, F1, -1, "F_1", false), push(end, F1, -1, "F_1"), push(0, F0, 1, "F_0")]}`;
 }
 
-function rowView(input, { forces_N: forces, max_force_N: most }) {
-  const radius = input.hole_circle_radius_mm;
-  const d = input.diameter_mm;
-  const longest = 0.55 * radius;
-  const view = 1.1 * (radius + longest * 0.6) + d;
-  const size = view * 0.075;
-  const nodes = forces.flatMap((force, i) => {
-    const angle = (2 * Math.PI * i) / forces.length;
-    const place = [radius * Math.sin(angle), radius * Math.cos(angle)];
-    const along = [Math.cos(angle), -Math.sin(angle)];
-    const reach = (longest * force) / most;
-    const to = [place[0] + reach * along[0], place[1] + reach * along[1]];
-    const arrow = svg("path", {
-      class: `force ${force === most ? "series-1" : "series-0"}`, "data-roller": i + 1, d: arrowPath(place, to, size * 0.6),
-    });
-    arrow.dataset.length = reach;
-    return [circle(place, d / 2, force > 0 ? "body" : "body idle"), arrow];
-  });
-  const drawing = canvas({ left: -view, right: view, bottom: -view, top: view, name: message("drawing.row") });
-  drawing.append(
-    circle([0, 0], radius, "centre"), ...nodes,
-    dimension({ from: [0, 0], to: [-0.7 * radius, 0.71414 * radius], symbol: "R", size, oneHead: true, path: "hole_circle_radius_mm", aside: [size * 0.7, size * 0.7] }),
-  );
-  return { drawing, caption: message("drawing.scale", { length: formatQuantity(longest, "mm", 3), force: formatQuantity(most, "N", 4) }) };
+/** A roller's place on its circle, from upright, clockwise, and the way its force points there. */
+export function rollerPlace(index, count, length) {
+  const angle = (2 * Math.PI * index) / count;
+  return { place: [length * Math.sin(angle), length * Math.cos(angle)], along: [Math.cos(angle), -Math.sin(angle)] };
 }
 
-export function createDrawing({ input, answer }) {
+function circleView(place, input, { forces_N: forces, max_force_N: most }, size, newton) {
+  const R = input.hole_circle_radius_mm;
+  const view = createView({ x: place.x, y: place.y, scale: size / R });
+  const centre = [place.x, place.y];
+  const rollers = forces.map((force, i) => {
+    const { place: middle, along } = rollerPlace(i, forces.length, R);
+    const from = view.at(middle);
+    const to = [from[0] + along[0] * force * newton, from[1] - along[1] * force * newton];
+    const named = forces.length <= MOST_NAMED;
+    const beside = view.size(input.diameter_mm / 2) + 12;
+    const [x, y] = [from[0] + (middle[0] / R) * (beside - 6), from[1] - (middle[1] / R) * beside + 4];
+    const anchor = Math.abs(middle[0]) < R / 4 ? "middle" : middle[0] > 0 ? "start" : "end";
+    return html`${circle(from, view.size(input.diameter_mm / 2), force > 0 ? "body" : "body idle", "rollers")}
+      ${force > 0 && html`<g data-roller="${i + 1}" data-length="${force * newton}">${arrow(from, to, `force ${force === most ? "series-2" : "series-1"}`)}</g>`}
+      ${named && words([x, y], formatQuantity(force, "N", 4), { anchor })}`;
+  });
+  return html`
+    ${line([place.x - size - 34, place.y], [place.x + size + 34, place.y], "centre")}
+    ${line([place.x, place.y - size - 34], [place.x, place.y + size + 34], "centre")}
+    ${circle(centre, size, "centre", "hole_circle_radius_mm")}${rollers}
+    ${radius(centre, size, -180 / forces.length, "R", { value: mm(R), field: "hole_circle_radius_mm", lead: 10 })}`;
+}
+
+export function createDrawing({ input, answer, width, height }) {
   const section = answer.roller_strength;
-  if (!section || section.forces_N.length > MOST_ROLLERS) return { nodes: [rollerView(input, section)], caption: "" };
-  const { drawing, caption } = rowView(input, section);
-  return { nodes: [rollerView(input, section), drawing], caption };
+  const wide = width >= WIDE_PX;
+  const rowed = section && section.forces_N.length <= MOST_ROLLERS;
+  const share = wide ? 0.56 : 0.48;
+  const first = wide
+    ? { x: (width * share) / 2, y: height / 2, width: width * share, height }
+    : { x: width / 2, y: (height * share) / 2, width, height: height * share };
+  const second = wide
+    ? { x: width * (1 + share) / 2, y: height / 2 }
+    : { x: width / 2, y: (height * (1 + share)) / 2 - 8 };
+  const size = (wide ? Math.min(width * (1 - share) - 20, height) : Math.min(width, height * (1 - share))) / 2 - (wide ? 84 : 76);
+  const newton = section ? Math.min(0.55 * size, first.height / 10) / section.max_force_N : 0; // px
+  const round = section && roundBelow(section.max_force_N);
+  return {
+    markup: paper(width, height, html`
+      ${rollerView(first, input, section, newton)}
+      ${rowed && circleView(second, input, section, size, newton)}
+      ${section && scaleBar([12, height - 14], round * newton, formatQuantity(round, "N", 3), "force")}`, { "px-per-n": newton }),
+    caption: message("drawing.rollersCaption"),
+  };
 }

@@ -3,59 +3,69 @@
  * What stands still has the drawing alone.
  */
 import { formatQuantity } from "../format.js";
-import { element, html } from "../lib/html.js";
+import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
 const TURN_MS = 12_000;
+const STEPS = 720; // of the slider
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** `on.moved(angle)` and `on.selected(pair)` let the figures follow. */
 export function createMechanism({ calculator, on }) {
   const { load, moving } = calculator.drawing;
   const root = element(html`
-    <section class="card mechanism" aria-labelledby="mechanism-title">
+    <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
       <h2 id="mechanism-title">${message(`drawing.${calculator.id}`)}</h2>
-      <div class="views"></div>
-      <p class="scale"></p>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
-        <input type="range" min="0" max="360" step="1" value="0" aria-label="${message("figure.crankAngle")}">
+        <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">
         <output></output>
         <label for="pair">${message("drawing.select")}</label>
         <select id="pair" class="box"><option value="">${message("drawing.all")}</option></select>
       </div>`}
+      <div class="drawing" role="img" aria-label="${message(`drawing.${calculator.id}Label`)}"></div>
+      <p class="scale"></p>
     </section>`);
-  const views = root.querySelector(".views");
+  const views = root.querySelector(".drawing");
   const scale = root.querySelector(".scale");
   const slider = root.querySelector("input");
   const shown = root.querySelector("output");
   const play = root.querySelector(".play");
   const choice = root.querySelector("select");
+  let latest = null; // { input, answer, curves } to be drawn
+  let createDrawing = null;
   let drawing = null;
+  let moves = null; // the drawing on the page, where it moves
+  let lit = null; // path of the field whose parts are lit
+  let end = 360;
   let angle = 0;
   let playing = 0; // the frame asked for, or 0
   let pair = "";
 
   function move(next) {
-    angle = next;
-    slider.value = String(Math.round(angle));
-    slider.setAttribute("aria-valuetext", formatQuantity(Math.round(angle), "°"));
-    shown.textContent = formatQuantity(Math.round(angle), "°");
-    drawing?.move(angle);
+    angle = Math.min(next, end);
+    const text = `φ = ${formatQuantity(angle, "°", 4)}`;
+    slider.value = String(angle);
+    slider.setAttribute("aria-valuetext", text);
+    shown.textContent = text;
+    moves?.move(angle, pair || null);
     on.moved(angle);
   }
 
   function stop() {
+    if (!moving) return;
     cancelAnimationFrame(playing);
     playing = 0;
+    slider.step = String(end / STEPS);
     play?.setAttribute("aria-pressed", "false");
     if (play) play.textContent = message("drawing.play");
   }
 
   function start() {
     let last = performance.now();
+    slider.step = "any";
     const frame = (time) => {
-      move((angle + (360 * Math.max(0, time - last)) / TURN_MS) % 360);
+      move((angle + (360 * Math.max(0, time - last)) / TURN_MS) % end);
       last = time;
       playing = requestAnimationFrame(frame);
     };
@@ -67,9 +77,44 @@ export function createMechanism({ calculator, on }) {
   function select(next) {
     pair = next === pair ? "" : next;
     choice.value = pair;
-    drawing?.select(pair || null);
+    moves?.move(angle, pair || null);
     on.selected(pair || null);
   }
+
+  /** Put the latest answer on the paper, as large as it is now. */
+  function draw() {
+    const { clientWidth: width, clientHeight: height } = views;
+    if (!createDrawing || !latest || width === 0) return;
+    drawing = createDrawing({ ...latest, width, height });
+    fill(views, drawing?.markup ?? html``);
+    scale.textContent = drawing ? drawing.caption : message("drawing.none");
+    light(lit);
+    if (!moving) return;
+    const pairs = drawing?.pairs ?? [];
+    fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${name}</option>`)}`);
+    if (!pairs.includes(pair)) pair = "";
+    choice.value = pair;
+    end = drawing?.end ?? 360;
+    slider.max = String(end);
+    if (!playing) slider.step = String(end / STEPS);
+    moves = drawing?.attach(views) ?? null;
+    move(angle);
+  }
+
+  function light(path) {
+    lit = path;
+    for (const part of views.querySelectorAll(".lit")) part.classList.remove("lit");
+    if (!path) return;
+    for (const part of views.querySelectorAll(`[data-field~="${CSS.escape(path)}"]`)) part.classList.add("lit");
+  }
+
+  let width = 0;
+  const sizes = new ResizeObserver(() => {
+    if (views.clientWidth === width) return;
+    width = views.clientWidth;
+    draw();
+  });
+  sizes.observe(views);
 
   if (moving) {
     slider.addEventListener("input", () => {
@@ -81,23 +126,19 @@ export function createMechanism({ calculator, on }) {
       pair = "";
       select(choice.value);
     });
+    views.addEventListener("click", ({ target }) => {
+      const name = target.closest("[data-pair]")?.dataset.pair;
+      if (name) select(name);
+    });
   }
 
   return {
     root,
     /** Draw an answer; `curves` are the traces of the figure that the drawing takes numbers from. */
     async update(input, answer, curves) {
-      const { createDrawing } = await load();
-      drawing = createDrawing({ input, answer, curves });
-      views.replaceChildren(...(drawing?.nodes ?? []));
-      scale.textContent = drawing ? drawing.caption : message("drawing.none");
-      if (!moving) return;
-      const pairs = drawing?.pairs ?? [];
-      choice.replaceChildren(choice.options[0], ...pairs.map((name) => element(html`<option value="${name}">${name}</option>`)));
-      if (!pairs.includes(pair)) pair = "";
-      choice.value = pair;
-      if (drawing) drawing.select(pair || null);
-      move(angle);
+      latest = { input, answer, curves };
+      createDrawing ??= (await load()).createDrawing;
+      draw();
     },
     select,
     get selected() {
@@ -106,10 +147,11 @@ export function createMechanism({ calculator, on }) {
     get angle() {
       return angle;
     },
-    /** Light the dimension of a field, or none. */
-    light(path) {
-      for (const each of views.querySelectorAll(".dimension")) each.classList.toggle("lit", each.dataset.dimension === path);
+    /** Light the parts of a field, or none. */
+    light,
+    close() {
+      stop();
+      sizes.disconnect();
     },
-    close: stop,
   };
 }

@@ -1,4 +1,4 @@
-"""The drawings: their arrows are the forces, they move without the service, and follow the user."""
+"""The drawings: to scale, moving with the figures, tied to the form; effects, not presence."""
 
 from typing import Any
 
@@ -7,177 +7,342 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.calculator_page import ask, box, first_example, settled, show
 
-LENGTHS = (
-    "() => Object.fromEntries([...document.querySelectorAll('.force[data-pair]')]"
-    ".map(({ dataset }) => [dataset.pair, Number(dataset.length)]))"
-)
-HEADS = (
-    "() => Math.max(...[...document.querySelectorAll('.force[data-pair]')].map((arrow) => {"
-    " const drawn = arrow.getAttribute('d').match(/-?[\\d.]+(?:e-?\\d+)?/g);"
-    " const [x, y, u, v] = (drawn ?? [0, 0, 0, 0]).map(Number);"
-    " return Math.abs(Math.hypot(u - x, v - y) - arrow.dataset.length) }))"
-)
+FORCES = {
+    "mechanism.pins": "6",
+    "mechanism.satellites": "1",
+    "mechanism.ratio": "20",
+    "load.output_torque_Nm": "50",
+    "load.pin_circle_radius_mm": "32.5",
+    "contact.contact_length_mm": "20",
+    "contact.pin_radius_mm": "5",
+    "contact.hole_radius_mm": "6.5",
+}
+
+MOVE = """(slider, angle) => {
+  slider.value = angle;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+}"""
+
+ARROWS = """() => [...document.querySelectorAll(".drawing svg > .force.arrow")].map((arrow) => {
+  if (arrow.classList.contains("none")) return 0;
+  const value = (name) => Number(arrow.querySelector(".shaft").getAttribute(name));
+  return Math.hypot(value("x2") - value("x1"), value("y2") - value("y1"));
+})"""
+
+TIPS = """() => [...document.querySelectorAll(".drawing svg > .force.arrow:not(.none) .shaft")]
+  .map((shaft) => [Number(shaft.getAttribute("x2")), Number(shaft.getAttribute("y2"))])"""
+
+CURSOR = """(id) => {
+  const canvas = document.querySelector(`[data-figure="${id}"] .canvas`);
+  const bar = canvas.querySelector(".cursor");
+  return !bar.hidden ? bar.getBoundingClientRect().x - canvas.getBoundingClientRect().x : null;
+}"""
+
+AXIS = """([id, angle]) => {
+  const plot = document.querySelector(`[data-figure="${id}"] .plot`);
+  const { xaxis } = plot._fullLayout;
+  return xaxis._offset + xaxis.l2p(angle);
+}"""
 
 
-def crank(page: Page, angle: int) -> None:
-    page.get_by_role("slider", name="Crank angle").fill(str(angle))
+OUTSIDE = """() => {
+      const room = document.querySelector(".drawing").getBoundingClientRect();
+      return [...document.querySelectorAll(".drawing svg text")].filter((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        const outside = left < room.left - 1 || right > room.right + 1
+          || top < room.top - 1 || bottom > room.bottom + 1;
+        return outside && getComputedStyle(text).visibility === "visible";
+      }).map((text) => text.textContent);
+    }"""
+
+
+def slider(page: Page) -> Any:
+    return page.get_by_role("slider", name="Crank angle")
 
 
 def drawn(page: Page) -> None:
-    """Wait until the drawing has its forces."""
-    page.wait_for_function(
-        "() => [...document.querySelectorAll('.force[data-pair]')]"
-        ".some(({ dataset }) => dataset.length > 0)"
-    )
-
-
-def test_arrows_are_the_forces_at_the_sliders_angle(page: Page, service: str, watch: Any) -> None:
-    show(page, service, "crank-planetary")
-    drawn(page)
-    example = first_example(service, "crank-planetary")
-    body = {**example["mechanism"], **example["load"], "include": ["curves"]}
-    answer = ask(service, "/contact-force", body)
-    curves, peak = answer["curves"], answer["peak_force_N"]
-    longest = 0.45 * example["load"]["pin_circle_radius_mm"]
-    asked = len(watch.calculations())
-    for angle in (0, 40, 123, 359):
-        crank(page, angle)
-        lengths = page.evaluate(LENGTHS)
-        for pair, force in zip(curves["pairs"], curves["force_N"], strict=True):
-            wanted = longest * force[angle] / peak
-            name = f"{pair['satellite']}.{pair['pin']}"
-            assert lengths[name] == pytest.approx(wanted, rel=1e-4, abs=1e-3 * longest)
-        assert page.evaluate(HEADS) < 1e-3  # as long as it says
-    assert len(watch.calculations()) == asked  # the service was not asked
-
-
-def test_the_cursor_of_the_figures_follows_and_a_bar_selects_everywhere(
-    page: Page, service: str
-) -> None:
-    show(page, service, "crank-planetary")
-    drawn(page)
-    crank(page, 90)
+    """Wait until the mechanism stands there with its forces, and the figures under it."""
+    expect(page.locator(".drawing svg > .force.arrow:not(.none)").first).to_be_attached()
     for figure in ("cyclogram", "force"):
-        off = page.evaluate(
-            """(figure) => {
-              const host = document.querySelector(`[data-figure=${figure}]`);
-              const at = host.querySelector(".cursor").getBoundingClientRect().left;
-              const ticks = [...host.querySelectorAll(".xtick text")];
-              const tick = ticks.find(({ textContent }) => textContent === "90");
-              const box = tick.getBoundingClientRect();
-              return Math.abs(at + 1 - (box.left + box.width / 2));
-            }""",
-            figure,
-        )
-        assert off < 2, figure
-    bars = page.locator('[data-figure="cyclogram"] .barlayer .point path')
-    bars.first.scroll_into_view_if_needed()
-    place = bars.first.bounding_box()
-    assert place
-    page.mouse.click(place["x"] + place["width"] / 3, place["y"] + place["height"] / 2)
-    choice = page.get_by_label("Pair", exact=True)
-    expect(choice).not_to_have_value("")
-    pair = choice.input_value()
-    expect(page.locator(f'.force.selected[data-pair="{pair}"]')).to_be_attached()
-    expect(page.locator(".caption")).to_contain_text(f"S{pair[0]} P{pair[2]}")
-    weights = page.evaluate(
-        "() => document.querySelector('[data-figure=force] .plot').data"
-        ".map(({ name, opacity }) => [name, opacity ?? 1])"
-    )
-    assert dict(weights)[pair] == 1
-    assert all(weight < 1 for name, weight in weights if "." in name and name != pair)
-    page.keyboard.press("Escape")
-    expect(choice).to_have_value("")
+        expect(page.locator(f'[data-figure="{figure}"] .cursor')).to_be_attached()
 
 
-def test_the_keyboard_turns_the_crank(page: Page, service: str) -> None:
-    show(page, service, "crank-planetary")
+def open_mechanism(page: Page, service: str, **fields: str) -> None:
+    show(page, service, "crank-planetary", **(FORCES | fields))
     drawn(page)
-    slider = page.get_by_role("slider", name="Crank angle")
-    slider.focus()
-    before = page.locator("[data-turned]").get_attribute("data-turned")
-    page.keyboard.press("ArrowRight")
-    expect(page.locator(".motion output")).to_have_text("1°")
-    assert page.locator("[data-turned]").get_attribute("data-turned") != before
 
 
-def test_a_frame_of_the_motion_leaves_time_for_sixty_a_second(page: Page, service: str) -> None:
-    show(page, service, "crank-planetary")
-    drawn(page)
-    spent = page.evaluate(
-        """() => {
-          const slider = document.querySelector(".motion input");
-          const start = performance.now();
-          for (let angle = 0; angle < 240; angle += 1) {
-            slider.value = angle;
-            slider.dispatchEvent(new Event("input"));
-          }
-          return (performance.now() - start) / 240;
-        }"""
-    )
-    assert spent < 1000 / 60
+def geometry(service: str, angle: float) -> Any:
+    """What the service says of pins, holes and forces at a crank angle."""
+    body = {
+        "mechanism": {"pins": 6, "satellites": 1, "ratio": 20},
+        "load": {"output_torque_Nm": 50, "pin_circle_radius_mm": 32.5},
+        "contact": {"contact_length_mm": 20, "pin_radius_mm": 5, "hole_radius_mm": 6.5},
+        "crank_angle_deg": angle,
+        "include": ["geometry"],
+    }
+    return ask(service, "/crank-planetary", body)["geometry"]
 
 
-def test_play_moves_and_stands_still_where_motion_is_unwanted(
-    page: Page, service: str, browser: Browser
+def scale(page: Page, name: str) -> float:
+    return float(page.locator(".drawing svg").get_attribute(f"data-{name}") or "nan")
+
+
+@pytest.mark.parametrize("angle", [0, 17.5, 90, 171.5, 233, 359])
+def test_arrows_are_as_long_as_the_forces_and_end_at_the_contact_points(
+    page: Page, service: str, angle: float
 ) -> None:
-    show(page, service, "crank-planetary")
-    drawn(page)
+    open_mechanism(page, service)
+    slider(page).evaluate(MOVE, angle)
+    pairs = geometry(service, angle)["pairs"]
+    px, newton = scale(page, "px-per-mm"), scale(page, "px-per-mm") * scale(page, "mm-per-n")
+    longest = 888.24 * newton  # of a pixel's rounding and half a degree's interpolation
+    for length, pair in zip(page.evaluate(ARROWS), pairs, strict=True):
+        assert length == pytest.approx(pair["force_N"] * newton, abs=2e-4 * longest + 0.02)
+    centre = page.evaluate(
+        "() => { const r = document.querySelector('.drawing .pin-circle');"
+        " return [Number(r.getAttribute('cx')), Number(r.getAttribute('cy'))] }"
+    )
+    points = [pair["contact_point_mm"] for pair in pairs if pair["driving"]]
+    expected = [[centre[0] + x * px, centre[1] - y * px] for x, y in points]
+    for tip, point in zip(page.evaluate(TIPS), expected, strict=True):
+        assert tip == pytest.approx(point, abs=0.02)
+
+
+def test_the_slider_moves_everything_and_asks_nothing(page: Page, service: str, watch: Any) -> None:
+    open_mechanism(page, service)
+    before = len(watch.requests)
+    for angle in (12.5, 180, 300.5):
+        slider(page).evaluate(MOVE, angle)
+        for figure in ("cyclogram", "force"):
+            at = page.evaluate(CURSOR, figure)
+            assert at == pytest.approx(page.evaluate(AXIS, [figure, angle]), abs=1.5)
+        turned = page.locator(".drawing .pins").get_attribute("transform") or ""
+        assert float(turned.split("(")[1].split()[0]) == pytest.approx(-angle / 20)
+    assert watch.requests[before:] == []
+
+
+def test_the_slider_runs_as_far_as_the_cyclogram(page: Page, service: str) -> None:
+    open_mechanism(page, service, **{"mechanism.revolutions": "3"})
+    expect(slider(page)).to_have_attribute("max", "1080")
+    slider(page).evaluate(MOVE, 801)
+    newton = scale(page, "px-per-mm") * scale(page, "mm-per-n")
+    longest = 888.24 * newton
+    for length, pair in zip(page.evaluate(ARROWS), geometry(service, 801)["pairs"], strict=True):
+        assert length == pytest.approx(pair["force_N"] * newton, abs=1e-3 * longest + 0.02)
+    assert page.evaluate(CURSOR, "cyclogram") is not None
+    assert page.evaluate(CURSOR, "force") is None, "its axis ends at one turn"
+
+
+def test_frames_are_cheap(page: Page, service: str) -> None:
+    open_mechanism(page, service, **{"mechanism.satellites": "4"})
+    mean = slider(page).evaluate("""(slider) => new Promise((done) => {
+      const spent = [];
+      function frame() {
+        const before = performance.now();
+        slider.value = (spent.length * 7) % 360;
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+        document.querySelector(".drawing svg").getBoundingClientRect(); // layout is part of it
+        spent.push(performance.now() - before);
+        if (spent.length < 120) requestAnimationFrame(frame);
+        else done(spent.reduce((a, b) => a + b) / spent.length);
+      }
+      requestAnimationFrame(frame);
+    })""")
+    print(f"mean of a frame: {mean:.2f} ms")
+    assert mean < 16.7
+
+
+def test_a_bar_selects_its_pair_everywhere(page: Page, service: str) -> None:
+    open_mechanism(page, service)
+    bar = page.locator('[data-figure="cyclogram"] .barlayer path').first
+    bar.evaluate("(path) => path.scrollIntoView({ block: 'center' })")
+    at = bar.bounding_box()
+    assert at
+    place = (at["x"] + at["width"] / 2, at["y"] + at["height"] / 2)
+    page.mouse.click(*place)
+    chosen = page.locator("#pair")
+    expect(chosen).not_to_have_value("")
+    name = chosen.input_value()
+    hole = page.locator(".drawing .satellite .hole.selected")
+    expect(hole).to_have_attribute("data-pair", name)
+    expect(page.locator(f'.drawing .force.selected[data-pair="{name}"]')).to_be_attached()
+    lit = """() => {
+      const plot = document.querySelector('[data-figure="force"] .plot');
+      return plot.data.filter((t) => /^\\d+\\.\\d+$/.test(t.name) && (t.opacity ?? 1) === 1)
+        .map((t) => t.name);
+    }"""
+    assert page.evaluate(lit) == [name]
+    bright = """() => {
+      const plot = document.querySelector('[data-figure="cyclogram"] .plot');
+      return [...new Set(plot.data.filter((t) => t.type === "bar")
+        .flatMap((t) => t.y.filter((_, i) => t.marker.opacity[i] === 1)))];
+    }"""
+    assert page.evaluate(bright) == [name]
+    expect(page.locator(".drawing .detail .title")).to_contain_text(f"pin {name[2:]}")
+    page.mouse.click(*place)
+    expect(hole).to_have_count(0)
+    expect(chosen).to_have_value("")
+    assert len(page.evaluate(lit)) == 6
+    page.mouse.click(*place)
+    expect(hole).to_have_count(1)
+    page.keyboard.press("Escape")
+    expect(hole).to_have_count(0)
+    assert len(page.evaluate(lit)) == 6
+
+
+def test_the_keyboard_alone_does_it(page: Page, service: str) -> None:
+    open_mechanism(page, service)
+    slider(page).focus()
+    page.keyboard.press("Home")
+    for _ in range(4):
+        page.keyboard.press("ArrowRight")
+    expect(page.locator(".motion output")).to_have_text("φ = 2°")
+    expect(slider(page)).to_have_attribute("aria-valuetext", "φ = 2°")
+    page.locator("#pair").focus()
+    page.keyboard.press("ArrowDown")
+    expect(page.locator(".drawing .satellite .hole.selected")).to_have_count(1)
+    page.keyboard.press("Escape")
+    expect(page.locator(".drawing .satellite .hole.selected")).to_have_count(0)
+
+
+def test_it_plays_and_stops(page: Page, service: str) -> None:
+    open_mechanism(page, service)
     page.get_by_role("button", name="Play").click()
-    expect(page.locator(".motion output")).not_to_have_text("0°")
+    expect(page.locator(".motion output")).not_to_have_text("φ = 0°")
     page.get_by_role("button", name="Pause").click()
-    here = page.locator(".motion output").inner_text()
+    held = page.locator(".motion output").inner_text()
     page.wait_for_timeout(200)
-    assert page.locator(".motion output").inner_text() == here
+    expect(page.locator(".motion output")).to_have_text(held)
+
+
+def test_nothing_moves_by_itself_where_motion_is_not_wanted(browser: Browser, service: str) -> None:
     context = browser.new_context(reduced_motion="reduce")
-    still = context.new_page()
-    show(still, service, "crank-planetary")
-    assert still.get_by_role("button", name="Play").count() == 0
+    page = context.new_page()
+    open_mechanism(page, service)
+    expect(page.get_by_role("button", name="Play")).to_have_count(0)
+    slider(page).focus()
+    page.keyboard.press("ArrowRight")
+    expect(page.locator(".motion output")).to_have_text("φ = 0.5°")
     context.close()
 
 
-@pytest.mark.parametrize(
-    ("calculator", "path"),
-    [
-        ("crank-planetary", "contact.pin_radius_mm"),
-        ("rollers", "sphere_width_mm"),
-        ("precession", "overhang_mm"),
-    ],
-)
-def test_a_field_lights_its_dimension_and_the_dimension_its_field(
+def test_a_field_and_its_part_point_at_each_other(page: Page, service: str) -> None:
+    open_mechanism(page, service)
+    lit = page.locator(".drawing .lit")
+    box(page, "contact.pin_radius_mm").focus()
+    assert lit.count() > 0
+    assert {"contact.pin_radius_mm"} <= set(
+        " ".join(lit.evaluate_all("(all) => all.map((e) => e.dataset.field)")).split()
+    )
+    page.locator('[data-path="load.pin_circle_radius_mm"] label').hover()
+    paths = set(" ".join(lit.evaluate_all("(all) => all.map((e) => e.dataset.field)")).split())
+    assert paths == {"load.pin_circle_radius_mm"}
+    page.locator(".drawing .dimension", has_text="R =").locator("text").dispatch_event(
+        "pointerover"
+    )
+    expect(page.locator('[data-path="load.pin_circle_radius_mm"].lit')).to_be_attached()
+
+
+def test_a_changed_size_is_drawn_and_the_angle_stays(page: Page, service: str) -> None:
+    open_mechanism(page, service)
+    slider(page).evaluate(MOVE, 90)
+    box(page, "contact.hole_radius_mm").fill("8")
+    settled(page)
+    expect(page.locator(".drawing")).to_contain_text("8 mm")
+    expect(page.locator(".motion output")).to_have_text("φ = 90°")
+    hole = page.locator(".drawing .satellite .hole").first
+    assert float(hole.get_attribute("r") or 0) == pytest.approx(
+        8 * scale(page, "px-per-mm"), abs=0.01
+    )
+
+
+def test_a_dead_centre_is_drawn_without_forces(page: Page, service: str) -> None:
+    fields = FORCES | {"mechanism.pins": "2"}
+    version = "&".join(f"{name}={value}" for name, value in fields.items())
+    page.goto(f"{service}/?calculator=crank-planetary&v=1&{version}")
+    settled(page, "refused")
+    expect(page.locator(".drawing .satellite .hole")).to_have_count(2)
+    slider(page).evaluate(MOVE, 100)
+    assert all(length == 0 for length in page.evaluate(ARROWS))
+    assert "NaN" not in page.locator(".drawing").inner_html()
+
+
+@pytest.mark.parametrize("width", [1440, 390, 360])
+def test_nothing_shifts_and_nothing_overflows(page: Page, service: str, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    open_mechanism(page, service)
+    assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth")
+    assert page.evaluate("() => watched.shift") < 0.02
+    assert page.evaluate(OUTSIDE) == []
+
+
+FIELDS = [
+    ("crank-planetary", "contact.pin_radius_mm"),
+    ("rollers", "sphere_width_mm"),
+    ("precession", "overhang_mm"),
+    ("precession", "nutation_angle_deg"),
+]
+
+
+@pytest.mark.parametrize(("calculator", "path"), FIELDS)
+def test_a_field_lights_its_part_in_every_calculator(
     page: Page, service: str, calculator: str, path: str
 ) -> None:
     show(page, service, calculator)
-    mark = page.locator(f'.drawing [data-dimension="{path}"]').first
-    expect(mark).to_be_attached()
+    part = page.locator(f'.drawing [data-field~="{path}"]').first
+    expect(part).to_be_attached()
     box(page, path).focus()
-    expect(page.locator(f'.dimension.lit[data-dimension="{path}"]').first).to_be_attached()
-    page.locator("#tab-rollers").focus()
-    mark.locator("text").dispatch_event("pointerover")
+    expect(page.locator(f'.drawing .lit[data-field~="{path}"]').first).to_be_attached()
+    part.dispatch_event("pointerover")
     expect(page.locator(f'.field.lit[data-path="{path}"]')).to_be_attached()
+
+
+SHAFT = """(arrow) => {
+  const shaft = arrow.querySelector(".shaft");
+  if (!shaft) return 0;
+  const value = (name) => Number(shaft.getAttribute(name));
+  return Math.hypot(value("x2") - value("x1"), value("y2") - value("y1"));
+}"""
 
 
 def test_the_rollers_arrows_are_their_forces(page: Page, service: str) -> None:
     show(page, service, "rollers")
     answer = ask(service, "/roller-strength", first_example(service, "roller-strength"))
-    lengths = page.locator(".force[data-roller]")
-    expect(lengths).to_have_count(len(answer["forces_N"]))
-    drawn = [float(each.get_attribute("data-length") or 0) for each in lengths.all()]
-    for length, force in zip(drawn, answer["forces_N"], strict=True):
-        assert length / drawn[0] == pytest.approx(force / answer["forces_N"][0], rel=1e-6)
+    arrows = page.locator(".drawing [data-roller]")
+    expect(arrows).to_have_count(len(answer["forces_N"]))
+    for arrow, force in zip(arrows.all(), answer["forces_N"], strict=True):
+        assert arrow.evaluate(SHAFT) == pytest.approx(force * scale(page, "px-per-n"), abs=0.02)
     box(page, "position_tolerance_mm").fill("0.1")
     box(page, "position_tolerance_mm").press("Enter")
     settled(page)
-    expect(page.locator(".body.idle")).to_have_count(len(answer["forces_N"]) - 1)
+    expect(page.locator(".drawing .body.idle")).to_have_count(len(answer["forces_N"]) - 1)
+    expect(arrows).to_have_count(1)
 
 
-def test_the_shaft_shows_reactions_and_deflection(page: Page, service: str) -> None:
+def test_the_shaft_shows_reactions_and_its_deflection(page: Page, service: str) -> None:
     show(page, service, "precession")
     example = first_example(service, "precession/shaft-deflection")
     answer = ask(service, "/precession/shaft-deflection", example)
-    expect(page.locator(".deflected")).to_have_count(2)
-    arrows = page.locator(".force[data-reaction]").all()
-    drawn = [float(each.get_attribute("data-length") or 0) for each in arrows]
-    forces = [abs(answer[f"reaction_{at}_N"][plane]) for plane in (0, 1) for at in ("C", "B")]
-    for length, force in zip(drawn, forces, strict=True):
-        assert length / max(drawn) == pytest.approx(force / max(forces), rel=1e-5)
+    expect(page.locator(".drawing .deflected")).to_have_count(2)
+    for plane, name in enumerate("xy"):
+        for at in "BC":
+            arrow = page.locator(f'.drawing [data-reaction="{at}{name}"]')
+            length = abs(answer[f"reaction_{at}_N"][plane]) * scale(page, "px-per-n")
+            assert arrow.evaluate(SHAFT) == pytest.approx(length if length > 0.5 else 0, abs=0.02)
+    # Each shape starts, at C, as far from the axis as the deflection there, the other way than C.
+    factor = scale(page, "px-per-deflection")
+    for shape, name in zip(page.locator(".drawing .deflected").all(), "yx", strict=True):
+        path = (shape.get_attribute("d") or "")[1:].split("L")
+        start, end = (float(point.split()[1]) for point in (path[0], path[-1]))
+        assert end - start == pytest.approx(answer["deflection_C_mm"][name] * factor, abs=0.05)
+
+
+@pytest.mark.parametrize("calculator", ["rollers", "precession"])
+@pytest.mark.parametrize("width", [1440, 360])
+def test_texts_stay_on_the_paper(page: Page, service: str, calculator: str, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    show(page, service, calculator)
+    expect(page.locator(".drawing svg")).to_be_attached()
+    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate("() => watched.shift") < 0.02
