@@ -14,6 +14,7 @@ const SHOWN = {
     N: ["lbf", LBF],
     "N·m": ["lbf·in", (LBF * INCH) / 1000],
     "N/mm": ["lbf/in", LBF / INCH],
+    "mm/N": ["in/lbf", INCH / LBF],
     MPa: ["psi", PSI],
     GPa: ["Mpsi", PSI * 1000],
   },

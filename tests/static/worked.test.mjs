@@ -1,0 +1,102 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { formatNumber } from "../../static/format.js";
+import { evaluate } from "../../static/worked/evaluate.js";
+import { mathml, plainText } from "../../static/worked/mathml.js";
+import { parse } from "../../static/worked/notation.js";
+import { definition, fromSI, quantity as q } from "../../static/worked/quantity.js";
+
+// What the service answers to its examples and some more; kept up by a test of the service.
+const { materials, cases } = JSON.parse(readFileSync(new URL("worked_examples.json", import.meta.url)));
+const FILES = { "crank-planetary": "crank_planetary", rollers: "rollers", precession: "precession" };
+
+const materialOf = (path, given) =>
+  (typeof given === "string" ? materials.find(({ name }) => name === given) : given);
+
+async function stepsOf({ calculator, input, answer }) {
+  const { workedSteps } = await import(`../../static/worked/${FILES[calculator]}.js`);
+  return workedSteps({ input, answer, materialOf });
+}
+
+/** The values as they are written, rounded to their digits. */
+function rounded(values) {
+  const round = (value) => (Array.isArray(value) ? value.map(round) : Number(value.toPrecision(6)));
+  return Object.fromEntries(Object.entries(values)
+    .map(([name, one]) => [name, one.formula ? one : { ...one, value: round(one.value) }]));
+}
+
+function near(found, wanted, tolerance, words, floor = 1e-3) {
+  assert.ok(Math.abs(found - wanted) <= tolerance * Math.max(Math.abs(wanted), floor), `${words}: ${found}, not ${wanted}`);
+}
+
+for (const [i, one] of cases.entries()) {
+  test(`every step gives what the service answers: ${one.calculator}, case ${i + 1}`, async () => {
+    let count = 0;
+    for (const { section, steps } of await stepsOf(one)) {
+      for (const { name, symbol, formula, values, value, unit } of steps) {
+        if (!formula) continue;
+        const words = `${section} ${name} ${symbol}`;
+        near(fromSI(evaluate(parse(formula), values), unit), value, 1e-9, words);
+        near(fromSI(evaluate(parse(formula), rounded(values)), unit), value, 5e-4, `${words}, as written`, unit === "°" ? 1 : undefined);
+        count += 1;
+      }
+    }
+    assert.ok(count >= 12, `${count} steps`);
+  });
+
+  test(`every result has its step: ${one.calculator}, case ${i + 1}`, async () => {
+    const groups = await stepsOf(one);
+    for (const [section, values] of Object.entries(one.answer)) {
+      const { steps } = groups.find((group) => group.section === section);
+      const worked = new Set(steps.map(({ name }) => name));
+      const aside = ["accuracy", "warnings", "lines", "forces_N", "peak_pair", "dead_centres_deg", "assembly", "crank_angle_deg"];
+      const again = section === "meshing_load" ? ["total_length_mm"] : []; // worked with the lines
+      for (const name of Object.keys(values)) {
+        if (![...aside, ...again].includes(name)) assert.ok(worked.has(name), `${section} ${name}`);
+      }
+    }
+  });
+}
+
+test("a wrong formula is found", () => {
+  const values = { T: q("T", 50, "N·m"), R: q("R", 32.5, "mm") };
+  near(evaluate(parse("T/R"), values), 50 / 0.0325, 1e-15, "F_0");
+  assert.throws(() => near(evaluate(parse("T*R"), values), 50 / 0.0325, 1e-9, "F_0"));
+});
+
+test("notation: precedence, powers to the right, calls, what is wrong", () => {
+  const at = (text, values = {}) => evaluate(parse(text), values);
+  assert.equal(at("1-2-3"), -4);
+  assert.equal(at("2^3^2"), 512);
+  assert.equal(at("-2^2"), -4);
+  assert.equal(at("8/4/2"), 1);
+  assert.equal(at("2*(3+4)"), 14);
+  assert.equal(at("min(3;1+1;7)"), 2);
+  assert.equal(at("sqrt(abs(-16))"), 4);
+  near(at("integral(z^2*k;z;0;3)", { k: q("k", 2) }), 18, 1e-12, "integral");
+  const list = { x_i: q("x_i", [1, 2, 3]), y: definition("y", "x_i^2") };
+  assert.equal(at("sum(y)", list), 14);
+  for (const wrong of ["", "1+", "(1", "1)", "f(1", "*2"]) assert.throws(() => parse(wrong), SyntaxError, wrong);
+  assert.throws(() => at("x+1"), RangeError);
+});
+
+test("formulas are written with symbols and with numbers and units", () => {
+  const values = { F_i: q("F_i", [1.5, -2, 3, 4, 5], "N"), d: q("d", 10, "mm"), E: q("E*", 210, "GPa") };
+  const written = (text, withNumbers) => plainText(parse(text), { values, withNumbers });
+  assert.equal(written("(d+d)*E"), "(d + d) · E*");
+  assert.equal(written("d^2", true), "(10 mm)^(2)");
+  assert.equal(written("d-(d-E)"), "d − (d − E*)");
+  assert.equal(written("2*d/E", true), "(2 · 10 mm) / (210 GPa)");
+  assert.equal(written("sum(F_i)", true), "1.5 N + (−2 N) + … + 5 N");
+  assert.equal(written("sum(F_i)"), "∑ F i");
+  const markup = mathml(parse("sqrt(E/d)"), { values }).toString();
+  assert.match(markup, /^<msqrt><mfrac><mrow><msup><mi>E<\/mi><mo>\*<\/mo><\/msup><\/mrow><mrow><mi>d<\/mi>/);
+  assert.match(mathml(parse("d"), { values, withNumbers: true }).toString(), /<mn>10<\/mn><mtext>\u202fmm<\/mtext>/);
+});
+
+test("a longer sum shows its first two terms and its last", () => {
+  const values = { x_i: q("x_i", [1, 2, 3, 4, 5, 6]) };
+  assert.equal(plainText(parse("sum(x_i)"), { values, withNumbers: true }), `1 + 2 + … + ${formatNumber(6)}`);
+});
