@@ -100,6 +100,7 @@ async function openCalculator(id) {
     examples: own,
     catalogues,
     designs,
+    version: openapi.info.version,
     state: decodeState(model, new URLSearchParams(kept.get(id)))
       ?? stateFromInput(model, { ...calculator.start, ...own[0]?.input }),
     on: {

@@ -15,10 +15,14 @@ import { createExamples } from "./views/examples.js";
 import { createFigure } from "./views/figure.js";
 import { createForm, problemText } from "./views/form.js";
 import { createMechanism } from "./views/mechanism.js";
+import { createReport } from "./views/report.js";
 import { createResults, warningsOf } from "./views/results.js";
 import { currentTheme } from "./views/theme.js";
 import { createVerdict, spoken } from "./views/verdict.js";
+import { createWords } from "./views/words.js";
+import { createWorked } from "./views/worked.js";
 import { inWords } from "./wording.js";
+import { filledInput } from "./worked/inputs.js";
 
 const DEBOUNCE_MS = 120;
 
@@ -78,7 +82,7 @@ function placed(refusal, shown, titles) {
   return { refused, elsewhere };
 }
 
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, state, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, state, on }) {
   const words = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
@@ -125,6 +129,13 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
   const verdict = createVerdict();
   const results = createResults({ calculator, words });
+  const plain = createWords({ calculator });
+  const worked = createWorked({
+    calculator,
+    materialOf: (path, given) => (typeof given === "string"
+      ? catalogues[path].find(({ name }) => name === given) : given),
+    on: { print: () => report.print(), save: () => report.save() },
+  });
   const figures = calculator.figures.map((figure) => createFigure({
     figure,
     client,
@@ -185,8 +196,15 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  outputs.append(verdict.root, mechanism.root, ...figures.map(({ root }) => root), results.root, compare.root);
+  outputs.append(verdict.root, mechanism.root, ...figures.map(({ root }) => root), plain.root, results.root, worked.root, compare.root);
   host.replaceChildren(inputs, outputs);
+  const report = createReport({
+    calculator, model, catalogues, version, outputs, figures, words: plain.root, worked,
+    shown: () => drawn && { input: drawn.filled, state: drawn.state },
+    light: async () => currentTheme() === "dark" && redraw(await keptDesigns(), "light"),
+    back: () => currentTheme() === "dark" && compareAnew(),
+    say: on.say,
+  });
 
   /** The same design in the fields of an option that is still empty, where it can be said so. */
   function seed(choice, option) {
@@ -351,10 +369,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const refusalText = [...elsewhere, atBoxes].filter(Boolean).join("; ");
     show(!refusal ? "fresh" : atBoxes ? "wrong" : "refused", answer === null);
     if (answer) {
-      drawn = { input, answer, requests };
+      drawn = { input, answer, requests, state, filled: filledInput(model, state, input) };
       const cells = calculator.verdict(answer);
       verdict.setCells(cells);
       results.update(answer);
+      plain.update(drawn.filled, answer, warningsOf(answer));
+      worked.update(drawn.filled, answer);
       for (const figure of figures) {
         if (answer[figure.section]) figure.setTables(answer);
         else figure.clear(refusalText);
@@ -388,12 +408,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     return ["warning", message(key, { count: warnings.length, first: inWords(warnings[0].detail, words) })];
   }
 
-  function redraw(kept) {
+  async function redraw(kept, theme = currentTheme()) {
     if (!drawn) return;
-    for (const figure of figures) {
+    await Promise.all(figures.filter(({ section }) => drawn.answer[section]).map((figure) => {
       const others = kept.filter(({ answer }) => answer?.[figure.section]);
-      if (drawn.answer[figure.section]) figure.draw(drawn.input, drawn.answer, currentTheme(), others);
-    }
+      return figure.draw(drawn.input, drawn.answer, theme, others);
+    }));
   }
 
   showForm();
@@ -408,13 +428,14 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     undo: () => move(history.undo()),
     redo: () => move(history.redo()),
     /** What was asked for the results on the screen, and answered; null where there are none. */
-    exchange: () => drawn && { calculator: calculator.id, ...drawn },
+    exchange: () => drawn && { calculator: calculator.id, answer: drawn.answer, requests: drawn.requests },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
     close() {
       clearTimeout(timer);
       newest.cancel();
       listening.abort();
       mechanism.close();
+      report.close();
       for (const figure of figures) figure.close();
       on.state(query(calculator.id, model, state));
     },

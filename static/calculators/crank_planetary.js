@@ -6,6 +6,7 @@
  */
 import { formatNumber, formatQuantity, quantityParts, shownDigits, tidy } from "../format.js";
 import { message } from "../messages/index.js";
+import { workedSteps } from "../worked/crank_planetary.js";
 
 const MOST_ROWS = 24;
 
@@ -257,6 +258,7 @@ export default {
     },
   ],
 
+  worked: workedSteps,
   notes: ["yanchevskiy"],
 
   /** A design to open with, should the service's examples be empty. */

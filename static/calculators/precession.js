@@ -1,6 +1,7 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
 import { formatQuantity, quantityParts, shownDigits, tidy, unitOf } from "../format.js";
 import { message } from "../messages/index.js";
+import { workedSteps } from "../worked/precession.js";
 
 const GEAR = [
   "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
@@ -214,6 +215,7 @@ export default {
     },
   ],
 
+  worked: workedSteps,
   notes: ["khatetovsky"],
   start: {},
 };

@@ -1,6 +1,7 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
 import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../format.js";
 import { message } from "../messages/index.js";
+import { workedSteps } from "../worked/rollers.js";
 
 function forceCell(section) {
   const label = message("verdict.rollerForce");
@@ -106,6 +107,7 @@ export default {
     },
   ],
 
+  worked: workedSteps,
   notes: ["ovsyannikov"],
   start: {},
 };

@@ -179,10 +179,10 @@ export function createFigure({ figure, client, on }) {
   }
 
   /** The figure as a picture for paper: light, on white; a data URL. */
-  async function picture(format) {
+  async function picture(format, width = SAVED.width) {
     const [light, Plotly] = await Promise.all([post(latest, "light"), loadPlotly()]);
     const { data, layout } = inShownUnits(light);
-    const size = { width: SAVED.width, height: figure.height(latest.input) };
+    const size = { width, height: figure.height(latest.input) };
     const paper = { paper_bgcolor: "#ffffff", title: { text: title }, margin: { ...layout.margin, t: 72 } };
     return Plotly.toImage(
       { data, layout: { ...layout, ...paper, ...size, separators: `${message("page.decimal")}\u202f` } },
@@ -211,6 +211,18 @@ export function createFigure({ figure, client, on }) {
     id: figure.id,
     section: figure.section,
     picture,
+    drawn: () => Boolean(plot.data?.length) && latest !== null,
+    /** Fit what is drawn to paper, at once; `fromPaper` undoes it. */
+    toPaper(width) {
+      if (!plot.data?.length || tabled) return;
+      root.dataset.drawn = latest.theme;
+      drawnBy.relayout(plot, { autosize: false, width, height: figure.height(latest.input) });
+    },
+    fromPaper() {
+      if (!root.dataset.drawn) return;
+      delete root.dataset.drawn;
+      drawnBy.relayout(plot, { autosize: true, width: null, height: null });
+    },
     /** Follow the drawing: its crank angle, the pair selected. */
     follow(angle, pair) {
       if (!figure.follows) return;

@@ -7,7 +7,7 @@ const ADD = 1;
 const MULTIPLY = 2;
 const POWER = 3;
 const ATOM = 4;
-const WRITTEN_TERMS = 4; // of a sum with numbers; of a longer one the first two and the last
+const WRITTEN_TERMS = 4; // of a sum with numbers; of a longer one, and of integrals, some and the last
 const FUNCTION_NAMES = { atan: "arctan" };
 
 /** The two ways of writing: what each part becomes, given its written parts. */
@@ -30,7 +30,7 @@ const MATHML = {
   call: (name, args) => html`<mi>${name}</mi><mo>\u2061</mo><mrow><mo>(</mo>${args.map((arg, i) =>
     html`${i > 0 && html`<mo separator="true">;</mo><mspace width="0.3em"></mspace>`}${arg}`)}<mo>)</mo></mrow>`,
   sum: (inner) => html`<munder><mo>∑</mo><mi>i</mi></munder>${inner}`,
-  dots: () => html`<mo>+</mo><mo>…</mo><mo>+</mo>`,
+  gap: (first, last) => html`${first}<mo>+</mo><mo>…</mo><mo>+</mo>${last}`,
   integral: (inner, from, to, name) => html`<msubsup><mo>∫</mo><mrow>${from}</mrow><mrow>${to}</mrow></msubsup>${inner}<mspace width="0.2em"></mspace><mi>d</mi><mi>${name}</mi>`,
 };
 const PLAIN = {
@@ -46,7 +46,7 @@ const PLAIN = {
   absolute: (inner) => `|${inner}|`,
   call: (name, args) => `${name}(${args.join("; ")})`,
   sum: (inner) => `∑ ${inner}`,
-  dots: () => " + … + ",
+  gap: (first, last) => `${first} + … + ${last}`,
   integral: (inner, from, to, name) => `∫[${from} … ${to}] ${inner} d${name}`,
 };
 
@@ -103,10 +103,10 @@ function writer(style, { values, withNumbers, digits }) {
     const plus = (from, to) => Array.from({ length: to - from }, (_, i) => at(from + i))
       .reduce((left, right) => style.operator(left, "+", right));
     if (count === 1) return write(term, picked(known, 0));
-    if (count <= WRITTEN_TERMS) return atom(plus(0, count), ADD);
-    return atom(style === PLAIN
-      ? plus(0, 2) + style.dots() + at(count - 1)
-      : html`${plus(0, 2)}${style.dots()}${at(count - 1)}`, ADD);
+    const integrals = term.call === "integral";
+    if (count <= (integrals ? 2 : WRITTEN_TERMS)) return atom(plus(0, count), ADD);
+    const first = plus(0, integrals ? 1 : 2);
+    return atom(style.gap(first, at(count - 1)), ADD);
   }
 
   function call({ call: named, of, bound }, known) {

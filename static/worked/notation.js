@@ -9,7 +9,7 @@
  */
 const TOKEN = /\s*(?:(\d+(?:\.\d+)?)|([\p{L}_∞][\p{L}\p{N}_′]*)|(.))/uy;
 const POWERS = { "+": 1, "-": 1, "*": 2, "/": 2, "^": 4 };
-const SIGN = 3;
+const SIGN = 1; // takes the whole product after it
 
 function tokens(text) {
   const found = [];

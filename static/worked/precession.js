@@ -28,6 +28,7 @@ function lineValues(input, lines, A) {
     z_a: q("z_a,i", lines.map((line) => line.z_min_mm), "mm"),
     z_b: q("z_b,i", lines.map((line) => line.z_max_mm), "mm"),
     f: definition("s′_i", STRETCH),
+    y: definition("y_i", "z+A*cos(φ_1)"),
   };
 }
 
@@ -115,18 +116,22 @@ function loadSteps(section, { lines }, input) {
   const S = q("S", section.total_length_mm, "mm");
   const R_C = q("R_C", input.roller_circle_radius_mm, "mm");
   const l = q("l", input.reference_z_mm, "mm");
+  const full = intermediate("fullArm", "q_C", "N/mm", {
+    formula: "M_1/(S*R_C)", values: { M_1, S, R_C }, source: SOURCE, equation: "8",
+  });
   const sum = (term, lever) => ({
-    formula: `M_1/(S*R_C)*sum(integral(${term};z;z_a;z_b))`,
-    values: { M_1, S, R_C, ...lineValues(input, lines, asValue(scale)), ...(lever && { l }) },
+    formula: `q_C*sum(integral(${term};z;z_a;z_b))`,
+    values: { q_C: asValue(full), ...lineValues(input, lines, asValue(scale)), ...(lever && { l }) },
     source: SOURCE,
     erratum: "normal",
     note: "stretch",
   });
   const along = "A/z*f";
-  const across = "(z+A*cos(φ_1))/(z*sin(φ_1))*f";
+  const across = "y/(z*sin(φ_1))*f";
   const least = lines.flatMap((line) => [line.phi_min_deg, line.phi_max_deg])
     .reduce((one, other) => (Math.abs(sine(other)) < Math.abs(sine(one)) ? other : one));
   return [
+    full,
     result("force_N", "F_x", Fx, "N", { ...sum(along), equation: "12" }),
     result("force_N", "F_y", Fy, "N", { ...sum(`-${across}`), equation: "13" }),
     result("force_N", "F_z", section.force_N[2], "N", { note: "noAxial", source: SOURCE, equation: "14" }),

@@ -1,0 +1,155 @@
+/** The report on paper and as one HTML file: what the page shows, its inputs as a table, all steps open. */
+import { quantityParts } from "../format.js";
+import { element, fill, html } from "../lib/html.js";
+import { message, translated } from "../messages/index.js";
+import { shownUnit } from "../units.js";
+import { listedInputs } from "../worked/inputs.js";
+import { download } from "./download.js";
+import { symbolMarkup } from "./symbol.js";
+import { tableMarkup } from "./table.js";
+
+const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
+const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .now, .say, .cursor, [hidden], script, link";
+
+/** A value as the form shows it: a number, a list, a name with its title. */
+function valueText(field, value, catalogue) {
+  if (typeof value === "string") return translated(catalogue?.find(({ name }) => name === value)?.title ?? value);
+  if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
+  return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
+}
+
+function inputRow({ field, value }, catalogues) {
+  return html`<tr data-path="${field.path}"><th scope="row">${field.title}</th><td class="symbol-cell">${symbolMarkup(field.symbol)}</td>
+    <td class="value ${typeof value === "string" && "long"}">${valueText(field, value, catalogues[field.path])}</td><td class="unit-cell">${shownUnit(field.unit)}</td></tr>`;
+}
+
+function recordsTable({ field, value }) {
+  const columns = field.columns.filter(({ name }) => value.some((row) => row[name] !== undefined));
+  return tableMarkup({
+    title: field.title,
+    columns: columns.map(({ title, unit }) => ({ title, unit })),
+    rows: value.map((row) => columns.map(({ name }) => row[name] ?? "–")),
+  });
+}
+
+function inputsMarkup(groups, catalogues) {
+  return groups.map(({ id, entries }) => {
+    const flat = entries.filter(({ field }) => field.kind !== "records");
+    return html`<section class="given"><h3>${message(`group.${id}`)}</h3>
+      ${flat.length > 0 && html`<table class="quantities"><tbody>${flat.map((entry) => inputRow(entry, catalogues))}</tbody></table>`}
+      ${entries.filter(({ field }) => field.kind === "records").map(recordsTable)}</section>`;
+  });
+}
+
+/** The rules of the page's own style sheets, the print rules for any medium, the font within. */
+async function styles() {
+  const sheets = [...document.styleSheets].filter(({ ownerNode }) => !ownerNode?.id);
+  const text = sheets.flatMap(({ cssRules }) => [...cssRules].map(({ cssText }) => cssText)).join("\n");
+  const [, font] = /url\("([^"]+\.woff2)"\)/.exec(text) ?? [];
+  if (!font) return text;
+  const sheet = sheets.find(({ cssRules }) => [...cssRules].some(({ cssText }) => cssText.includes(font)));
+  const blob = await (await fetch(new URL(font, sheet.href))).blob();
+  return text.replace(font, await dataUrl(blob));
+}
+
+function dataUrl(blob) {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(reader.result);
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(blob);
+  });
+}
+
+function svgOf(url) {
+  return decodeURIComponent(url.slice(url.indexOf(",") + 1));
+}
+
+/**
+ * On paper the verdict in words follows the numbers. `shown()` gives `{ input, state }` of the results on the screen, null where there are none;
+ * `light()` draws the figures for paper, `back()` as they were.
+ */
+export function createReport({ calculator, model, catalogues, version, outputs, figures, words, worked, shown, light, back, say }) {
+  const head = element(html`<header class="report-head"></header>`);
+  outputs.prepend(head);
+  const title = message("report.title", { calculator: message(`calculator.${calculator.id}`) });
+  const listening = new AbortController();
+  const place = words.nextSibling;
+  let prepared = false;
+
+  function prepare() {
+    const now = shown();
+    if (!now || prepared) return;
+    prepared = true;
+    fill(head, html`<h1>${title}</h1>
+      <p class="made">${message("report.made", { version, date: new Date().toISOString().slice(0, 10) })}</p>
+      <p class="made">${location.href}</p>
+      <h2>${message("report.inputs")}</h2>
+      <div class="givens">${inputsMarkup(listedInputs(model, now.state, now.input), catalogues)}</div>`);
+    outputs.querySelector(".verdict").after(words);
+    worked.unfold();
+    for (const figure of figures) figure.toPaper(PAPER_WIDTH);
+  }
+
+  function restore() {
+    if (!prepared) return;
+    prepared = false;
+    outputs.insertBefore(words, place);
+    worked.fold();
+    for (const figure of figures) figure.fromPaper();
+    fill(head, html``);
+  }
+
+  addEventListener("beforeprint", prepare, { signal: listening.signal });
+  addEventListener("afterprint", () => {
+    restore();
+    back();
+  }, { signal: listening.signal });
+
+  async function file() {
+    const css = await styles();
+    const pictures = await Promise.all(figures.map(async (figure) =>
+      [figure.id, figure.drawn() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
+    prepare();
+    const copy = outputs.cloneNode(true);
+    restore();
+    // The pictures join as text: in this document their style attributes would break the policy.
+    const places = new Map();
+    for (const [id, svg] of pictures) {
+      const figure = copy.querySelector(`[data-figure="${id}"]`);
+      if (!svg) {
+        figure.remove();
+        continue;
+      }
+      figure.querySelector("figcaption").remove();
+      const canvas = figure.querySelector(".canvas");
+      canvas.removeAttribute("style");
+      canvas.textContent = `[[${id}]]`;
+      places.set(canvas.textContent, svg);
+    }
+    for (const node of copy.querySelectorAll(LEFT_OUT)) node.remove();
+    const content = copy.outerHTML.replace(/\[\[\w+\]\]/g, (place) => places.get(place) ?? place);
+    return `<!doctype html>
+<html lang="${document.documentElement.lang}" data-theme="light"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">${html`<title>${title}</title>`}
+<style>${css}</style></head>
+<body class="saved"><main class="workbench" data-stale="false">${content}</main></body></html>
+`;
+  }
+
+  return {
+    async print() {
+      await light();
+      globalThis.print();
+    },
+    async save() {
+      if (!shown()) return;
+      try {
+        download(`${calculator.id}.html`, await file(), "text/html");
+      } catch (problem) {
+        say(message("report.failed", { detail: problem.message }));
+      }
+    },
+    close: () => listening.abort(),
+  };
+}

@@ -1,0 +1,118 @@
+/** Every result worked from its formula: a section each, folded, built when it is opened. */
+import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../format.js";
+import { element, fill, html } from "../lib/html.js";
+import { message, translated } from "../messages/index.js";
+import { mathml, mathSymbol, plainSymbol, plainText } from "../worked/mathml.js";
+import { parse } from "../worked/notation.js";
+import { shownUnit } from "../units.js";
+
+function math(content, said) {
+  return html`<math aria-label="${said}"><mrow>${content}</mrow></math>`;
+}
+
+/** `symbol = formula`, `= numbers`, `= value`: a formula each, so that lines break between them. */
+function formulas({ symbol, formula, values, value, unit }, digits) {
+  const name = mathSymbol(symbol);
+  const spoken = plainSymbol(symbol);
+  const shown = quantityParts(value, unit, Number.isInteger(value) && shownUnit(unit) === unit ? 15 : digits);
+  const result = html`<mn>${shown.value}</mn>${unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`}`;
+  const resultSaid = formatQuantity(value, unit, digits);
+  const equal = html`<mo form="infix">=</mo>`;
+  if (!formula) return math(html`${name}${equal}${result}`, `${spoken} = ${resultSaid}`);
+  const tree = parse(formula);
+  const numbers = { values, withNumbers: true, digits };
+  return html`
+    ${math(html`${name}${equal}${mathml(tree, { values })}`, `${spoken} = ${plainText(tree, { values })}`)}
+    ${!tree.name && math(html`${equal}${mathml(tree, numbers)}`, `= ${plainText(tree, numbers)}`)}
+    ${math(html`${equal}${result}`, `= ${resultSaid}`)}`;
+}
+
+function noteText({ note, noteValues = {} }) {
+  const values = Object.entries(noteValues).map(([name, value]) =>
+    [name, Array.isArray(value) ? formatQuantity(...value) : formatNumber(value, 15)]);
+  return message(`worked.note.${note}`, Object.fromEntries(values));
+}
+
+function sourceText({ source, equation: number, after }) {
+  const words = message(`worked.source.${source}`);
+  return number ? message(after ? "worked.after" : "worked.equation", { source: words, number }) : words;
+}
+
+function stepMarkup(step, digits) {
+  const { name, intermediate, source, erratum, note } = step;
+  const title = intermediate ? message(`worked.value.${name}`) : message(`quantity.${name}`)[0];
+  return html`
+    <li class="step" data-name="${name}">
+      <p class="step-head"><span class="step-title">${title}</span>
+        ${source && html`<span class="step-source">${sourceText(step)}</span>`}</p>
+      <div class="formulas">${formulas(step, digits)}</div>
+      ${note && html`<p class="step-note">${noteText(step)}</p>`}
+      ${erratum && html`<p class="step-note erratum">${message("worked.corrected", {
+        words: message(`worked.erratum.${erratum}`),
+      })}</p>`}
+    </li>`;
+}
+
+function groupMarkup({ steps }, { relative_error: error, method }) {
+  const digits = shownDigits(error);
+  return html`<ol class="steps">${steps.map((step) => stepMarkup(step, digits))}</ol>
+    <p class="accuracy">${message("worked.accuracy", {
+      error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: translated(method),
+    })}</p>`;
+}
+
+/** `on.print()` and `on.save()` ask for the report; `materialOf(path, given)` gives a material's values. */
+export function createWorked({ calculator, materialOf, on }) {
+  const root = element(html`
+    <section class="card worked" aria-label="${message("worked.title")}">
+      <div class="worked-head"><h2>${message("worked.title")}</h2>
+        <button type="button" class="toggle print">${message("report.print")}</button>
+        <button type="button" class="toggle save-report">${message("report.save")}</button></div>
+      <div class="worked-groups"></div>
+    </section>`);
+  const host = root.querySelector(".worked-groups");
+  root.querySelector(".print").addEventListener("click", () => on.print());
+  root.querySelector(".save-report").addEventListener("click", () => on.save());
+  let shown = null; // { input, answer, groups } of the results on the screen
+  let opened = []; // for paper only
+
+  function build(details) {
+    const group = shown.groups.find(({ section }) => section === details.dataset.section);
+    fill(details.querySelector(".worked-steps"), groupMarkup(group, shown.answer[group.section].accuracy));
+  }
+
+  host.addEventListener("toggle", ({ target }) => {
+    if (target.open) build(target);
+  }, true);
+
+  const all = () => [...host.querySelectorAll("details")];
+
+  return {
+    root,
+    update(input, answer) {
+      const open = new Set(all().filter((details) => details.open).map(({ dataset }) => dataset.section));
+      shown = { input, answer, groups: calculator.worked({ input, answer, materialOf }) };
+      fill(host, html`${shown.groups.map(({ section, steps }) => html`
+        <details data-section="${section}"><summary>${message("worked.group", {
+          section: message(`section.${section}`), count: steps.length,
+        })}</summary><div class="worked-steps"></div></details>`)}`);
+      for (const details of all()) {
+        details.open = open.has(details.dataset.section);
+        if (details.open) build(details);
+        else fill(details.querySelector(".worked-steps"), html``);
+      }
+    },
+    /** Build and open everything for paper; `fold` undoes it. */
+    unfold() {
+      opened = all().filter((details) => !details.open);
+      for (const details of opened) {
+        build(details);
+        details.open = true;
+      }
+    },
+    fold() {
+      for (const details of opened) details.open = false;
+      opened = [];
+    },
+  };
+}

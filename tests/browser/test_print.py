@@ -1,0 +1,151 @@
+"""The report: on paper through the browser's print, and as one HTML file."""
+
+import re
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+from pypdf import PdfReader
+
+from app import VERSION
+from tests.browser.calculator_page import settled, show
+from tests.browser.test_workbench import chosen, saved
+
+CALCULATORS = ("crank-planetary", "rollers", "precession")
+A4_POINTS = (595, 842)
+PAPER_PX = 688  # A4 less the margins
+INPUTS = {
+    "crank-planetary": ("Output torque", "Pin circle radius", "Structural steel|Bearing steel"),
+    "rollers": ("Output torque", "Cylinder length", "Young's modulus"),
+    "precession": ("Torque", "Nutation angle", "Working length"),
+}
+STEPS = {
+    "crank-planetary": ("Pressure angle of the pair of the peak", "Reduced radius", "eq. (4)"),
+    "rollers": ("Compliance in bending", "Bending moment", "eq. (9)"),
+    "precession": ("Length A of the contact lines", "Deflection at B", "eq. (30)"),
+}
+
+
+def drawn(page: Page, service: str, calculator: str) -> None:
+    """Open a calculator and wait for its figures."""
+    show(page, service, calculator)
+    figures = page.locator(".figure:not(:has(.measure)) .main-svg:first-of-type")
+    expect(figures.first).to_be_visible()
+    expect(page.locator(".figure:not(:has(.measure)) .plot.js-plotly-plot")).to_have_count(
+        page.locator(".figure:not(:has(.measure))").count()
+    )
+
+
+def printed(page: Page) -> PdfReader:
+    return PdfReader(BytesIO(page.pdf(prefer_css_page_size=True)))
+
+
+def text_of(pdf: PdfReader) -> str:
+    """The words on paper; ligatures taken apart."""
+    text = " ".join(page.extract_text() for page in pdf.pages)
+    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi"))
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_the_printed_report_holds_inputs_steps_and_version(
+    page: Page, service: str, calculator: str
+) -> None:
+    drawn(page, service, calculator)
+    width = page.locator(".plot").first.bounding_box()
+    pdf = printed(page)
+    assert 3 <= len(pdf.pages) <= 9
+    box = pdf.pages[0].mediabox
+    assert (round(box.width), round(box.height)) == pytest.approx(A4_POINTS, abs=1)
+    text = text_of(pdf)
+    assert f"KHV Calc {VERSION}" in text
+    assert re.search(r"\d{4}-\d\d-\d\d", text)
+    for words in (*INPUTS[calculator][:2], *STEPS[calculator]):
+        assert words in text, words
+    assert "Undo" not in text
+    assert "Keep this design" not in text
+    # Afterwards the page is as before.
+    expect(page.locator(".worked details[open]")).to_have_count(0)
+    expect(page.locator(".report-head")).to_be_hidden()
+    assert page.locator(".plot").first.bounding_box() == width
+    settled(page)
+
+
+def test_the_numbers_put_in_are_on_paper(page: Page, service: str) -> None:
+    drawn(page, service, "crank-planetary")
+    text = text_of(printed(page)).replace(" ", "").replace("\u202f", "")
+    for numbers in ("500N·m", "50mm", "10000N", "548.602MPa", "6666.67N"):
+        assert numbers in text, numbers
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_nothing_is_cut_on_paper(page: Page, service: str, calculator: str) -> None:
+    drawn(page, service, calculator)
+    page.emulate_media(media="print")
+    page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
+    page.set_viewport_size({"width": PAPER_PX, "height": 1000})
+    expect(page.locator(".report-head")).to_be_visible()
+    over = page.evaluate(
+        """(width) => [...document.querySelectorAll(".outputs *")]
+          .filter((one) => one.getBoundingClientRect().right > width + 1)
+          .map((one) => `${one.tagName} ${one.className} ${one.closest(".step")?.dataset.name}`)""",
+        PAPER_PX,
+    )
+    assert over == []
+    for plot in page.locator(".figure:not(:has(.measure)) .plot").all():
+        box = plot.bounding_box()
+        assert box and box["width"] <= PAPER_PX
+    assert page.locator("button:visible, input:visible, select:visible").count() == 0
+
+
+def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: str) -> None:
+    drawn(page, service, "crank-planetary")
+    chosen(page, "theme", "dark")
+    text = page.locator('[data-figure="force"] .xtick text').first
+    dark = "rgb(230, 237, 243)"
+    expect(text).to_have_css("fill", dark)
+    page.evaluate(
+        """() => { globalThis.print = () => {
+          globalThis.inked = getComputedStyle(document.querySelector(
+            '[data-figure="force"] .xtick text')).fill;
+          dispatchEvent(new Event("beforeprint"));
+          dispatchEvent(new Event("afterprint"));
+        }; }"""
+    )
+    page.locator(".worked .print").click()
+    page.wait_for_function("() => globalThis.inked !== undefined")
+    assert page.evaluate("() => inked") == "rgb(28, 39, 51)"
+    expect(text).to_have_css("fill", dark)
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_the_saved_report_stands_alone(
+    page: Page, browser: Browser, service: str, calculator: str, tmp_path: Path
+) -> None:
+    drawn(page, service, calculator)
+    figures = page.locator(".figure:not(:has(.measure))").count()
+    file = tmp_path / f"{calculator}.html"
+    file.write_bytes(saved(page, page.locator(".worked .save-report")).read_bytes())
+    markup = file.read_text(encoding="utf-8")
+    assert "<script" not in markup
+    assert not re.search(r'(?:src|href)="(?!#)', re.sub(r"<svg.*?</svg>", "", markup, flags=re.S))
+
+    alone = browser.new_context(offline=True, viewport={"width": 900, "height": 900})
+    report = alone.new_page()
+    asked: list[str] = []
+    report.on("request", lambda request: asked.append(request.url))
+    report.goto(file.as_uri())
+    text = re.sub(r"\s+", " ", report.locator("body").inner_text())
+    assert f"KHV Calc {VERSION}" in text
+    for words in (*INPUTS[calculator][:2], *STEPS[calculator]):
+        assert words in text, words
+    assert report.locator("button, input, select").count() == 0
+    assert report.locator(".figure .canvas > svg").count() == figures
+    for picture in report.locator(".figure .canvas > svg").all():
+        box = picture.bounding_box()
+        assert box and box["width"] > 300 and box["height"] > 150
+    for formula in report.locator(".worked math").all()[:5]:
+        assert formula.bounding_box()
+    assert report.evaluate("() => document.fonts.check('16px \"STIX Two Math\"')")
+    assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
+    alone.close()

@@ -1,0 +1,117 @@
+"""The worked calculation, built when opened, its numbers the service's; warnings explained."""
+
+import re
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.browser.calculator_page import ask, box, first_example, number, settled, show
+
+CALCULATORS = ("crank-planetary", "rollers", "precession")
+
+
+def step(page: Page, name: str) -> Locator:
+    return page.locator(f'.worked .step[data-name="{name}"]')
+
+
+def unfolded(page: Page, section: str) -> Locator:
+    details = page.locator(f'.worked details[data-section="{section}"]')
+    details.locator("summary").click()
+    expect(details.locator(".step").first).to_be_visible()
+    return details
+
+
+def last_number(one: Locator) -> float:
+    """The number at the end of a step."""
+    return number(one.locator("math").last.locator("mn").last.text_content() or "")
+
+
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_steps_are_folded_and_built_when_opened(page: Page, service: str, calculator: str) -> None:
+    show(page, service, calculator)
+    groups = page.locator(".worked details")
+    assert groups.count() == page.locator(".results .result[data-section]").count()
+    expect(page.locator(".worked math")).to_have_count(0)
+    for summary in groups.locator("summary").all():
+        summary.click()
+    for group in groups.all():
+        steps = group.locator(".step")
+        expect(steps.first).to_be_visible()
+        assert group.locator("math").count() >= steps.count()
+    labels = page.locator(".worked math").evaluate_all("all => all.map((one) => one.ariaLabel)")
+    assert all(labels)
+    assert not any("undefined" in label or "NaN" in label for label in labels)
+
+
+def test_a_step_shows_the_inputs_the_answer_and_the_source(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    unfolded(page, "contact_force")
+    given = first_example(service, "crank-planetary")
+    reference = step(page, "reference_force_N")
+    shown = reference.locator("math").nth(1).get_attribute("aria-label") or ""
+    load = given["load"]
+    assert isinstance(load, dict)
+    assert re.findall(r"\d+", shown) == [
+        f"{load['output_torque_Nm']:g}",
+        f"{load['pin_circle_radius_mm']:g}",
+    ]
+    expect(reference.locator(".step-source")).to_contain_text("2021, eq. (11)")
+    answer = ask(service, "/crank-planetary", given)["contact_force"]
+    assert isinstance(answer, dict)
+    assert last_number(reference) == pytest.approx(answer["reference_force_N"], rel=1e-5)
+    assert last_number(step(page, "peak_force_N")) == pytest.approx(
+        answer["peak_force_N"], rel=1e-5
+    )
+    assert "arcsine" in step(page, "peak_force_N").inner_text()
+    assert "stationary points" in step(page, "peak_crank_angle_deg").inner_text()
+
+
+def test_open_steps_follow_the_inputs(page: Page, service: str) -> None:
+    show(page, service, "rollers")
+    unfolded(page, "roller_strength")
+    mean = step(page, "mean_force_N")
+    first = last_number(mean)
+    torque = box(page, "output_torque_Nm")
+    torque.fill(str(2 * float(torque.input_value())))
+    torque.press("Enter")
+    settled(page)
+    expect(mean).to_be_visible()
+    assert last_number(mean) == pytest.approx(2 * first, rel=1e-5)
+
+
+def test_formulas_are_drawn_with_the_math_font(page: Page, service: str) -> None:
+    show(page, service, "precession")
+    assert not page.evaluate("() => document.fonts.check('16px \"STIX Two Math\"')")
+    unfolded(page, "contact_line")
+    page.evaluate("() => document.fonts.ready.then(() => true)")
+    assert page.evaluate("() => document.fonts.check('16px \"STIX Two Math\"')")
+
+
+def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    words = page.locator(".words")
+    expect(words).to_contain_text("Torque is transmitted at every crank angle")
+    expect(words).to_contain_text("decides: 548.6\u00a0MPa of 766.9\u00a0MPa allowed, safety 1.4")
+    expect(words.locator(".explained")).to_have_count(0)
+    load = box(page, "load.output_torque_Nm")
+    load.fill("20000")
+    load.press("Enter")
+    settled(page)
+    expect(words).to_contain_text("is too high")
+    assert words.locator(".explained").count() >= 1
+    for explained in words.locator(".explained").all():
+        assert explained.locator("dd").count() == 3
+
+
+def test_the_margin_said_is_true(page: Page, service: str) -> None:
+    """With the torque grown by the factor that is said, the safety is 1."""
+    show(page, service, "crank-planetary")
+    found = re.search(r"grow to ([\d.]+) times", page.locator(".words").inner_text())
+    assert found
+    given = first_example(service, "crank-planetary")
+    load = given["load"]
+    assert isinstance(load, dict)
+    load["output_torque_Nm"] *= float(found[1])
+    hertz = ask(service, "/crank-planetary", given)["hertz"]
+    assert isinstance(hertz, dict)
+    assert hertz["safety_factor"] == pytest.approx(1, rel=5e-3)

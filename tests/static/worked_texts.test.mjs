@@ -1,0 +1,39 @@
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import en from "../../static/messages/en.js";
+
+const ROOT = new URL("../../", import.meta.url);
+
+/** The text of all files of a folder with this ending, folders within it too. */
+function textsOf(folder, ending) {
+  return readdirSync(new URL(folder, ROOT), { recursive: true })
+    .filter((name) => name.endsWith(ending))
+    .map((name) => readFileSync(new URL(`${folder}/${name}`, ROOT), "utf8")).join("\n");
+}
+
+function found(text, pattern) {
+  return [...new Set([...text.matchAll(pattern)].map(([, key]) => key))].sort();
+}
+
+test("every warning of the calculations says what it tests, why it matters, how to mend it", () => {
+  const notices = [...textsOf("core", ".py").matchAll(/Notice\(\s*code=([^\n]*)/g)].map(([, code]) => code).join("\n");
+  const codes = found(notices, /"([a-z_]+)"/g);
+  assert.ok(codes.length >= 13, codes.join());
+  assert.deepEqual(Object.keys(en.warnings).sort(), codes);
+  for (const [code, texts] of Object.entries(en.warnings)) {
+    assert.deepEqual(Object.keys(texts), ["title", "tests", "why", "mend"], code);
+    for (const text of Object.values(texts)) assert.ok(text.length > 5, code);
+  }
+});
+
+test("every text of the worked steps is used, and none is missing", () => {
+  const steps = textsOf("static/worked", ".js");
+  for (const [part, pattern] of [
+    ["note", /\bnote: "(\w+)"/g],
+    ["erratum", /\berratum: "(\w+)"/g],
+    ["value", /\bintermediate\("(\w+)"/g],
+    ["source", /\b(?:source: |SOURCE = )"(\w+)"/g],
+  ]) assert.deepEqual(Object.keys(en.worked[part]).sort(), found(steps, pattern), part);
+});
