@@ -14,7 +14,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit node page accuracy bench bench-page requirements audit
+.PHONY: help run test lint types unit node page accuracy bench bench-page requirements audit fuzz load
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -81,3 +81,9 @@ requirements: .venv/run  ## pin what pyproject.toml asks for, and what that need
 
 audit:  ## look for known weaknesses of the pinned packages
 	@tests/audit.sh
+
+fuzz: .venv/test  ## send 100,000 extreme, hostile and broken requests and check every answer
+	PYTHONPATH=. $(BIN)/python -m benchmarks.fuzz
+
+load: .venv/test  ## load the service from 1,000 connections, kill a worker, stop it; count losses
+	PYTHONPATH=. $(BIN)/python -m benchmarks.load

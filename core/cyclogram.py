@@ -12,7 +12,7 @@ from core.errors import InvalidInput
 from core.mechanism import SAME_PHASE, Mechanism, WavePhases
 from core.results import ROUNDING, Accuracy
 
-MAX_DRIVING_PHASES = 200_000
+MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
 
 
@@ -112,7 +112,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     Raises
     ------
     InvalidInput
-        If `revolutions` is not positive, or the range holds more than `MAX_DRIVING_PHASES`.
+        If `revolutions` is not positive, so small that all is a sliver of rounding, or so large
+        that the range holds more than `MAX_DRIVING_PHASES`.
 
     Notes
     -----
@@ -133,6 +134,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     phases = mechanism.phases
     per_wave = mechanism.crank_angle_per_wave
     waves = revolutions * 2 * math.pi / per_wave
+    if waves <= SAME_PHASE:
+        raise InvalidInput("revolutions", revolutions, "must be larger: no phase is that short")
     pair_count = mechanism.pins * mechanism.satellites
     if waves * pair_count > MAX_DRIVING_PHASES:
         raise InvalidInput(
@@ -179,7 +182,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         ),
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING + phases.snapped / waves,
+            relative_error=4 * ROUNDING
+            + (phases.snapped + _dropped(sector_counts, 1 / mechanism.pins, waves)) / waves,
             evaluations=pair_count,
         ),
     )
@@ -204,6 +208,17 @@ def _repeat(
             first, last = max(start + turn * period, 0.0), min(stop + turn * period, end)
             if last - first > sliver or (not widths_only and start == stop and first == last):
                 yield first, last
+
+
+def _dropped(sector_counts: Sequence[tuple[float, float, int]], sector: float, end: float) -> float:
+    """Width of what is dropped as a sliver at the ends of [0, end], in turns."""
+    sliver = SAME_PHASE * max(1.0, end)
+    widths = (
+        min(width, sector - width)
+        for position, _, _ in sector_counts
+        for width in (position % sector, (end - position) % sector)
+    )
+    return max((width for width in widths if width <= sliver), default=0.0)
 
 
 def _sector_counts(phases: WavePhases) -> Iterator[tuple[float, float, int]]:

@@ -16,6 +16,15 @@ SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
 """Limits of every positive physical quantity, in its unit: within them no result leaves the range
 of numbers and none loses digits at its lower end."""
 
+
+def no_dust(value: Any) -> Any:
+    """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
+    for each in value if isinstance(value, list) else [value]:
+        if each is not None and 0 < abs(each) < SIZE["ge"]:
+            raise PydanticCustomError("dust", f"must be 0 or at least {SIZE['ge']} in size")
+    return value
+
+
 FIELD_ERROR = "field_error"
 """Error type of `field_error`; its context names the field."""
 

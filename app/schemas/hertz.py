@@ -2,9 +2,17 @@
 
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from pydantic import Discriminator, Tag
+from pydantic import Discriminator, Tag, field_validator
 
-from app.schemas.base import SIZE, AccuracyOut, RequestModel, ResponseModel, WarningOut, quantity
+from app.schemas.base import (
+    SIZE,
+    AccuracyOut,
+    RequestModel,
+    ResponseModel,
+    WarningOut,
+    no_dust,
+    quantity,
+)
 from app.units import to_si
 from core.contact_force import FloatArray
 from core.hertz import HertzContact, conformal_profile, hertz, pressure_profile
@@ -157,6 +165,8 @@ class HertzRequest(ContactFields):
         step=100,
         help="Force between pin and hole.",
     )
+
+    _force_size = field_validator("force_N")(no_dust)
 
     def solve(self) -> HertzContact:
         """Contact under the force."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Annotated, Self
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from app.schemas.base import (
     SIZE,
@@ -13,6 +13,7 @@ from app.schemas.base import (
     ResponseModel,
     WarningOut,
     field_error,
+    no_dust,
     quantity,
 )
 from app.units import to_si
@@ -156,6 +157,8 @@ class RollerStrengthRequest(RequestModel):
         step=0.1,
         help="Stress concentration at the step beside the middle sphere.",
     )
+
+    _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:

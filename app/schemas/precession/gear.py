@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import Annotated, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
-from app.schemas.base import SIZE, RequestModel, field_error, quantity
+from app.schemas.base import SIZE, RequestModel, field_error, no_dust, quantity
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
@@ -64,6 +64,8 @@ class RollerFields(RequestModel):
         step=1,
         help="Polar angle on the roller at which contact ends.",
     )
+
+    _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
 
     @model_validator(mode="after")
     def _one_pair_of_limits(self) -> Self:
@@ -138,6 +140,8 @@ class WheelFields(RequestModel):
         help="End of the working length.",
     )
 
+    _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
+
 
 class GearFields(RequestModel):
     """Geometry of the mesh and its rollers."""
@@ -162,7 +166,7 @@ class GearFields(RequestModel):
         "Nutation angle",
         symbol="θ",
         group="gear",
-        gt=0,
+        ge=1e-9,
         lt=90,
         step=0.5,
         help="Angle between the axes of the central wheel and the satellite.",

@@ -2,8 +2,9 @@
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import field_validator
 
-from app.schemas.base import AccuracyOut, ResponseModel, WarningOut, quantity
+from app.schemas.base import AccuracyOut, ResponseModel, WarningOut, no_dust, quantity
 from app.schemas.precession.gear import Coordinate, GearFields
 from app.units import to_si
 from core.errors import InvalidInput
@@ -32,6 +33,8 @@ class MeshingLoadRequest(GearFields):
         step=1,
         help="Place of the bearing C along the axis, from the precession centre.",
     )
+
+    _sizes = field_validator("torque_Nm", "reference_z_mm")(no_dust)
 
     def solve_load(self) -> MeshingLoad:
         """Load of the mesh."""

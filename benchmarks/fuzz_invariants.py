@@ -1,0 +1,274 @@
+"""What has to hold for every answer of 200, whatever was asked: mechanics, not the code's numbers.
+
+Each check takes the request's body, the answer, and `ask`, which sends another request.
+"""
+
+import math
+from collections.abc import Awaitable, Callable, Iterator
+from itertools import pairwise
+from typing import Any
+
+Body = dict[str, Any]
+Ask = Callable[[str, Body], Awaitable[Body | None]]
+
+ROUNDING = 1e-13
+"""Relative room for the rounding of the checks' own sums."""
+
+
+def expect(true: bool, what: str, *numbers: object) -> None:
+    """Say which invariant broke."""
+    if not true:
+        raise AssertionError(f"{what}: {', '.join(map(repr, numbers))}")
+
+
+def equal(a: float, b: float, what: str, error: float = 0.0, size: float = 0.0) -> None:
+    """Two numbers are one up to an error, relative to them or to the size of what cancels."""
+    room = (error + ROUNDING) * max(abs(a), abs(b), size) + 1e-300
+    expect(abs(a - b) <= room, what, a, b, error)
+
+
+def accuracies(answer: Any) -> Iterator[Body]:
+    """Every statement of accuracy in an answer."""
+    if isinstance(answer, dict):
+        if "accuracy" in answer:
+            yield answer["accuracy"]
+        for value in answer.values():
+            yield from accuracies(value)
+
+
+def check_accuracy(answer: Body) -> None:
+    """Stated errors and costs are numbers that make sense."""
+    for stated in accuracies(answer):
+        expect(0 <= stated["relative_error"] < math.inf, "stated error", stated)
+        expect(stated["evaluations"] >= 0 and stated["run_time_us"] >= 0, "cost", stated)
+
+
+def crank_angles(body: Body) -> list[float]:
+    """Crank angle of every satellite, degrees."""
+    if body.get("crank_angles_deg") is not None:
+        return list(body["crank_angles_deg"])
+    satellites = body.get("satellites", 2)
+    spacing = body.get("crank_spacing_deg")
+    spacing = 360 / satellites if spacing is None else spacing
+    return [j * spacing for j in range(satellites)]
+
+
+def ratio(body: Body) -> float:
+    """Ratio, given or from the teeth."""
+    if body.get("ratio") is not None:
+        return float(body["ratio"])
+    return body["satellite_teeth"] / (body["ring_teeth"] - body["satellite_teeth"])
+
+
+def cosines(body: Body, crank_deg: float) -> list[list[float]]:
+    """Cosine of the angle between force and tangent, -sin(psi + theta), of every pair."""
+    psi = crank_deg * (1 + 1 / ratio(body)) + body.get("initial_crank_angle_deg", 0.0)
+    return [
+        [
+            -math.sin(math.radians(math.fmod(psi + angle + 360 * n / body["pins"], 360)))
+            for n in range(body["pins"])
+        ]
+        for angle in crank_angles(body)
+    ]
+
+
+async def cyclogram(body: Body, answer: Body, ask: Ask) -> None:
+    """Counts lie between least and most; the intervals of the pairs add up to the counts."""
+    counts = answer["driving_count"]
+    least, most, mean = (answer[f"{name}_driving"] for name in ("min", "max", "mean"))
+    pairs = body["pins"] * len(crank_angles(body))
+    expect(least <= mean <= most, "least <= mean <= most", least, mean, most)
+    expect(mean == pairs / 2, "half of the pairs drive on average", mean, pairs)
+    expect(all(least <= each["pairs"] <= most for each in counts), "counts", least, most)
+    total = 360 * body.get("revolutions", 1.0)
+    edges = [counts[0]["from_deg"], *(each["to_deg"] for each in counts)]
+    expect(edges[0] == 0 and edges == sorted(edges), "counts from 0 on", edges[:4])
+    joined = all(a["to_deg"] == b["from_deg"] for a, b in pairwise(counts))
+    expect(joined, "counts without holes")
+    equal(edges[-1], total, "counts over the range")
+    driven = sum(b - a for pair in answer["pairs"] for a, b in pair["driving_deg"])
+    counted = sum((each["to_deg"] - each["from_deg"]) * each["pairs"] for each in counts)
+    intervals = len(counts) + sum(len(pair["driving_deg"]) for pair in answer["pairs"])
+    error = answer["accuracy"]["relative_error"] + 2e-16 * intervals
+    equal(driven, counted, "lengths of the driving intervals", error, total * pairs)
+    if body.get("revolutions", 1.0) == 1.0:
+        period = answer["period_deg"]
+        slack = pairs * min(period, total)
+        expect(abs(driven - mean * total) <= slack / 2, "mean", driven, mean * total)
+    centres = answer["dead_centres_deg"]
+    expect(all(0 <= each <= total * (1 + 1e-15) for each in centres), "dead centres", centres[:4])
+    expect(
+        least > 0 or bool(centres) or "dead_zones_deg" in answer or total < 360, "no dead centre"
+    )
+
+
+async def contact_force(body: Body, answer: Body, ask: Ask) -> None:
+    """Equilibrium of the torque, curves below the peak, twice the torque twice the peak."""
+    error = answer["accuracy"]["relative_error"]
+    peak, reference = answer["peak_force_N"], answer["reference_force_N"]
+    torque = body.get("output_torque_Nm")
+    if torque is None:
+        torque = body["input_torque_Nm"] * body["efficiency"] * ratio(body)
+    equal(reference, torque / (body["pin_circle_radius_mm"] / 1e3), "F0 = T/R")
+    equal(peak, reference * answer["peak_force_ratio"], "peak = F0 * ratio")
+    pairs = body["pins"] * len(crank_angles(body))
+    expect(peak >= reference / pairs * (1 - error - ROUNDING), "peak below even sharing", peak)
+    if "curves" in answer:
+        exponent = body.get("force_exponent", 1.0)
+        curves = answer["curves"]
+        for i, angle in enumerate(curves["crank_angle_deg"]):
+            forces = [curve[i] for curve in curves["force_N"]]
+            expect(min(forces) >= 0, "force below 0", angle, min(forces))
+            expect(max(forces) <= peak * (1 + error + 1e-12), "force above the peak", angle,
+                   max(forces), peak)  # fmt: skip
+            flat = [each for row in cosines(body, angle) for each in row]
+            moment = sum(force * cosine for force, cosine in zip(forces, flat, strict=True))
+            turns = angle * (1 + 1 / ratio(body)) + 7200
+            noise = 2e-16 * turns * (1 + exponent) * sum(forces) / reference
+            equal(moment, reference, "torque of the pins", noise)
+    if torque < 1e11 and "output_torque_Nm" in body:
+        plain = {key: value for key, value in body.items() if key != "include"}
+        twice = await ask("contact-force", plain | {"output_torque_Nm": 2 * torque})
+        expect(twice is not None, "twice the torque is refused")
+        equal(twice["peak_force_N"], 2 * peak, "twice the torque")
+
+
+async def hertz(body: Body, answer: Body, ask: Ask) -> None:
+    """The pressure carries the force; it grows with the root of the force."""
+    error = answer["accuracy"]["relative_error"]
+    load = body["force_N"] / body["contact_length_mm"]
+    load *= body.get("dynamic_factor", 1.0) * body.get("distribution_factor", 1.0)
+    pressure, half_width = answer["max_pressure_MPa"], answer["half_width_mm"]
+    equal(load, math.pi / 2 * pressure * half_width, "force of the pressure", 4 * error)
+    equal(answer["mean_pressure_MPa"], math.pi / 4 * pressure, "mean pressure")
+    equal(answer["half_width_ratio"], half_width / body["pin_radius_mm"], "a/r")
+    if 0 < body["force_N"] <= 2.5e14:
+        four = await ask("hertz", body | {"force_N": 4 * body["force_N"]})
+        expect(four is not None, "four times the force is refused")
+        equal(four["max_pressure_MPa"], 2 * pressure, "pressure ~ sqrt(F)", error)
+        equal(four["half_width_mm"], 2 * half_width, "half-width ~ sqrt(F)", error)
+
+
+async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
+    """Every section is what its own endpoint gives; forces at an angle carry the torque."""
+    expect(set(answer) == set(body.get("include", ["cyclogram", "contact_force", "hertz"])),
+           "sections", list(answer))  # fmt: skip
+    if "cyclogram" in answer:
+        await cyclogram(body["mechanism"], answer["cyclogram"], ask)
+    mechanism = {key: value for key, value in body["mechanism"].items() if key != "revolutions"}
+    if "contact_force" in answer:
+        force = answer["contact_force"]
+        await contact_force(mechanism | body["load"], force, ask)
+        if "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
+            contact = {key: val for key, val in body["contact"].items() if key != "eccentricity_mm"}
+            alone = await ask("hertz", contact | {"force_N": force["peak_force_N"]})
+            expect(alone is not None, "Hertz alone is refused")
+            equal(alone["max_pressure_MPa"], answer["hertz"]["max_pressure_MPa"], "Hertz alone")
+    for pair in answer.get("geometry", {}).get("pairs", ()):
+        expect(pair["force_N"] >= 0 and (pair["driving"] or not pair["force_N"]), "force", pair)
+
+
+async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
+    """The rollers' forces carry the torque and follow from one displacement."""
+    error = answer["accuracy"]["relative_error"]
+    forces, stiffness = answer["forces_N"], answer["stiffness_N_per_mm"]
+    total = body["output_torque_Nm"] / (2 * body["hole_circle_radius_mm"] / 1e3)
+    equal(math.fsum(forces), total, "sum of the forces", error)
+    equal(answer["mean_force_N"] * body["rollers"], total, "mean force")
+    equal(answer["max_force_N"], max(forces), "largest force")
+    equal(answer["load_nonuniformity"] * answer["mean_force_N"], max(forces), "Psi", error)
+    expect(min(forces) >= 0, "force below 0", min(forces))
+    expect(answer["loaded_rollers"] == sum(force > 0 for force in forces), "loaded rollers", forces)
+    if body.get("gaps_mm") is not None:
+        for gap, force in zip(body["gaps_mm"], forces, strict=True):
+            expected = stiffness * max(0.0, answer["displacement_mm"] - gap)
+            size = stiffness * max(abs(answer["displacement_mm"]), abs(gap))
+            equal(force, expected, "force = c*(displacement - gap)", error, size)
+    if body["output_torque_Nm"] <= 5e11 and not any(body.get("gaps_mm") or [body.get("gaps_mm")]):
+        twice = await ask(
+            "roller-strength", body | {"output_torque_Nm": 2 * body["output_torque_Nm"]}
+        )
+        expect(twice is not None, "twice the torque is refused")
+        expect(twice["max_force_N"] >= max(forces), "more torque, less force", twice["max_force_N"])
+
+
+async def contact_line(body: Body, answer: Body, ask: Ask) -> None:
+    """Lengths add up, are at least the working length, and those of two halves are the whole."""
+    error = answer["accuracy"]["relative_error"]
+    lines = answer["lines"]
+    equal(answer["total_length_mm"], math.fsum(each["length_mm"] for each in lines), "total")
+    for line in lines:
+        along = abs(line["z_max_mm"] - line["z_min_mm"])
+        size = max(abs(line["z_max_mm"]), abs(line["z_min_mm"]), along)
+        room = line["length_mm"] * error + 1e-15 * size
+        expect(line["length_mm"] >= along - room, "shorter than straight", line)
+        if "points" in line:
+            drawn = {len(values) for values in line["points"].values()}
+            expect(drawn == {body.get("samples", 61)}, "samples", drawn)
+    first = (body.get("rollers") or [{}])[0]
+    if first.get("z_min_mm") is None:
+        return
+    low, high = first["z_min_mm"], first["z_max_mm"]
+    middle = low + (high - low) * 0.375
+    if high - low <= 1e-14 * max(-low, high) or 0 < abs(middle) < 1e-12:
+        return  # nothing is left between the ends, or an end would be too small
+    halves = [first | {"z_max_mm": middle}, first | {"z_min_mm": middle}]
+    parts = await ask("precession/contact-line", body | {"rollers": halves, "include": []})
+    expect(parts is not None, "half a line is refused", low, middle, high)
+    both = error + parts["accuracy"]["relative_error"]
+    equal(parts["total_length_mm"], lines[0]["length_mm"], "two halves", both * len(lines))
+
+
+async def meshing_load(body: Body, answer: Body, ask: Ask) -> None:
+    """The moment about the axis is the torque; no force along it; all grows with the torque."""
+    error = answer["accuracy"]["relative_error"]
+    equal(answer["moment_Nm"][2], body["torque_Nm"], "M_Cz = M1", error)
+    expect(answer["force_N"][2] == 0, "force along the axis", answer["force_N"])
+    if 0 < abs(body["torque_Nm"]) <= 5e11:
+        twice = await ask("precession/meshing-load", body | {"torque_Nm": 2 * body["torque_Nm"]})
+        expect(twice is not None, "twice the torque is refused")
+        equal(twice["max_line_load_N_per_mm"], 2 * answer["max_line_load_N_per_mm"], "line load")
+        for name in ("force_N", "moment_Nm"):
+            for double, single in zip(twice[name], answer[name], strict=True):
+                equal(double, 2 * single, f"twice the {name}")
+
+
+async def shaft_deflection(body: Body, answer: Body, ask: Ask) -> None:
+    """Reactions hold force and moment of the mesh."""
+    own = {
+        "bearing_distance_mm", "overhang_mm", "shaft_diameter_mm", "shaft_sections",
+        "youngs_modulus_GPa",
+    }  # fmt: skip
+    mesh = await ask(
+        "precession/meshing-load", {key: value for key, value in body.items() if key not in own}
+    )
+    expect(mesh is not None, "the load alone is refused")
+    first, second = answer["reaction_B_N"], answer["reaction_C_N"]
+    distance = body["bearing_distance_mm"] / 1e3
+    for axis, (other, sign) in enumerate(((1, -1), (0, 1))):
+        moment = mesh["moment_Nm"][other]
+        equal(first[axis] * distance, sign * moment, "moment about C")
+        size = max(abs(first[axis]), abs(mesh["force_N"][axis]))
+        equal(first[axis] + second[axis], -mesh["force_N"][axis], "sum of forces", size=size)
+    for name in ("deflection_B_mm", "deflection_C_mm"):
+        equal(answer[name]["total"], math.hypot(answer[name]["x"], answer[name]["y"]), name)
+
+
+async def work_precision(body: Body, answer: Body, ask: Ask) -> None:
+    """The default is among the methods, and no error or time is below 0."""
+    expect(answer["chosen"] in answer["points"], "chosen")
+    expect(all(each["relative_error"] >= 0 < each["run_time_us"] for each in answer["points"]),
+           "points")  # fmt: skip
+
+
+INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
+    "cyclogram": cyclogram,
+    "contact-force": contact_force,
+    "hertz": hertz,
+    "crank-planetary": crank_planetary,
+    "roller-strength": roller_strength,
+    "precession/contact-line": contact_line,
+    "precession/meshing-load": meshing_load,
+    "precession/shaft-deflection": shaft_deflection,
+    "work-precision": work_precision,
+}

@@ -1,0 +1,406 @@
+"""Requests for the fuzz: random designs over all that is allowed, hostile numbers, broken bodies.
+
+Limits come from the service's own OpenAPI description; what belongs together (a ratio or numbers
+of teeth, one gap for each roller) is written here.
+"""
+
+import gzip
+import json
+import math
+import random
+from collections.abc import Callable
+from copy import deepcopy
+from dataclasses import dataclass, field
+from typing import Any
+
+from app.examples import EXAMPLES
+from app.main import app
+from core.materials import MATERIALS
+
+API = "/api/v1/"
+MODELS: dict[str, Any] = app.openapi()["components"]["schemas"]
+TYPICAL = {"mm": (0.5, 100), "Nm": (1, 1e4), "N": (1, 1e5), "GPa": (1, 300), "MPa": (10, 3e3)}
+"""Usual sizes, by the last part of a name."""
+
+Body = dict[str, Any]
+
+
+@dataclass(slots=True)
+class Request:
+    """One request; `json` is its body where that is meant to be read as JSON."""
+
+    endpoint: str
+    json: Body | None = None
+    content: bytes = b""
+    headers: dict[str, str] = field(default_factory=lambda: {"content-type": "application/json"})
+    query: str = ""
+    method: str = "POST"
+
+    def body(self) -> bytes:
+        """The bytes that are sent."""
+        return self.content if self.json is None else json.dumps(self.json).encode()
+
+
+class Draw(random.Random):
+    """Random values of the fields of the request models."""
+
+    wide = 0.0
+    """Probability that a number comes from the whole allowed range, not from the usual one."""
+
+    def chance(self, probability: float) -> bool:
+        return self.random() < probability
+
+    def log_uniform(self, low: float, high: float) -> float:
+        return min(high, max(low, math.exp(self.uniform(math.log(low), math.log(high)))))
+
+    def number(self, model: str, name: str, usual: tuple[float, float] | None = None) -> float:
+        """Value of a field within its limits, evenly over the logarithm where it is positive."""
+        schema = MODELS[model]["properties"][name]
+        schema = next((s for s in schema.get("anyOf", ()) if s["type"] != "null"), schema)
+        schema = schema.get("items", schema)
+        low = schema.get("minimum", schema.get("exclusiveMinimum"))
+        high = schema.get("maximum", schema.get("exclusiveMaximum"))
+        if not self.chance(self.wide):
+            usual = usual or TYPICAL.get(name.rsplit("_", 1)[-1], (0.1, 10))
+            low, high = max(low, usual[0]), min(high, usual[1])
+        elif self.chance(0.1):
+            edge = self.choice((low, high))
+            within = "exclusiveMinimum" in schema and edge == low
+            within |= "exclusiveMaximum" in schema and edge == high
+            return math.nextafter(edge, (low + high) / 2) if within else edge
+        if low < 0 < high and self.chance(0.5):
+            return self.choice((-1, 1)) * self.log_uniform(1e-12, min(high, -low))
+        if low <= 0:
+            return self.choice((self.uniform(low, high), self.log_uniform(1e-15, high)))
+        return self.log_uniform(low, high)
+
+    def count(self, most: int) -> int:
+        return round(self.log_uniform(1, most))
+
+
+def mechanism(r: Draw) -> Body:
+    """Pins, satellites, cranks, ratio; seldom many pairs."""
+    most = r.choices((30, 300, 10_000), (97, 2.7, 0.3))[0]
+    satellites = r.count(min(100, most // 3))
+    body: Body = {"pins": r.count(most // satellites), "satellites": satellites}
+    if body["pins"] * satellites == 1 and r.chance(0.8):
+        body["pins"] = 3
+    if r.chance(0.7):
+        body["ratio"] = r.number("CyclogramRequest", "ratio", (1, 100))
+        if r.chance(0.5):
+            body["ratio"] = float(math.ceil(body["ratio"]))
+    else:
+        teeth = [r.randint(10, 200) if r.chance(0.8) else r.count(10**6 - 1) for _ in range(2)]
+        body |= {"satellite_teeth": min(teeth), "ring_teeth": max(teeth) + 1}
+    angles = r.random()
+    if angles < 0.3:
+        body["crank_spacing_deg"] = r.choice(
+            (90.0, 120.0, 180.0, r.uniform(0, 360), r.uniform(-3600, 3600), r.log_uniform(1e-15, 1))
+        )
+    elif angles < 0.6:
+        del body["satellites"]
+        body["crank_angles_deg"] = [r.uniform(-360, 360) for _ in range(satellites)]
+        if r.chance(0.2):
+            near = body["crank_angles_deg"][0]
+            body["crank_angles_deg"][-1] = math.nextafter(near, 9e9)
+    if r.chance(0.3):
+        body["initial_crank_angle_deg"] = r.choice((180.0, r.uniform(-3600, 3600)))
+    return body
+
+
+def range_shown(r: Draw, body: Body) -> Body:
+    """The mechanism with a number of turns that keeps the answer small."""
+    if r.chance(0.3):
+        pairs = body["pins"] * len(body.get("crank_angles_deg", ())) or body["pins"]
+        turns = 1 + 1 / body.get("ratio", 1.0)
+        body["revolutions"] = r.log_uniform(1e-12, max(1e-3, 300 / pairs / turns))
+    return body
+
+
+def load(r: Draw) -> Body:
+    """Torque, lever, force exponent."""
+    number = r.number
+    body: Body = {"pin_circle_radius_mm": number("LoadFields", "pin_circle_radius_mm")}
+    if r.chance(0.7):
+        body["output_torque_Nm"] = number("LoadFields", "output_torque_Nm")
+    else:
+        body["input_torque_Nm"] = number("LoadFields", "input_torque_Nm")
+        body["efficiency"] = r.log_uniform(1e-3, 1)
+    if r.chance(0.5):
+        body["force_exponent"] = r.choice(
+            (0, 10 / 9, 1.5, number("LoadFields", "force_exponent", (0, 3)), r.uniform(0.9, 1.2))
+        )
+    wanted = ("curves", "equal_sharing", "approximation")
+    body["include"] = [each for each in wanted if r.chance(0.3)]
+    if r.chance(0.9):
+        body["samples"] = r.randint(2, 40)
+    return body
+
+
+def material(r: Draw) -> Body | str:
+    """A name, or values."""
+    if r.chance(0.7):
+        return r.choice(list(MATERIALS))
+    number = r.number
+    body: Body = {
+        "youngs_modulus_GPa": number("MaterialFields", "youngs_modulus_GPa"),
+        "poissons_ratio": number("MaterialFields", "poissons_ratio", (0, 0.49)),
+    }
+    if r.chance(0.5):
+        body["allowable_pressure_MPa"] = number("MaterialFields", "allowable_pressure_MPa")
+    return body
+
+
+def contact(r: Draw) -> Body:
+    """Pin and hole, nearly alike at times."""
+    number = r.number
+    pin = number("HertzRequest", "pin_radius_mm")
+    wider = r.choice((number("HertzRequest", "hole_radius_mm"), pin * r.log_uniform(1e-15, 1)))
+    body: Body = {
+        "contact_length_mm": number("HertzRequest", "contact_length_mm"),
+        "pin_radius_mm": pin,
+        "hole_radius_mm": min(1e12, pin + wider),
+    }
+    for name in ("pin_material", "hole_material"):
+        if r.chance(0.5):
+            body[name] = material(r)
+    for name in ("dynamic_factor", "distribution_factor"):
+        if r.chance(0.2):
+            body[name] = number("HertzRequest", name, (1, 3))
+    return body
+
+
+def hertz(r: Draw) -> Body:
+    return contact(r) | {"force_N": r.number("HertzRequest", "force_N", (1, 1e5))}
+
+
+def crank_planetary(r: Draw) -> Body:
+    body: Body = {"mechanism": range_shown(r, mechanism(r)), "load": load(r), "contact": contact(r)}
+    sections = ["cyclogram", "contact_force", "hertz", "geometry"]
+    body["include"] = r.sample(sections, r.randint(1, 4))
+    if r.chance(0.5):
+        body["crank_angle_deg"] = r.uniform(-3600, 3600)
+    return body
+
+
+def roller_strength(r: Draw) -> Body:
+    """Rollers with a tolerance or with gaps."""
+    model = "RollerStrengthRequest"
+    needed = MODELS[model]["required"]
+    body: Body = {name: r.number(model, name) for name in needed if name != "rollers"}
+    rollers = r.count(r.choices((12, 1000), (98, 2))[0])
+    body["rollers"] = rollers
+    if r.chance(0.5):
+        body["position_tolerance_mm"] = r.number(model, "position_tolerance_mm", (1e-4, 0.1))
+    else:
+        spread = r.number(model, "position_tolerance_mm", (1e-4, 0.1))
+        body["gaps_mm"] = [r.uniform(-spread, spread) for _ in range(rollers)]
+    if r.chance(0.5):
+        body["poissons_ratio"] = r.number(model, "poissons_ratio", (0, 0.49))
+    else:
+        body["shear_modulus_GPa"] = r.number(model, "shear_modulus_GPa")
+    for name, usual in (("friction_coefficient", (0.0, 0.3)), ("stress_concentration", (1.0, 5.0))):
+        if r.chance(0.3):
+            body[name] = r.number(model, name, usual)
+    return body
+
+
+def interval(r: Draw) -> tuple[float, float]:
+    """A working length, beside the precession centre more often than across it."""
+    start = r.number("RollerFields", "z_min_mm", (5, 50))
+    length = r.log_uniform(1e-9, 1e3) if r.chance(r.wide) else r.uniform(1, 20)
+    return (start, start + length) if start > 0 or r.chance(0.2) else (start - length, start)
+
+
+def gear(r: Draw) -> Body:
+    """A mesh: geometry, and rollers or a wheel."""
+    number = r.number
+    body: Body = {
+        name: number("ContactLineRequest", name)
+        for name in ("roller_circle_radius_mm", "roller_radius_mm")
+    }
+    body["nutation_angle_deg"] = number("ContactLineRequest", "nutation_angle_deg", (0.5, 20))
+    body["ratio_u12"] = number("ContactLineRequest", "ratio_u12", (0.8, 1.2))
+    place = r.uniform(-360, 360) if r.chance(0.5) else r.uniform(5, 170)
+    if r.chance(0.3):
+        low, high = interval(r)
+        total = r.count(r.choices((40, 500), (98, 2))[0])
+        wheel: Body = {"rollers_total": total, "position_angle_deg": place}
+        wheel |= {"z_min_mm": low, "z_max_mm": high}
+        if r.chance(0.7):
+            wheel["rollers_in_mesh"] = r.randint(1, total)
+        return body | {"wheel": wheel}
+    rollers = []
+    for _ in range(r.count(8)):
+        roller: Body = {"position_angle_deg": place}
+        if r.chance(0.7):
+            roller["z_min_mm"], roller["z_max_mm"] = interval(r)
+        else:
+            start = -place + r.uniform(1, 170)
+            roller["phi_min_deg"] = start
+            roller["phi_max_deg"] = start + r.uniform(-5, 5)
+        rollers.append(roller)
+        place = (place + r.choice((15, 30, 1e-9, 77))) % 360
+    return body | {"rollers": rollers}
+
+
+def contact_line(r: Draw) -> Body:
+    body = gear(r)
+    if r.chance(0.3):
+        body["torque_sign"] = r.choice((-1, 1))
+    if r.chance(0.3):
+        body |= {"include": ["points"], "samples": r.randint(2, 20)}
+    return body
+
+
+def meshing_load(r: Draw) -> Body:
+    names = ("torque_Nm", "reference_z_mm")
+    return gear(r) | {name: r.number("MeshingLoadRequest", name) for name in names}
+
+
+def shaft_deflection(r: Draw) -> Body:
+    """A mesh on a plain or a stepped shaft."""
+    model = "ShaftDeflectionRequest"
+    body = meshing_load(r)
+    names = ("bearing_distance_mm", "overhang_mm", "youngs_modulus_GPa")
+    body |= {name: r.number(model, name) for name in names}
+    if r.chance(0.6):
+        return body | {"shaft_diameter_mm": r.number(model, "shaft_diameter_mm")}
+    total = body["bearing_distance_mm"] + body["overhang_mm"]
+    cuts = [total * each for each in sorted(r.random() for _ in range(r.randint(0, 4)))]
+    lengths = [b - a for a, b in zip([0.0, *cuts], [*cuts, total], strict=True)]
+    return body | {
+        "shaft_sections": [
+            {"length_mm": length, "diameter_mm": r.number("ShaftSectionFields", "diameter_mm")}
+            for length in lengths
+        ]
+    }
+
+
+def contact_force(r: Draw) -> Body:
+    return mechanism(r) | load(r)
+
+
+DESIGNS: dict[str, Callable[[Draw], Body]] = {
+    "cyclogram": lambda r: range_shown(r, mechanism(r)),
+    "contact-force": contact_force,
+    "hertz": hertz,
+    "crank-planetary": crank_planetary,
+    "roller-strength": roller_strength,
+    "precession/contact-line": contact_line,
+    "precession/meshing-load": meshing_load,
+    "precession/shaft-deflection": shaft_deflection,
+}
+STUDIES = {
+    "peak_force": contact_force,
+    "contact_line_length": gear,
+    "meshing_load": meshing_load,
+    "roller_sharing": roller_strength,
+    "shaft_deflection": shaft_deflection,
+}
+
+HOSTILE: tuple[Any, ...] = (
+    1e-320, -0.0, 0, -1, 1e308, -1e308, 1.7976931348623157e308, 5e-324, 1e-12, 1e12, 1e15,
+    math.nan, math.inf, -math.inf, 10**400, -(10**400), 2**53 + 1, 2**63, 2**64, 1.5, "5", "",
+    "NaN", "\ud800", "\x00", "constructor", True, False, None, [], {}, [None], [[[[1]]]],
+    {"a": {"b": {}}}, [1e300] * 50, "x" * 1000,
+)  # fmt: skip
+
+OTHER_TYPES = (
+    "text/plain", "application/x-www-form-urlencoded", "multipart/form-data", "a/b", "", "\xff",
+    "application/json; charset=utf-7", "application/vnd.api+json",
+)  # fmt: skip
+
+
+def places(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Paths of everything inside a body."""
+    parts = value.items() if isinstance(value, dict) else enumerate(value)
+    found = []
+    for key, inner in parts:
+        found.append((*path, key))
+        if isinstance(inner, (dict, list)):
+            found += places(inner, (*path, key))
+    return found
+
+
+def mutated(r: Draw, body: Body) -> Body:
+    """A body with one to three things put wrong, or only moved."""
+    body = deepcopy(body)
+    for _ in range(r.choice((1, 1, 2, 3))):
+        paths = places(body)
+        if not paths:
+            break
+        *way, key = r.choice(paths)
+        holder: Any = body
+        for part in way:
+            holder = holder[part]
+        change = r.random()
+        if change < 0.5:
+            holder[key] = deepcopy(r.choice(HOSTILE))
+        elif change < 0.6:
+            del holder[key]
+        elif change < 0.7 and isinstance(holder, dict):
+            name = r.choice(("color", "a~b/c", "ratio", "rollers", "gaps_mm", ""))
+            holder[name] = deepcopy(r.choice(HOSTILE))
+        elif type(holder[key]) is float:
+            holder[key] *= r.choice((2, 0.5, -1, 1 + 1e-15, r.log_uniform(1e-6, 1e6)))
+        elif type(holder[key]) is int:
+            holder[key] *= r.choice((2, -1, r.count(1000)))
+        elif isinstance(holder[key], list):
+            holder[key] = holder[key] * r.choice((0, 2, 3, 200))
+    return body
+
+
+def broken(r: Draw, request: Request) -> Request:
+    """A body that is not what it says: cut, doubled, nested, packed, of another type."""
+    good = request.body()
+    kind = r.randrange(14)
+    if kind < 3:
+        request.content = good[: r.randrange(len(good))]
+    elif kind == 3:
+        request.content = b"[" * r.choice((1, 500, 100_000)) + good
+    elif kind == 4:
+        request.content = b'{"pins":' * 5000 + b"1" + b"}" * 5000
+    elif kind == 5:
+        request.content = good[:-1] + b"," + good[1:]
+    elif kind == 6:
+        request.content = gzip.compress(good)
+        request.headers |= {"content-encoding": "gzip"} if r.chance(0.5) else {}
+    elif kind == 7:
+        request.content = good.decode().encode(r.choice(("utf-16", "utf-32", "utf-8-sig")))
+    elif kind == 8:
+        request.content = r.randbytes(r.randrange(300))
+    elif kind == 9:
+        spot = r.randrange(len(good))
+        request.content = good[:spot] + r.randbytes(r.randrange(4)) + good[spot + 1 :]
+    elif kind == 10:
+        request.content = b'{"gaps_mm": [' + b"1," * 100_000 + b'1], "a\\ud800": 1}'
+    elif kind == 11:
+        request.content = good + b" " * r.choice((10, 1_048_577))
+    else:
+        request.content = good
+        request.headers = {"content-type": r.choice(OTHER_TYPES)} if r.chance(0.8) else {}
+    request.json = None
+    return request
+
+
+def random_request(r: Draw) -> Request:
+    """A request of any kind: half of them designs, the rest mutations and broken bodies."""
+    r.wide = r.choice((0.0, 0.1, 1.0))
+    if r.chance(0.0005):
+        study = r.choice(list(STUDIES))
+        return Request("work-precision", {"calculation": study, "input": STUDIES[study](r)})
+    endpoint = r.choice(list(DESIGNS))
+    kind = r.random()
+    if kind < 0.55:
+        request = Request(endpoint, DESIGNS[endpoint](r))
+    else:
+        own = [each["input"] for each in EXAMPLES if each["calculation"] == endpoint]
+        body = r.choice(own) if own and r.chance(0.5) else DESIGNS[endpoint](r)
+        request = Request(endpoint, mutated(r, body) if kind < 0.85 else body)
+        if kind >= 0.85:
+            request = broken(r, request)
+    if r.chance(0.08):
+        request.endpoint += "/chart"
+        request.query = r.choice(("", "theme=dark", "theme=light", "theme=%ff", "theme=1&a=b"))
+    return request

@@ -1,0 +1,274 @@
+"""Load on the running service: 1,000 connections, a worker killed, the service stopped.
+
+Starts the service with two workers on this machine and asks from 1,000 connections at once, each
+sending its next request when the last is answered. Counts what was answered, what was not, and
+what was refused: in quiet, with one worker killed (SIGKILL), while all is stopped (SIGTERM).
+The rate is a ratio to an empty FastAPI endpoint in the same run. `make load`; the number of
+connections may be given: `python -m benchmarks.load 200`.
+"""
+
+import asyncio
+import contextlib
+import json
+import os
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import cast
+
+import uvloop
+from fastapi import FastAPI
+
+from app.examples import EXAMPLES
+
+CONNECTIONS = 1000
+WORKERS = 2
+SECONDS = 5.0
+
+hello = FastAPI()
+
+
+@hello.get("/hello")
+async def _hello() -> dict[str, str]:
+    return {"hello": "world"}
+
+
+def _post(path: str, body: object) -> bytes:
+    content = json.dumps(body).encode()
+    head = f"POST {path} HTTP/1.1\r\nhost: service\r\ncontent-type: application/json\r\n"
+    return f"{head}content-length: {len(content)}\r\n\r\n".encode() + content
+
+
+HELLO = b"GET /hello HTTP/1.1\r\nhost: service\r\n\r\n"
+HERTZ = _post(
+    "/api/v1/hertz",
+    {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10},
+)
+CRANK_PLANETARY = _post("/api/v1/crank-planetary", EXAMPLES[0]["input"])
+
+
+@dataclass(slots=True)
+class Count:
+    """What came of the requests of a run.
+
+    Attributes
+    ----------
+    statuses : Counter
+        Whole answers by HTTP status.
+    unanswered : int
+        Requests whose connection closed before a byte of the answer came.
+    cut : int
+        Requests whose answer stopped midway.
+    refused : int
+        Connections that were not taken.
+    longest : float
+        Longest time to a whole answer, s.
+    """
+
+    statuses: Counter[int] = field(default_factory=Counter)
+    unanswered: int = 0
+    cut: int = 0
+    refused: int = 0
+    longest: float = 0.0
+
+    def __str__(self) -> str:
+        answered = ", ".join(f"{status}: {n}" for status, n in sorted(self.statuses.items()))
+        return (
+            f"answered {answered or 0}; unanswered {self.unanswered}, cut {self.cut}, "
+            f"connections refused {self.refused}; longest wait {self.longest * 1e3:.0f} ms"
+        )
+
+
+class Connection(asyncio.Protocol):
+    """A connection that asks again as soon as it is answered."""
+
+    def __init__(self, request: bytes, count: Count, running: Callable[[], bool]) -> None:
+        self.request, self.count, self.running = request, count, running
+        self.closed: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        self.waiting = False
+        self.received = bytearray()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self.transport = cast(asyncio.Transport, transport)
+        self._ask()
+
+    def _ask(self) -> None:
+        if not self.running():
+            self.transport.close()
+            return
+        self.received.clear()
+        self.waiting, self.asked = True, time.perf_counter()
+        self.transport.write(self.request)
+
+    def data_received(self, data: bytes) -> None:
+        self.received += data
+        head, found, body = self.received.partition(b"\r\n\r\n")
+        if not found:
+            return
+        headers = bytes(head).lower()
+        length = int(headers.split(b"content-length:")[1].split(b"\r\n")[0])
+        if len(body) < length:
+            return
+        self.waiting = False
+        self.count.statuses[int(headers[9:12])] += 1
+        self.count.longest = max(self.count.longest, time.perf_counter() - self.asked)
+        if b"connection: close" not in headers:
+            self._ask()
+
+    def connection_lost(self, error: Exception | None) -> None:
+        if self.waiting:
+            if self.received:
+                self.count.cut += 1
+            else:
+                self.count.unanswered += 1
+        self.closed.set_result(None)
+
+
+async def load(
+    port: int,
+    request: bytes,
+    connections: int,
+    seconds: float,
+    after: tuple[float, Callable[[], None]] | None = None,
+) -> tuple[Count, float]:
+    """Ask from many connections for some seconds; closed ones are opened anew.
+
+    Parameters
+    ----------
+    port, request, connections, seconds
+        Whom to ask, what, from how many connections, for how long.
+    after : (float, callable), optional
+        What to do meanwhile, and after how many seconds.
+
+    Returns
+    -------
+    count : Count
+        What came of it.
+    rate : float
+        Answers a second.
+    """
+    count, loop = Count(), asyncio.get_running_loop()
+    start = time.perf_counter()
+
+    def running() -> bool:
+        return time.perf_counter() - start < seconds
+
+    async def client() -> None:
+        while running():
+            try:
+                _, protocol = await loop.create_connection(
+                    lambda: Connection(request, count, running), "127.0.0.1", port
+                )
+            except OSError:
+                count.refused += 1
+                await asyncio.sleep(0.2)
+            else:
+                await protocol.closed
+
+    if after is not None:
+        loop.call_later(*after)
+    await asyncio.wait_for(asyncio.gather(*(client() for _ in range(connections))), seconds + 60)
+    return count, count.statuses.total() / (time.perf_counter() - start)
+
+
+@dataclass(slots=True)
+class Service:
+    """A running service: its parent process and its port."""
+
+    process: subprocess.Popen[bytes]
+    port: int
+
+    def workers(self) -> list[int]:
+        """Process ids of the workers."""
+        parent = self.process.pid
+        children = Path(f"/proc/{parent}/task/{parent}/children").read_text().split()
+        return [
+            int(child)
+            for child in children
+            if b"spawn_main" in Path(f"/proc/{child}/cmdline").read_bytes()
+        ]
+
+
+@contextlib.contextmanager
+def service(*command: str) -> Iterator[Service]:
+    """Start a service with two workers on a free port; stop it at the end."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    command = (sys.executable, "-m", *command, "--port", str(port), "--workers", str(WORKERS))
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+    try:
+        running = Service(process, port)
+        deadline = time.monotonic() + 60
+        while len(running.workers()) < WORKERS or not _answers(port):
+            if time.monotonic() > deadline or process.poll() is not None:
+                raise TimeoutError("the service does not start")
+            time.sleep(0.1)
+        time.sleep(2)  # the other worker too
+        yield running
+    finally:
+        process.terminate()
+        process.wait(60)
+
+
+def _answers(port: int) -> bool:
+    try:
+        socket.create_connection(("127.0.0.1", port), 1).close()
+    except OSError:
+        return False
+    return True
+
+
+def main(connections: int = CONNECTIONS) -> int:
+    """Run the load and say what was lost; 1 if the service did not hold."""
+    _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 4 * connections + 1024), hard))
+
+    def run(running: Service, request: bytes, **given: object) -> tuple[Count, float]:
+        settings = {"connections": connections, "seconds": SECONDS} | given
+        return uvloop.run(load(running.port, request, **settings))  # type: ignore[arg-type]
+
+    faults = []
+    with service(
+        "uvicorn", "benchmarks.load:hello", "--no-access-log", "--log-level", "warning"
+    ) as running:
+        _, bare = run(running, HELLO)
+    print(f"{connections} connections, {WORKERS} workers; hello of FastAPI: {bare:.0f}/s")
+    with service("app.serve") as running:
+        for name, request in (("hertz", HERTZ), ("crank-planetary", CRANK_PLANETARY)):
+            count, rate = run(running, request)
+            print(f"{name}: {rate:.0f}/s, {rate / bare:.2f} of hello; {count}")
+            if set(count.statuses) != {200} or count.unanswered or count.cut or count.refused:
+                faults.append(f"{name}: not every request was answered")
+
+        before = running.workers()
+        count, rate = run(
+            running, HERTZ, seconds=3 * SECONDS,
+            after=(SECONDS, lambda: os.kill(before[0], signal.SIGKILL)),
+        )  # fmt: skip
+        after = running.workers()
+        print(f"a worker killed: {rate:.0f}/s; {count}")
+        if len(after) != WORKERS or before[0] in after:
+            faults.append("the killed worker was not replaced")
+        if count.unanswered + count.cut > connections or count.refused:
+            faults.append("more was lost than the killed worker held")
+
+        count, rate = run(running, HERTZ, after=(SECONDS / 2, running.process.terminate))
+        code = running.process.wait(60)
+        print(f"stopped (SIGTERM): {count}; exit status {code}")
+        if count.unanswered or count.cut:
+            faults.append("a graceful stop lost requests in flight")
+    for fault in faults:
+        print(f"FAULT: {fault}")
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(int, sys.argv[1:])))

@@ -1,0 +1,42 @@
+"""A part of `make fuzz` with a fixed seed: designs, hostile numbers and broken bodies."""
+
+import pytest
+
+from benchmarks.fuzz import Fuzz
+from benchmarks.fuzz_requests import Request
+
+pytestmark = pytest.mark.anyio
+
+HERTZ = {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
+
+
+@pytest.mark.parametrize("seed", range(2))
+async def test_nothing_breaks_the_service(seed):
+    report = await Fuzz().run(requests=1000, seed=seed)
+    assert report.failures == []
+    assert {status for _, status in report.answers} == {200, 413, 422}
+
+
+@pytest.mark.parametrize(
+    ("body", "before", "after"),
+    [
+        (HERTZ, b'"max_pressure_MPa":', b'"max_pressure_MPa":1'),
+        (HERTZ, b'"mean_pressure_MPa":', b'"mean_pressure_MPa":NaN,"x":'),
+        (HERTZ, b'"mean_pressure_MPa":', b'"mean_pressure_MPa":null,"x":'),
+        (HERTZ | {"force_N": -1}, b"/force_N", b"/force"),
+        (HERTZ | {"force_N": -1}, b"/problems/invalid", b"/problems/unknown"),
+    ],
+)
+async def test_the_fuzz_sees_what_is_wrong(body, before, after):
+    fuzz = Fuzz()
+    await fuzz.check(Request("hertz", body))
+    send = fuzz.send
+
+    async def tampered(request):
+        status, headers, content = await send(request)
+        assert before in content
+        return status, headers, content.replace(before, after)
+
+    fuzz.send = tampered
+    with pytest.raises((AssertionError, ValueError, KeyError)):
+        await fuzz.check(Request("hertz", body))
