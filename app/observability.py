@@ -6,6 +6,8 @@ With several workers the metrics of all are added up through files: prometheus-c
 
 import logging
 import os
+from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +28,9 @@ from starlette.types import Scope
 from app.record import Record
 
 LOG = logging.getLogger("khv.request")
+
+# What no line shows need not be found out for each (the logging module's own advice).
+logging.logThreads = logging.logProcesses = logging.logMultiprocessing = False
 
 BUCKETS_S = (0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 
@@ -53,7 +58,7 @@ class JsonLines(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         """The line of a record."""
         line: dict[str, Any] = {
-            "time": self.formatTime(record, "%Y-%m-%dT%H:%M:%S") + f".{record.msecs:03.0f}",
+            "time": datetime.fromtimestamp(record.created, UTC),
             "level": record.levelname.lower(),
         }
         if isinstance(record.msg, dict):
@@ -62,7 +67,7 @@ class JsonLines(logging.Formatter):
             line["message"] = record.getMessage()
         if record.exc_info:
             line["traceback"] = self.formatException(record.exc_info)
-        return orjson.dumps(line).decode()
+        return orjson.dumps(line, option=orjson.OPT_UTC_Z).decode()
 
 
 def begin() -> None:
@@ -95,10 +100,14 @@ def end(
     status = status or 499
     total_s = max(0.0, answered - record.started)
     calculation_s = sum(record.calculations_us) / 1e6
-    REQUESTS.labels(method, route, str(status)).inc()
-    DURATION.labels(route).observe(total_s)
+    requests, duration, calculation = _meters(method, route, status)
+    requests.inc()
+    duration.observe(total_s)
     if record.calculations_us:
-        CALCULATION.labels(route).observe(calculation_s)
+        calculation.observe(calculation_s)
+    level = logging.ERROR if error else logging.INFO
+    if not LOG.isEnabledFor(level):
+        return
     line = {
         "id": record.request_id,
         "method": method,
@@ -111,10 +120,20 @@ def end(
     if record.calculated:
         line["calculation_ms"] = round(calculation_s * 1e3, 3)
         line["encode_ms"] = round((answered - record.calculated) * 1e3, 3)
-    LOG.log(logging.ERROR if error else logging.INFO, line, exc_info=error)
+    LOG.log(level, line, exc_info=error)
 
 
 METHODS = frozenset(("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"))
+
+
+@cache
+def _meters(method: str, route: str, status: int) -> tuple[Counter, Histogram, Histogram]:
+    """Metrics of a route, found once."""
+    return (
+        REQUESTS.labels(method, route, str(status)),
+        DURATION.labels(route),
+        CALCULATION.labels(route),
+    )
 
 
 def _template(scope: Scope) -> str:
