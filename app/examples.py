@@ -246,6 +246,10 @@ REQUESTS: dict[str, dict[str, Any]] = {
     "precession/contact-line": _without(_MESH, "torque_Nm", "reference_z_mm") | {"torque_sign": 1},
     "precession/meshing-load": _MESH,
     "precession/shaft-deflection": _SHAFT,
+    "batch": {
+        "calculation": "hertz",
+        "requests": [{"force_N": force} | _CONTACT for force in (5000.0, 6667.0)],
+    },
     "work-precision": {"calculation": "peak_force", "input": _FORCE},
 }
 """One request for each endpoint, for the API's description; its chart takes the same."""

@@ -17,6 +17,7 @@ from app.examples import REQUESTS
 from app.middleware import BodyLimit, Requests
 from app.processes import warm_up
 from app.routers import (
+    batch,
     contact_force,
     crank_planetary,
     cyclogram,
@@ -40,6 +41,7 @@ ROUTERS = (
     roller_strength,
     precession,
     work_precision,
+    batch,
 )
 
 PROBLEMS: dict[int | str, dict[str, Any]] = {
@@ -72,8 +74,9 @@ def complete_description(app: FastAPI) -> None:
         schema["components"]["schemas"] |= nested | {"ProblemOut": models}
         for calculation, example in REQUESTS.items():
             for path in (f"{API}/{calculation}", f"{API}/{calculation}/chart"):
-                body = schema["paths"][path]["post"]["requestBody"]
-                body["content"]["application/json"]["example"] = example
+                if path in schema["paths"]:
+                    body = schema["paths"][path]["post"]["requestBody"]
+                    body["content"]["application/json"]["example"] = example
         return schema
 
     app.openapi = openapi  # type: ignore[method-assign]
@@ -120,7 +123,11 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     problems.install(app)
     complete_description(app)
     app.add_middleware(GZipMiddleware, minimum_size=2048, compresslevel=6)
-    app.add_middleware(BodyLimit, limit=settings.max_body_bytes)
+    app.add_middleware(
+        BodyLimit,
+        limit=settings.max_body_bytes,
+        larger={f"{API}/batch": settings.max_batch_bytes},
+    )
     if settings.cors_origins:
         app.add_middleware(
             CORSMiddleware,

@@ -67,20 +67,24 @@ class Requests:
 
 
 class BodyLimit:
-    """Refuses a body above a limit, whether it says its length or not; notes when it is whole."""
+    """Refuses a body above the limit of its path, whether it says its length or not; notes when it
+    is whole.
+    """
 
-    def __init__(self, app: ASGIApp, limit: int) -> None:
+    def __init__(self, app: ASGIApp, limit: int, larger: dict[str, int]) -> None:
         self.app = app
         self.limit = limit
+        self.larger = larger
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
+        limit = self.larger.get(scope["path"], self.limit)
         announced = dict(scope["headers"]).get(b"content-length", b"0")
-        if announced.isdigit() and int(announced) > self.limit:
-            await http_problem(TooLarge(self.limit)).response()(scope, receive, send)
+        if announced.isdigit() and int(announced) > limit:
+            await http_problem(TooLarge(limit)).response()(scope, receive, send)
             return
         received = 0
         record = at_hand.get()
@@ -89,8 +93,8 @@ class BodyLimit:
             nonlocal received
             message = await receive()
             received += len(message.get("body", b""))
-            if received > self.limit:
-                raise TooLarge(self.limit)
+            if received > limit:
+                raise TooLarge(limit)
             if record and not message.get("more_body") and not record.received:
                 record.received = time.perf_counter()
             return message

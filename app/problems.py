@@ -65,8 +65,8 @@ class Problem(Exception):
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
 
-    def response(self) -> Response:
-        """The problem as an HTTP answer."""
+    def body(self) -> dict[str, Any]:
+        """The problem as JSON."""
         body: dict[str, Any] = {
             "type": f"/problems/{self.kind}",
             "title": self.title,
@@ -76,8 +76,12 @@ class Problem(Exception):
         }
         if self.where:
             body["where"] = self.where
+        return body
+
+    def response(self) -> Response:
+        """The problem as an HTTP answer."""
         return Response(
-            orjson.dumps(body), self.status, headers=self.headers, media_type=MEDIA_TYPE
+            orjson.dumps(self.body()), self.status, headers=self.headers, media_type=MEDIA_TYPE
         )
 
 
@@ -188,7 +192,12 @@ def _worded(error: dict[str, Any]) -> str:
     return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
 
 
-def _items(errors: Iterable[dict[str, Any]]) -> list[ErrorItem]:
+def wrong_fields(errors: Iterable[Any]) -> Problem:
+    """Problem of what pydantic found wrong with a request."""
+    return invalid_input(_items(errors))
+
+
+def _items(errors: Iterable[Any]) -> list[ErrorItem]:
     items: dict[str, ErrorItem] = {}
     for error in errors:
         path = list(error["loc"])
@@ -231,7 +240,7 @@ def install(app: FastAPI) -> None:
 
     async def on_validation(_: Request, error: Exception) -> Response:
         assert isinstance(error, RequestValidationError)
-        return invalid_input(_items(error.errors())).response()
+        return wrong_fields(error.errors()).response()
 
     async def on_http(_: Request, error: Exception) -> Response:
         assert isinstance(error, HTTPException)

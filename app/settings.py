@@ -13,6 +13,8 @@ class Settings:
     ----------
     max_body_bytes : int
         Largest request body, bytes.
+    max_batch_bytes : int
+        Largest body of a batch, bytes.
     max_pairs : int
         Most pin/hole pairs of a mechanism; at most 10000, what the calculations are tested for.
     max_curve_samples : int
@@ -38,6 +40,7 @@ class Settings:
     """
 
     max_body_bytes: int = 1_048_576
+    max_batch_bytes: int = 8_388_608
     max_pairs: int = 10_000
     max_curve_samples: int = 10_001
     max_batch: int = 10_000

@@ -1,0 +1,121 @@
+"""POST /batch: many requests of one calculation, as one answer or line by line as they are done."""
+
+import time
+from collections.abc import AsyncIterator, Callable
+from typing import Annotated, Any, cast
+
+import orjson
+from fastapi import APIRouter, Header
+from fastapi.responses import Response, StreamingResponse
+from pydantic import BaseModel, ValidationError
+
+from app.calculation import refusals_named
+from app.problems import Problem, impossible, wrong_fields
+from app.processes import Answer, in_process
+from app.record import Record, at_hand
+from app.routers import contact_force, crank_planetary, cyclogram, hertz, precession
+from app.routers import roller_strength as rollers
+from app.schemas.base import RequestModel
+from app.schemas.batch import BatchRequest, BatchResponse
+from app.schemas.contact_force import ContactForceRequest
+from app.schemas.crank_planetary import CrankPlanetaryRequest
+from app.schemas.cyclogram import CyclogramRequest
+from app.schemas.hertz import HertzRequest
+from app.schemas.precession.contact_line import ContactLineRequest
+from app.schemas.precession.meshing_load import MeshingLoadRequest
+from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
+from app.schemas.roller_strength import RollerStrengthRequest
+from app.settings import Settings
+from core.errors import ImpossibleMechanism
+
+router = APIRouter(prefix="/batch", tags=["batch"])
+
+LINES = "application/x-ndjson"
+
+SLICE = 1000
+"""Most requests that are handed to a process at once."""
+
+SLICE_S = 0.25
+"""Time after which a process hands back what it has done, so that answers begin to flow."""
+
+ENDPOINTS: dict[str, tuple[type[RequestModel], Any]] = {
+    "cyclogram": (CyclogramRequest, cyclogram.cyclogram),
+    "contact_force": (ContactForceRequest, contact_force.contact_force),
+    "hertz": (HertzRequest, hertz.hertz),
+    "crank_planetary": (CrankPlanetaryRequest, crank_planetary.crank_planetary),
+    "roller_strength": (RollerStrengthRequest, rollers.roller_strength),
+    "contact_line": (ContactLineRequest, precession.contact_line),
+    "meshing_load": (MeshingLoadRequest, precession.meshing_load),
+    "shaft_deflection": (ShaftDeflectionRequest, precession.shaft_deflection),
+}
+"""Request and endpoint of every calculation that can be asked in batches."""
+
+
+@router.post(
+    "",
+    response_model=BatchResponse,
+    responses={200: {"content": {LINES: {"schema": {"type": "string"}}}}},
+)
+async def batch(body: BatchRequest, accept: Annotated[str, Header()] = "") -> Response:
+    """Answers in the order of the requests, each with its result or its problem.
+
+    With `Accept: application/x-ndjson` a line for each request, sent as it is done.
+    """
+    record = at_hand.get() or Record()
+    with refusals_named(body):
+        body.refuse_beyond(record.settings)
+    answers = _answers(body, record)
+    if LINES in accept:
+        return StreamingResponse((line + b"\n" async for line in answers), media_type=LINES)
+    results = b",".join([line async for line in answers])
+    return Response(b'{"results":[' + results + b"]}", media_type="application/json")
+
+
+async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
+    """The answers as JSON, calculated in another process and in order."""
+    waiting = body.requests
+    while waiting:
+        try:
+            job = body.calculation, waiting[:SLICE], record.settings
+            response = await in_process(_some, *job, record=record)
+            done = bytes(response.body).split(b"\n")
+        except Problem as problem:  # the first of those waiting takes longer than is allowed
+            done = [orjson.dumps({"problem": problem.body()})]
+        for line in done:
+            yield line
+        waiting = waiting[len(done) :]
+
+
+def _some(calculation: str, requests: list[Any], settings: Settings) -> Answer:
+    """The answers to the first requests, a line each: to as many as there is time for."""
+    model, endpoint = ENDPOINTS[calculation]
+    calculate = cast(Callable[..., BaseModel], endpoint.__wrapped__)
+    record = Record(settings=settings)
+    at_hand.set(record)
+    end = time.monotonic() + SLICE_S
+    lines = []
+    for request in requests:
+        lines.append(_answer(model, calculate, request, settings))
+        if time.monotonic() > end:
+            break
+    return Answer(200, {}, LINES, b"\n".join(lines), record.calculations_us)
+
+
+def _answer(
+    model: type[RequestModel], calculate: Callable[..., BaseModel], request: Any, settings: Settings
+) -> bytes:
+    """One answer as JSON."""
+    try:
+        body = model.model_validate(request)
+        with refusals_named(body):
+            body.refuse_beyond(settings)
+        result = calculate(body=body).model_dump_json(exclude_none=True)
+    except ValidationError as error:
+        problem = wrong_fields(error.errors())
+    except ImpossibleMechanism as error:
+        problem = impossible(error)
+    except Problem as refusal:
+        problem = refusal
+    else:
+        return b'{"result":' + result.encode() + b"}"
+    return orjson.dumps({"problem": problem.body()})
