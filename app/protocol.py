@@ -17,6 +17,9 @@ LOG = logging.getLogger("khv.connection")
 MAX_HEAD_BYTES = 65_536
 """Longest request line and headers together."""
 
+LAST_REQUEST_SECONDS = 0.5
+"""How long an idle connection may still bring a request while the service stops."""
+
 PROBES = ("/livez", "/metrics")
 """Paths that are answered even beyond the limit of connections: to be full is not to be dead."""
 
@@ -35,6 +38,7 @@ class PatientProtocol(HttpToolsProtocol):
         self.request_timer: asyncio.TimerHandle | None = None
         self.answer_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None
+        self.stopping = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Start to wait for the first request; see whether there is room for it."""
@@ -65,9 +69,19 @@ class PatientProtocol(HttpToolsProtocol):
             self._await_request()
 
     def on_headers_complete(self) -> None:
-        """The headers had an end."""
+        """The headers had an end; while the service stops, the answer is the connection's last."""
         self.head_bytes = None
         super().on_headers_complete()
+        if self.stopping and self.cycle is not None:
+            self.cycle.keep_alive = False
+
+    def shutdown(self) -> None:
+        """Stop: an idle connection has a moment more, as a request may be on its way already."""
+        self.stopping = True
+        if self.cycle is None or self.cycle.response_complete:
+            self.loop.call_later(LAST_REQUEST_SECONDS, super().shutdown)
+        else:
+            super().shutdown()
 
     def on_message_complete(self) -> None:
         """The request is whole."""
