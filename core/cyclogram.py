@@ -182,7 +182,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         ),
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING
+            relative_error=4 * ROUNDING * max(1.0, 1 / waves)
             + (phases.snapped + _dropped(sector_counts, 1 / mechanism.pins, waves)) / waves,
             evaluations=pair_count,
         ),
