@@ -23,7 +23,7 @@ SLOW = {
     "satellites": 100,
     "ratio": 20.0,
     "crank_angles_deg": [angles.uniform(0, 360) for _ in range(100)],
-    "force_exponent": 1.5,
+    "force_exponent": 30.5,
     **LOAD,
 }
 """A force whose peak takes seconds: 10,000 pairs, none like another."""
@@ -62,8 +62,9 @@ async def test_health_is_answered_while_a_long_calculation_runs():
 
 
 async def test_what_takes_too_long_is_stopped_and_refused_for_now():
-    async with service(max_seconds=3.0) as api:
+    async with service(max_seconds=60) as api:
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
+    async with service(max_seconds=0.5) as api:
         before = descendants()
         start = time.perf_counter()
         response = await api.post("contact-force", json=SLOW)
@@ -71,7 +72,7 @@ async def test_what_takes_too_long_is_stopped_and_refused_for_now():
     assert response.status_code == 503
     assert response.headers["content-type"] == "application/problem+json"
     assert int(response.headers["retry-after"]) > 0
-    assert "3 s" in response.json()["detail"]
+    assert "0.5 s" in response.json()["detail"]
     assert before
     assert not set(before) & set(descendants())
 

@@ -12,11 +12,11 @@ import pytest
 LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
 angles = random.Random(6)
 LONG = {
-    "pins": 20,
-    "satellites": 25,
+    "pins": 40,
+    "satellites": 50,
     "ratio": 20.0,
-    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(25)],
-    "force_exponent": 1.5,
+    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(50)],
+    "force_exponent": 30.5,
     **LOAD,
 }
 """A force whose peak takes some tenths of a second, in a process of its own."""
