@@ -18,7 +18,7 @@ function warningMarkup(code) {
 
 export function createWords({ calculator }) {
   const title = message("words.title");
-  const root = element(html`<section class="card words" aria-label="${title}"><h2>${title}</h2><div></div></section>`);
+  const root = element(html`<section class="card plain-words" aria-label="${title}"><h2>${title}</h2><div></div></section>`);
   const host = root.querySelector("div");
   return {
     root,

@@ -89,7 +89,7 @@ def test_formulas_are_drawn_with_the_math_font(page: Page, service: str) -> None
 
 def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
-    words = page.locator(".words")
+    words = page.locator(".plain-words")
     expect(words).to_contain_text("Torque is transmitted at every crank angle")
     expect(words).to_contain_text("decides: 548.6\u00a0MPa of 766.9\u00a0MPa allowed, safety 1.4")
     expect(words.locator(".explained")).to_have_count(0)
@@ -106,7 +106,7 @@ def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str)
 def test_the_margin_said_is_true(page: Page, service: str) -> None:
     """With the torque grown by the factor that is said, the safety is 1."""
     show(page, service, "crank-planetary")
-    found = re.search(r"grow to ([\d.]+) times", page.locator(".words").inner_text())
+    found = re.search(r"grow to ([\d.]+) times", page.locator(".plain-words").inner_text())
     assert found
     given = first_example(service, "crank-planetary")
     load = given["load"]
