@@ -67,7 +67,7 @@ class Fuzz:
         self.schemas: dict[tuple[str, int], Any] = {}
         for path, operations in description["paths"].items():
             for status, answer in operations.get("post", {}).get("responses", {}).items():
-                (schema,) = (each["schema"] for each in answer["content"].values())
+                schema = next(iter(answer["content"].values()))["schema"]
                 self.schemas[path.removeprefix(API), int(status)] = jsonschema_rs.validator_for(
                     schema | {"components": description["components"]}
                 )
