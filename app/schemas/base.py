@@ -150,19 +150,9 @@ class ResponseModel(BaseModel):
         ImpossibleMechanism
             If a number is not finite: the input was beyond what doubles can carry.
         """
-        values: dict[str, Any] = dict(given)
-        for name in cls.model_fields:
-            if name in values:
-                continue
-            if name == "accuracy":
-                values[name] = AccuracyOut.of(result.accuracy, run_time_us or 0.0)
-            elif name == "warnings":
-                if result.notices:
-                    values[name] = [WarningOut.of(each) for each in result.notices]
-            else:
-                value = getattr(result, core_name(name))
-                if value is not None:
-                    values[name] = _nested(_inner_model(cls, name), from_si(name, value))
+        values = _values(cls, result, given)
+        if "accuracy" in cls.model_fields and "accuracy" not in given:
+            values["accuracy"] = AccuracyOut.of(result.accuracy, run_time_us or 0.0)
         try:
             return cls.model_validate(values)
         except ValidationError as error:
@@ -175,9 +165,17 @@ class ResponseModel(BaseModel):
 
 
 @cache
-def _inner_model(model: type[ResponseModel], field: str) -> type[ResponseModel] | None:
+def _plan(model: type[ResponseModel]) -> list[tuple[str, str, type[ResponseModel] | None]]:
+    """Fields that are read from a core result: name, core's name, and the answer that it holds."""
+    return [
+        (name, core_name(name), _inner_model(model.model_fields[name].annotation))
+        for name in model.model_fields
+        if name not in ("accuracy", "warnings")
+    ]
+
+
+def _inner_model(annotation: Any) -> type[ResponseModel] | None:
     """Answer that a field holds, alone or in a list, if it holds one."""
-    annotation = model.model_fields[field].annotation
     for each in (annotation, *get_args(annotation)):
         for inner in (each, *get_args(each)):
             if isinstance(inner, type) and issubclass(inner, ResponseModel):
@@ -185,13 +183,24 @@ def _inner_model(model: type[ResponseModel], field: str) -> type[ResponseModel] 
     return None
 
 
-def _nested(inner: type[ResponseModel] | None, value: Any) -> Any:
-    """Core dataclasses in a field become the answers that the field holds."""
-    if inner is None:
-        return value
-    if isinstance(value, (list, tuple)):
-        return [inner.from_core(each) for each in value]
-    return inner.from_core(value)
+def _values(model: type[ResponseModel], result: Any, given: dict[str, Any]) -> dict[str, Any]:
+    """Values of a model's fields from a core result, not yet validated."""
+    values = dict(given)
+    for name, attribute, inner in _plan(model):
+        if name in values:
+            continue
+        value = getattr(result, attribute)
+        if value is None:
+            continue
+        if inner is None:
+            values[name] = from_si(name, value)
+        elif isinstance(value, (list, tuple)):
+            values[name] = [_values(inner, each, {}) for each in value]
+        else:
+            values[name] = _values(inner, value, {})
+    if "warnings" in model.model_fields and "warnings" not in given and result.notices:
+        values["warnings"] = [WarningOut.of(each) for each in result.notices]
+    return values
 
 
 class AccuracyOut(BaseModel):
