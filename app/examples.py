@@ -23,7 +23,7 @@ _CONTACT = {
     "pin_material": "steel_bearing",
     "hole_material": "steel_through_hardened",
 }
-_LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
+_LOAD = {"output_torque_Nm": 280.0, "pin_circle_radius_mm": 28.0}
 
 
 def _crank_planetary(
@@ -167,14 +167,14 @@ EXAMPLES: list[dict[str, Any]] = [
         "zyl-6-pins",
         "Equal sharing, 6 pins: 888.2 N (Zyl)",
         f"{ZYL}, text",
-        {"pins": 6, "satellites": 1, "ratio": 20.0},
+        {"pins": 6, "satellites": 1, "ratio": 30.0},
         {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 32.5, "force_exponent": 0.0},
     ),
     _crank_planetary(
         "zyl-4-pins",
         "Equal sharing, 4 pins: 1538 N (Zyl)",
         f"{ZYL}, text",
-        {"pins": 4, "satellites": 1, "ratio": 20.0},
+        {"pins": 4, "satellites": 1, "ratio": 30.0},
         {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 32.5, "force_exponent": 0.0},
     ),
     _rollers("ovsyannikov-2019-fig-6", "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)", "fig. 6"),
