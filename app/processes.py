@@ -33,7 +33,7 @@ Result = TypeVar("Result")
 
 LOG = logging.getLogger("khv.processes")
 
-INLINE_MS = 5.0
+INLINE_MS = 15.0
 """Estimated cost up to which a request runs in the event loop, milliseconds; handing it over costs
 half of one."""
 
