@@ -9,7 +9,8 @@ import sys
 
 from playwright.sync_api import Page, sync_playwright
 
-from tests.browser.conftest import chromium_path, running_service
+from tests.browser.conftest import chromium_path
+from tests.running_service import running_service
 
 NUMBERS_MS, FIGURES_MS = 250, 350
 ROUNDS = 15
@@ -61,7 +62,7 @@ def main() -> int:
         )
         page = browser.new_page()
         for calculator in CALCULATORS:
-            numbers, figures = measure(page, service, calculator)
+            numbers, figures = measure(page, service.url, calculator)
             missed |= numbers > NUMBERS_MS or figures > FIGURES_MS
             print(f"{calculator:16} numbers {numbers:5.0f} ms, figures {figures:5.0f} ms")
         browser.close()

@@ -8,6 +8,7 @@ import { message } from "../messages/index.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
+const PAPER = matchMedia("print"); // there the drawing of the screen is scaled
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** `on.moved(angle)` and `on.selected(pair)` let the figures follow. */
@@ -110,7 +111,7 @@ export function createMechanism({ calculator, on }) {
 
   let width = 0;
   const sizes = new ResizeObserver(() => {
-    if (views.clientWidth === width) return;
+    if (views.clientWidth === width || PAPER.matches) return;
     width = views.clientWidth;
     draw();
   });

@@ -2,17 +2,15 @@
 
 import os
 import shutil
-import threading
-import time
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-import uvicorn
 from playwright import sync_api
+
+from tests.running_service import running_service
 
 HERE = Path(__file__).parent
 
@@ -40,34 +38,11 @@ def _chromium() -> str:
     pytest.skip(reason)
 
 
-@contextmanager
-def running_service() -> Iterator[str]:
-    """The service on a free port, and its address."""
-    from app.main import create_app
-    from app.settings import Settings
-
-    server = uvicorn.Server(
-        uvicorn.Config(
-            create_app(Settings(max_seconds=300)), host="127.0.0.1", port=0, log_level="warning"
-        )
-    )
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    deadline = time.monotonic() + 20
-    while not server.started and thread.is_alive() and time.monotonic() < deadline:
-        time.sleep(0.01)
-    assert server.started, "the service did not start"
-    port = server.servers[0].sockets[0].getsockname()[1]
-    yield f"http://127.0.0.1:{port}"
-    server.should_exit = True
-    thread.join(timeout=10)
-
-
 @pytest.fixture(scope="session")
 def service() -> Iterator[str]:
     """Address of the running service."""
-    with running_service() as address:
-        yield address
+    with running_service(max_seconds=300) as running:  # a busy machine is no reason to fail
+        yield running.url
 
 
 @pytest.fixture(scope="session")
