@@ -38,6 +38,7 @@ export function createMechanism({ calculator, on }) {
   let drawing = null;
   let moves = null; // the drawing on the page, where it moves
   let lit = null; // path of the field whose parts are lit
+  let size = { width: 0, height: 0 }; // of its place on the screen
   let end = 360;
   let angle = 0;
   let playing = 0; // the frame asked for, or 0
@@ -82,11 +83,11 @@ export function createMechanism({ calculator, on }) {
     on.selected(pair || null);
   }
 
-  /** Put the latest answer on the paper, as large as it is now. */
+  /** Put the latest answer on the screen, as large as its place is; printing only scales it. */
   function draw() {
-    const { clientWidth: width, clientHeight: height } = views;
-    if (!createDrawing || !latest || width === 0) return;
-    drawing = createDrawing({ ...latest, width, height });
+    if (!PAPER.matches) size = { width: views.clientWidth, height: views.clientHeight };
+    if (!createDrawing || !latest || size.width === 0) return;
+    drawing = createDrawing({ ...latest, ...size });
     fill(views, drawing?.markup ?? html``);
     scale.textContent = drawing ? drawing.caption : message("drawing.none");
     light(lit);
@@ -109,11 +110,8 @@ export function createMechanism({ calculator, on }) {
     for (const part of views.querySelectorAll(`[data-field~="${CSS.escape(path)}"]`)) part.classList.add("lit");
   }
 
-  let width = 0;
   const sizes = new ResizeObserver(() => {
-    if (views.clientWidth === width || PAPER.matches) return;
-    width = views.clientWidth;
-    draw();
+    if (views.clientWidth !== size.width && !PAPER.matches) draw();
   });
   sizes.observe(views);
 
