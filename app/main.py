@@ -33,16 +33,17 @@ from app.settings import Settings
 API = "/api/v1"
 STATIC = Path(__file__).parent.parent / "static"
 ROUTERS = (
-    service,
-    crank_planetary,
-    cyclogram,
-    contact_force,
     hertz,
+    contact_force,
     roller_strength,
+    cyclogram,
+    crank_planetary,
     precession,
     work_precision,
     batch,
+    service,
 )
+"""In the order in which a request is matched: the shortest calculations first."""
 
 PROBLEMS: dict[int | str, dict[str, Any]] = {
     status: {

@@ -1,9 +1,9 @@
 """Errors as problem details (RFC 9457): one shape, one table from exception to status."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from http import HTTPStatus
-from typing import Any
+from typing import Any, Self
 
 import orjson
 from fastapi import FastAPI, Request
@@ -64,6 +64,10 @@ class Problem(Exception):
     errors: list[ErrorItem] = field(default_factory=list)
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
+
+    def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
+        """How it is handed to another process."""
+        return type(self), tuple(getattr(self, each.name) for each in fields(self))
 
     def body(self) -> dict[str, Any]:
         """The problem as JSON."""
@@ -186,9 +190,7 @@ def _worded(error: dict[str, Any]) -> str:
         value = context.get(name)
         return text.format(f"{value:.15g}" if isinstance(value, float) else value)
     if kind == "json_invalid":
-        return f"is not valid JSON at character {error['loc'][-1]}: {context['error']}"
-    if kind == "model_attributes_type" and error["loc"] == ("body",):
-        return "must be an object, sent as application/json"
+        return f"is not valid JSON: {context['error']}"
     return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
 
 

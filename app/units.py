@@ -61,12 +61,18 @@ def from_si(field: str, value: Any) -> Any:
         return (value if unit is None else _array_from_si(unit, value)).tolist()
     if unit is None or value is None:
         return value
+    return _from_si(UNITS[unit][1], value)
+
+
+def _from_si(size: float, value: Any) -> Any:
     if isinstance(value, (list, tuple)):
-        return [from_si(field, each) for each in value]
-    size = UNITS[unit][1]
+        return [_from_si(size, each) for each in value]
     if size >= 1:
         return value / size
-    return _without_noise(value * (1 / size))
+    # 60, not 59.99999999999999: the number of 9 decimals within reach of rounding errors.
+    exact = value * (1 / size)
+    short = round(exact, 9)
+    return short if short == exact or abs(exact - short) <= 2 * math.ulp(exact) else exact
 
 
 QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N"}
@@ -78,12 +84,6 @@ def api_value(name: str, value: float) -> tuple[str, float]:
     unit = QUANTITIES.get(name.rsplit("_", 1)[-1])
     field = name if unit is None else f"{name}_{unit}"
     return field, from_si(field, value)
-
-
-def _without_noise(value: float) -> float:
-    """60, not 59.99999999999999: the number of 9 decimals within reach of rounding errors."""
-    short = round(value, 9)
-    return short if abs(value - short) <= 2 * math.ulp(value) else value
 
 
 def _array_from_si(unit: str, value: np.ndarray) -> np.ndarray:

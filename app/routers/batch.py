@@ -2,20 +2,22 @@
 
 import time
 from collections.abc import AsyncIterator, Callable
-from typing import Annotated, Any, cast
+from typing import Annotated, Any
 
 import orjson
 from fastapi import APIRouter, Header
 from fastapi.responses import Response, StreamingResponse
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
+from starlette.requests import Request
 
 from app.calculation import refusals_named
 from app.problems import Problem, impossible, wrong_fields
-from app.processes import Answer, in_process
+from app.processes import in_process
 from app.record import Record, at_hand
+from app.route import encoded, json_response
 from app.routers import contact_force, crank_planetary, cyclogram, hertz, precession
 from app.routers import roller_strength as rollers
-from app.schemas.base import RequestModel
+from app.schemas.base import RequestModel, Values
 from app.schemas.batch import BatchRequest, BatchResponse
 from app.schemas.contact_force import ContactForceRequest
 from app.schemas.crank_planetary import CrankPlanetaryRequest
@@ -56,7 +58,9 @@ ENDPOINTS: dict[str, tuple[type[RequestModel], Any]] = {
     response_model=BatchResponse,
     responses={200: {"content": {LINES: {"schema": {"type": "string"}}}}},
 )
-async def batch(body: BatchRequest, accept: Annotated[str, Header()] = "") -> Response:
+async def batch(
+    request: Request, body: BatchRequest, accept: Annotated[str, Header()] = ""
+) -> Response:
     """Answers in the order of the requests, each with its result or its problem.
 
     With `Accept: application/x-ndjson` a line for each request, sent as it is done.
@@ -68,7 +72,7 @@ async def batch(body: BatchRequest, accept: Annotated[str, Header()] = "") -> Re
     if LINES in accept:
         return StreamingResponse((line + b"\n" async for line in answers), media_type=LINES)
     results = b",".join([line async for line in answers])
-    return Response(b'{"results":[' + results + b"]}", media_type="application/json")
+    return json_response(request, b'{"results":[' + results + b"]}")
 
 
 async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
@@ -77,8 +81,7 @@ async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
     while waiting:
         try:
             job = body.calculation, waiting[:SLICE], record.settings
-            response = await in_process(_some, *job, record=record)
-            done = bytes(response.body).split(b"\n")
+            done = (await in_process(_some, *job, record=record)).split(b"\n")
         except Problem as problem:  # the first of those waiting takes longer than is allowed
             done = [orjson.dumps({"problem": problem.body()})]
         for line in done:
@@ -86,30 +89,27 @@ async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
         waiting = waiting[len(done) :]
 
 
-def _some(calculation: str, requests: list[Any], settings: Settings) -> Answer:
+def _some(calculation: str, requests: list[Any], settings: Settings) -> bytes:
     """The answers to the first requests, a line each: to as many as there is time for."""
     model, endpoint = ENDPOINTS[calculation]
-    calculate = cast(Callable[..., BaseModel], endpoint.__wrapped__)
-    record = Record(settings=settings)
-    at_hand.set(record)
     end = time.monotonic() + SLICE_S
     lines = []
     for request in requests:
-        lines.append(_answer(model, calculate, request, settings))
+        lines.append(_answer(model, endpoint, request, settings))
         if time.monotonic() > end:
             break
-    return Answer(200, {}, LINES, b"\n".join(lines), record.calculations_us)
+    return b"\n".join(lines)
 
 
 def _answer(
-    model: type[RequestModel], calculate: Callable[..., BaseModel], request: Any, settings: Settings
+    model: type[RequestModel], endpoint: Callable[..., Values], request: Any, settings: Settings
 ) -> bytes:
     """One answer as JSON."""
     try:
         body = model.model_validate(request)
         with refusals_named(body):
             body.refuse_beyond(settings)
-        result = calculate(body=body).model_dump_json(exclude_none=True)
+        result = encoded(endpoint(body))
     except ValidationError as error:
         problem = wrong_fields(error.errors())
     except ImpossibleMechanism as error:
@@ -117,5 +117,5 @@ def _answer(
     except Problem as refusal:
         problem = refusal
     else:
-        return b'{"result":' + result.encode() + b"}"
+        return b'{"result":' + result + b"}"
     return orjson.dumps({"problem": problem.body()})

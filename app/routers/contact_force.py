@@ -5,22 +5,21 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.contact_force import contact_force_figure
 from app.figures.theme import Figure, Theme
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.contact_force import ContactForceRequest, ContactForceResponse
 from app.units import from_si
 
-router = APIRouter(prefix="/contact-force", tags=["crank-planetary"])
+router = APIRouter(prefix="/contact-force", tags=["crank-planetary"], route_class=Calculation)
 
 
-@router.post("", response_model_exclude_none=True)
-@calculating
-def contact_force(body: ContactForceRequest) -> ContactForceResponse:
+@router.post("", response_model=ContactForceResponse)
+def contact_force(body: ContactForceRequest) -> Values:
     """Contact force of the pairs: the exact peak, and curves and approximations where asked."""
-    return ContactForceResponse.from_core(*run(body, body.solve))
+    return ContactForceResponse.values(*run(body, body.solve))
 
 
 @router.post("/chart")
-@drawing
 def contact_force_chart(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)

@@ -1,7 +1,5 @@
 """POST /crank-planetary and its chart: mechanism, load and contact as one job."""
 
-from typing import Any
-
 from fastapi import APIRouter
 
 from app.calculation import run
@@ -9,37 +7,38 @@ from app.figures.contact_force import contact_force_figure
 from app.figures.crank_planetary import over_one_axis
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.contact_force import ContactForceResponse
 from app.schemas.crank_planetary import CrankPlanetaryRequest, CrankPlanetaryResponse, GeometryOut
 from app.schemas.cyclogram import CyclogramResponse
 from app.schemas.hertz import HertzResponse
 from app.units import from_si
 
-router = APIRouter(prefix="/crank-planetary", tags=["crank-planetary"])
+router = APIRouter(
+    prefix="/crank-planetary", tags=["crank-planetary"], route_class=Calculation
+)
 
 
-@router.post("", response_model_exclude_none=True)
-@calculating
-def crank_planetary(body: CrankPlanetaryRequest) -> CrankPlanetaryResponse:
+@router.post("", response_model=CrankPlanetaryResponse)
+def crank_planetary(body: CrankPlanetaryRequest) -> Values:
     """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked."""
-    sections: dict[str, Any] = {}
+    sections: Values = {}
     if "cyclogram" in body.include:
-        sections["cyclogram"] = CyclogramResponse.from_core(*run(body, body.mechanism.solve))
+        sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
     if not {"contact_force", "hertz"}.isdisjoint(body.include):
         force, force_us = run(body, body.solve_force)
         if "contact_force" in body.include:
-            sections["contact_force"] = ContactForceResponse.from_core(force, force_us)
+            sections["contact_force"] = ContactForceResponse.values(force, force_us)
         if "hertz" in body.include:
             contact, hertz_us = run(body, lambda: body.solve_hertz(force))
-            sections["hertz"] = HertzResponse.from_core(contact, hertz_us)
+            sections["hertz"] = HertzResponse.values(contact, hertz_us)
     if "geometry" in body.include:
-        sections["geometry"] = GeometryOut.from_core(*run(body, body.solve_geometry))
-    return CrankPlanetaryResponse(**sections)
+        sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
+    return sections
 
 
 @router.post("/chart")
-@drawing
 def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)

@@ -5,21 +5,20 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 
-router = APIRouter(prefix="/cyclogram", tags=["crank-planetary"])
+router = APIRouter(prefix="/cyclogram", tags=["crank-planetary"], route_class=Calculation)
 
 
-@router.post("", response_model_exclude_none=True)
-@calculating
-def cyclogram(body: CyclogramRequest) -> CyclogramResponse:
+@router.post("", response_model=CyclogramResponse)
+def cyclogram(body: CyclogramRequest) -> Values:
     """Which pin/hole pairs drive, when, how many together; dead centres; assembly angles."""
-    return CyclogramResponse.from_core(*run(body, body.solve))
+    return CyclogramResponse.values(*run(body, body.solve))
 
 
 @router.post("/chart")
-@drawing
 def cyclogram_chart(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     """The cyclogram as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)

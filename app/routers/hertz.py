@@ -5,22 +5,21 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.hertz import PressureCurve, hertz_figure
 from app.figures.theme import Figure, Theme
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.units import from_si
 
-router = APIRouter(prefix="/hertz", tags=["crank-planetary"])
+router = APIRouter(prefix="/hertz", tags=["crank-planetary"], route_class=Calculation)
 
 
-@router.post("", response_model_exclude_none=True)
-@calculating
-def hertz(body: HertzRequest) -> HertzResponse:
+@router.post("", response_model=HertzResponse)
+def hertz(body: HertzRequest) -> Values:
     """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
-    return HertzResponse.from_core(*run(body, body.solve))
+    return HertzResponse.values(*run(body, body.solve))
 
 
 @router.post("/chart")
-@drawing
 def hertz_chart(body: HertzRequest, theme: Theme = "light") -> Figure:
     """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
     profiles, _ = run(body, body.solve_profiles)

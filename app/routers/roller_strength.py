@@ -5,21 +5,22 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.roller_strength import roller_figure
 from app.figures.theme import Figure, Theme
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 
-router = APIRouter(prefix="/roller-strength", tags=["swinging rollers"])
+router = APIRouter(
+    prefix="/roller-strength", tags=["swinging rollers"], route_class=Calculation
+)
 
 
-@router.post("", response_model_exclude_none=True)
-@calculating
-def roller_strength(body: RollerStrengthRequest) -> RollerStrengthResponse:
+@router.post("", response_model=RollerStrengthResponse)
+def roller_strength(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing with position errors, and bending stress of swinging rollers."""
-    return RollerStrengthResponse.from_core(*run(body, body.solve))
+    return RollerStrengthResponse.values(*run(body, body.solve))
 
 
 @router.post("/chart")
-@drawing
 def roller_strength_chart(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness over length, non-uniformity over position error, stress over length."""
     curves, _ = run(body, body.solve_curves)

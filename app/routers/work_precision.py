@@ -5,22 +5,21 @@ from fastapi import APIRouter
 from app.calculation import run
 from app.figures.theme import Figure, Theme
 from app.figures.work_precision import work_precision_figure
-from app.processes import calculating, drawing
+from app.route import Calculation
+from app.schemas.base import Values
 from app.schemas.work_precision import WorkPrecisionRequest, WorkPrecisionResponse
 
-router = APIRouter(prefix="/work-precision", tags=["accuracy"])
+router = APIRouter(prefix="/work-precision", tags=["accuracy"], route_class=Calculation)
 
 
-@router.post("")
-@calculating
-def work_precision(body: WorkPrecisionRequest) -> WorkPrecisionResponse:
+@router.post("", response_model=WorkPrecisionResponse)
+def work_precision(body: WorkPrecisionRequest) -> Values:
     """Error against run time of the methods of a calculation, for the input given."""
     study, _ = run(body, body.solve)
-    return WorkPrecisionResponse.from_core(study)
+    return WorkPrecisionResponse.values(study)
 
 
 @router.post("/chart")
-@drawing
 def work_precision_chart(body: WorkPrecisionRequest, theme: Theme = "light") -> Figure:
     """The same as a diagram, both axes logarithmic."""
     study, _ = run(body, body.solve)

@@ -4,12 +4,11 @@ import re
 from functools import cache
 from typing import Any, Self, cast, get_args
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 from app.settings import Settings
 from app.units import core_name, from_si, shown_unit, to_si
-from core.errors import ImpossibleMechanism
 from core.results import Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -123,8 +122,14 @@ def field_error(field: str, message: str) -> PydanticCustomError:
     return PydanticCustomError(FIELD_ERROR, "{message}", {"field": field, "message": message})
 
 
+Values = dict[str, Any]
+"""An answer, or a part of it, as it is sent: what there is, by the names of its model."""
+
+
 class ResponseModel(BaseModel):
-    """An answer: read from a core result by names without units."""
+    """The description of an answer, whose values are read from a core result by names without
+    units.
+    """
 
     model_config = ConfigDict(json_schema_extra=_units_in_schema, allow_inf_nan=False)
 
@@ -133,8 +138,8 @@ class ResponseModel(BaseModel):
         _register(cls)
 
     @classmethod
-    def from_core(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Self:
-        """Answer from a core result.
+    def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of an answer from a core result.
 
         Parameters
         ----------
@@ -143,25 +148,31 @@ class ResponseModel(BaseModel):
         run_time_us : float, optional
             What the calculation cost, for `accuracy`.
         **given
-            Fields that are not read from the result.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If a number is not finite: the input was beyond what doubles can carry.
+            Fields that are not read from the result; None for none.
         """
-        values = _values(cls, result, given)
-        if "accuracy" in cls.model_fields and "accuracy" not in given:
-            values["accuracy"] = AccuracyOut.of(result.accuracy, run_time_us or 0.0)
-        try:
-            return cls.model_validate(values)
-        except ValidationError as error:
-            if any(each["type"] != "finite_number" for each in error.errors()):
-                raise
-            names = ", ".join(str(each["loc"][0]) for each in error.errors())
-            raise ImpossibleMechanism(
-                f"The numbers given leave the range of numbers: {names} would not be finite"
-            ) from error
+        values = {name: value for name, value in given.items() if value is not None}
+        for name, attribute, inner in _plan(cls):
+            if name in given:
+                continue
+            value = getattr(result, attribute)
+            if value is None:
+                continue
+            if inner is None:
+                values[name] = from_si(name, value)
+            elif isinstance(value, (list, tuple)):
+                values[name] = [inner.values(each) for each in value]
+            else:
+                values[name] = inner.values(value)
+        if "warnings" in cls.model_fields and result.notices:
+            values["warnings"] = [_warning(each) for each in result.notices]
+        if "accuracy" in cls.model_fields:
+            values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
+        return values
+
+    @classmethod
+    def from_core(cls, result: Any, run_time_us: float | None = None) -> Self:
+        """The answer as an object, for who reads it and does not send it; see `values`."""
+        return cls.model_validate(cls.values(result, run_time_us))
 
 
 @cache
@@ -183,26 +194,6 @@ def _inner_model(annotation: Any) -> type[ResponseModel] | None:
     return None
 
 
-def _values(model: type[ResponseModel], result: Any, given: dict[str, Any]) -> dict[str, Any]:
-    """Values of a model's fields from a core result, not yet validated."""
-    values = dict(given)
-    for name, attribute, inner in _plan(model):
-        if name in values:
-            continue
-        value = getattr(result, attribute)
-        if value is None:
-            continue
-        if inner is None:
-            values[name] = from_si(name, value)
-        elif isinstance(value, (list, tuple)):
-            values[name] = [_values(inner, each, {}) for each in value]
-        else:
-            values[name] = _values(inner, value, {})
-    if "warnings" in model.model_fields and "warnings" not in given and result.notices:
-        values["warnings"] = [WarningOut.of(each) for each in result.notices]
-    return values
-
-
 class AccuracyOut(BaseModel):
     """How the numbers were got, how wrong they may be, and what they cost."""
 
@@ -211,15 +202,15 @@ class AccuracyOut(BaseModel):
     evaluations: int = Field(description="Evaluations of the function behind the method.")
     run_time_us: float = Field(description="Run time of the calculation, microseconds.")
 
-    @classmethod
-    def of(cls, accuracy: Accuracy, run_time_us: float) -> Self:
-        """Accuracy of a core result with its run time."""
-        return cls(
-            method=accuracy.method,
-            relative_error=accuracy.relative_error,
-            evaluations=accuracy.evaluations,
-            run_time_us=round(run_time_us, 1),
-        )
+
+def _accuracy(accuracy: Accuracy, run_time_us: float) -> Values:
+    """Accuracy of a core result with its run time."""
+    return {
+        "method": accuracy.method,
+        "relative_error": accuracy.relative_error,
+        "evaluations": accuracy.evaluations,
+        "run_time_us": round(run_time_us, 1),
+    }
 
 
 class WarningOut(BaseModel):
@@ -228,7 +219,7 @@ class WarningOut(BaseModel):
     code: str
     detail: str
 
-    @classmethod
-    def of(cls, notice: Notice) -> Self:
-        """Warning of a core notice; the app's names stand in for the core's."""
-        return cls(code=notice.code, detail=api_text(notice.detail))
+
+def _warning(notice: Notice) -> Values:
+    """Warning of a core notice; the app's names stand in for the core's."""
+    return {"code": notice.code, "detail": api_text(notice.detail)}

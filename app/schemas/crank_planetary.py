@@ -10,6 +10,7 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
+    Values,
     WarningOut,
     field_error,
     quantity,
@@ -169,13 +170,13 @@ class GeometryOut(ResponseModel):
     warnings: list[WarningOut] | None = None
 
     @classmethod
-    def from_core(
+    def values(
         cls,
         result: tuple[PinGeometry, FloatArray],
         run_time_us: float | None = None,
         **given: object,
-    ) -> Self:
-        """Answer from the geometry and the forces of the pairs, N, satellite by satellite."""
+    ) -> Values:
+        """Values of the geometry and the forces of the pairs, N, satellite by satellite."""
         geometry, forces = result
         satellites, pins = geometry.driving.shape
         force = from_si("force_N", forces)
@@ -183,20 +184,21 @@ class GeometryOut(ResponseModel):
         holes = from_si("hole_centre_mm", geometry.hole_centres)
         contacts = from_si("contact_point_mm", geometry.contact_points)
         angles = from_si("pressure_angle_deg", geometry.pressure_angles)
-        return super().from_core(
+        driving = geometry.driving.tolist()
+        return super().values(
             geometry,
             run_time_us,
-            pins=[PointOut(pin=n + 1, centre_mm=centres[n]) for n in range(pins)],
+            pins=[{"pin": n + 1, "centre_mm": centres[n]} for n in range(pins)],
             pairs=[
-                PairGeometryOut(
-                    satellite=j + 1,
-                    pin=n + 1,
-                    hole_centre_mm=holes[j][n],
-                    contact_point_mm=contacts[j][n],
-                    pressure_angle_deg=angles[j][n],
-                    driving=bool(geometry.driving[j, n]),
-                    force_N=force[j][n],
-                )
+                {
+                    "satellite": j + 1,
+                    "pin": n + 1,
+                    "hole_centre_mm": holes[j][n],
+                    "contact_point_mm": contacts[j][n],
+                    "pressure_angle_deg": angles[j][n],
+                    "driving": driving[j][n],
+                    "force_N": force[j][n],
+                }
                 for j in range(satellites)
                 for n in range(pins)
             ],

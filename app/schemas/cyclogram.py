@@ -1,8 +1,6 @@
 """Request and answer of the cyclogram."""
 
-from typing import Self
-
-from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, quantity
+from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
 from app.schemas.mechanism import MechanismFields
 from app.units import from_si
 from core.cyclogram import Cyclogram, cyclogram
@@ -86,27 +84,26 @@ class CyclogramResponse(ResponseModel):
     accuracy: AccuracyOut
 
     @classmethod
-    def from_core(
+    def values(
         cls,
         result: tuple[Cyclogram, tuple[AssemblyAngle, ...] | None],
         run_time_us: float | None = None,
         **given: object,
-    ) -> Self:
-        """Answer from the core's result."""
+    ) -> Values:
+        """Values of the core's result."""
         found, assembly = result
-        zones = found.dead_zones
-        return super().from_core(
+        return super().values(
             found,
             run_time_us,
-            **given,
             driving_count=[
-                CountIntervalOut(
-                    from_deg=from_si("from_deg", each.start),
-                    to_deg=from_si("to_deg", each.end),
-                    pairs=each.pairs,
-                )
+                {
+                    "from_deg": from_si("from_deg", each.start),
+                    "to_deg": from_si("to_deg", each.end),
+                    "pairs": each.pairs,
+                }
                 for each in found.driving_count
             ],
-            dead_zones_deg=from_si("dead_zones_deg", zones) if zones else None,
-            assembly=assembly and [AssemblyAngleOut.from_core(each) for each in assembly],
+            dead_zones_deg=from_si("dead_zones_deg", found.dead_zones) or None,
+            assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
+            **given,
         )

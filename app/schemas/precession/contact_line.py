@@ -1,14 +1,13 @@
 """Request and answer of the contact lines."""
 
-from typing import Literal, Self
+from typing import Literal
 
 from pydantic import Field
 
-from app.schemas.base import AccuracyOut, ResponseModel, quantity
+from app.schemas.base import AccuracyOut, ResponseModel, Values, quantity
 from app.schemas.precession.gear import GearFields
 from core.errors import InvalidInput
 from core.precession.contact_line import (
-    ContactLine,
     ContactLines,
     ContactPoints,
     contact_lines,
@@ -89,13 +88,6 @@ class ContactLineOut(ResponseModel):
     length_mm: float
     points: PointsOut | None = None
 
-    @classmethod
-    def of(cls, line: ContactLine, points: ContactPoints | None) -> Self:
-        """Answer from a line and its points."""
-        if points is None:
-            return cls.from_core(line, points=None)
-        return cls.from_core(line, points=PointsOut.from_core(points))
-
 
 class ContactLineResponse(ResponseModel):
     """Contact lines of all rollers."""
@@ -105,23 +97,17 @@ class ContactLineResponse(ResponseModel):
     accuracy: AccuracyOut
 
     @classmethod
-    def from_core(
+    def values(
         cls,
         result: tuple[ContactLines, list[ContactPoints] | None],
         run_time_us: float | None = None,
         **given: object,
-    ) -> Self:
-        """Answer from the lines and their points."""
+    ) -> Values:
+        """Values of the lines and their points."""
         found, points = result
-        each_points: list[ContactPoints | None] = [None] * len(found.lines)
-        if points is not None:
-            each_points = list(points)
-        return super().from_core(
-            found,
-            run_time_us,
-            lines=[
-                ContactLineOut.of(line, drawn)
-                for line, drawn in zip(found.lines, each_points, strict=True)
-            ],
-            **given,
-        )
+        drawn = [None] * len(found.lines) if points is None else map(PointsOut.values, points)
+        lines = [
+            ContactLineOut.values(line, points=each)
+            for line, each in zip(found.lines, drawn, strict=True)
+        ]
+        return super().values(found, run_time_us, lines=lines, **given)

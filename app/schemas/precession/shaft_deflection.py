@@ -9,6 +9,7 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
+    Values,
     WarningOut,
     field_error,
     quantity,
@@ -17,7 +18,7 @@ from app.schemas.precession.meshing_load import MeshingLoadRequest
 from app.units import from_si, to_si
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
-from core.precession.shaft_deflection import Deflection, ShaftDeflection, shaft_deflection
+from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
 
 Plane = tuple[float, float]
 
@@ -144,15 +145,6 @@ class DeflectionOut(ResponseModel):
     y: float
     total: float
 
-    @classmethod
-    def of(cls, deflection: Deflection) -> Self:
-        """Answer from the core's deflection, mm."""
-        return cls(
-            x=from_si("x_mm", deflection.x),
-            y=from_si("y_mm", deflection.y),
-            total=from_si("total_mm", deflection.total),
-        )
-
 
 class ShaftDeflectionResponse(ResponseModel):
     """Reactions and deflection of the shaft at the bearings B and C."""
@@ -169,12 +161,13 @@ class ShaftDeflectionResponse(ResponseModel):
     warnings: list[WarningOut] | None = None
 
     @classmethod
-    def from_core(
+    def values(
         cls, result: ShaftDeflection, run_time_us: float | None = None, **given: object
-    ) -> Self:
-        """Answer from the core's result."""
+    ) -> Values:
+        """Values of the core's result."""
         deflections = {
-            f"{name}_mm": None if value is None else DeflectionOut.of(value)
+            f"{name}_mm": value
+            and {axis: from_si("axis_mm", getattr(value, axis)) for axis in ("x", "y", "total")}
             for name in (
                 "deflection_B",
                 "deflection_C",
@@ -183,4 +176,4 @@ class ShaftDeflectionResponse(ResponseModel):
             )
             for value in (getattr(result, name),)
         }
-        return super().from_core(result, run_time_us, **deflections, **given)
+        return super().values(result, run_time_us, **deflections, **given)

@@ -1,0 +1,135 @@
+"""The route of a calculation: from the bytes of a request to the bytes of its answer.
+
+FastAPI describes the endpoint. What it would do for each request (parse the body into Python
+objects, validate these, resolve dependencies, validate the answer, copy it) takes longer than
+most of the calculations; here pydantic reads the bytes, and the answer is written as it is.
+"""
+
+import gzip
+import inspect
+from collections.abc import Callable, Coroutine, Iterator
+from typing import Any, get_args, get_type_hints
+
+import orjson
+from fastapi.exceptions import RequestValidationError
+from fastapi.routing import APIRoute
+from pydantic import TypeAdapter, ValidationError
+from starlette.requests import Request
+from starlette.responses import Response
+
+from app import processes
+from app.calculation import refusals_named
+from app.figures.theme import Theme
+from app.problems import ErrorItem, invalid_input
+from app.processes import in_process
+from app.record import Record, at_hand
+from app.schemas.base import RequestModel
+from core.errors import ImpossibleMechanism
+
+JSON = "application/json"
+
+COMPRESS_BYTES = 2048
+"""Size from which an answer is compressed where the client takes that."""
+
+
+class Calculation(APIRoute):
+    """Route whose endpoint is a plain function of the request `body`, or of it and a `theme`.
+
+    It runs at once or, where that would hold up others, in a process.
+    """
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """What answers a request."""
+        endpoint = self.endpoint
+        parameters = inspect.signature(endpoint).parameters
+        drawn = "theme" in parameters
+        model: TypeAdapter[RequestModel] = TypeAdapter(get_type_hints(endpoint, include_extras=True)["body"])
+
+        async def answer(request: Request) -> Response:
+            given: dict[str, Any] = {"body": body_of(request, model, await request.body())}
+            if drawn:
+                given["theme"] = _theme(request)
+            record = at_hand.get() or Record()
+            body = given["body"]
+            with refusals_named(body):
+                body.refuse_beyond(record.settings)
+            if body.cost_ms(drawn=drawn) <= processes.INLINE_MS:
+                content = _content(endpoint, given)
+            else:
+                content = await in_process(_content, endpoint, given, record=record)
+            return json_response(request, content)
+
+        return answer
+
+
+def _content(endpoint: Callable[..., Any], given: dict[str, Any]) -> bytes:
+    return encoded(endpoint(**given))
+
+
+def body_of(request: Request, model: TypeAdapter[RequestModel], content: bytes) -> RequestModel:
+    """The body of a request.
+
+    Raises
+    ------
+    RequestValidationError
+        If it is no JSON, or not what the model says.
+    """
+    media_type = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if media_type != JSON and not media_type.endswith("+json"):
+        raise invalid_input([ErrorItem("", f"must be an object, sent as {JSON}")])
+    try:
+        return model.validate_json(content)
+    except ValidationError as error:
+        raise RequestValidationError(error.errors(include_url=False)) from error
+
+
+def _theme(request: Request) -> str:
+    theme = request.query_params.get("theme", "light")
+    if theme not in get_args(Theme):
+        raise invalid_input([ErrorItem("/query/theme", "must be one of 'light' or 'dark'")])
+    return theme
+
+
+def encoded(values: Any) -> bytes:
+    """Values of an answer as JSON.
+
+    Parameters
+    ----------
+    values : object
+        Dictionaries, lists, texts, arrays and numbers; what is not there is left out, not None.
+
+    Raises
+    ------
+    ImpossibleMechanism
+        If a number is not finite: the input was beyond what doubles can carry.
+    """
+    content = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)
+    # What is not finite is written as null, and nothing else is.
+    if b"null" in content and (names := dict.fromkeys(_nulls(orjson.loads(content), ""))):
+        raise ImpossibleMechanism(
+            f"The numbers given leave the range of numbers: {', '.join(names)} would not be finite"
+        )
+    return content
+
+
+def _nulls(values: Any, name: str) -> Iterator[str]:
+    """Names under which something is null."""
+    if values is None:
+        yield name
+    elif isinstance(values, dict):
+        for inner, value in values.items():
+            yield from _nulls(value, inner)
+    elif isinstance(values, list):
+        for value in values:
+            yield from _nulls(value, name)
+
+
+def json_response(request: Request, content: bytes) -> Response:
+    """Answer of JSON, compressed where it is large and the client takes that."""
+    if len(content) < COMPRESS_BYTES:
+        return Response(content, media_type=JSON)
+    headers = {"vary": "accept-encoding"}
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        headers["content-encoding"] = "gzip"
+        content = gzip.compress(content, 6)
+    return Response(content, headers=headers, media_type=JSON)
