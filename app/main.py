@@ -8,14 +8,14 @@ from typing import Any
 
 from fastapi import FastAPI
 from fastapi.middleware.cors import CORSMiddleware
-from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
 
 from app import VERSION, observability, problems
 from app.examples import REQUESTS
-from app.middleware import BodyLimit, Requests
+from app.middleware import BodyLimit, CompressGet, Requests
 from app.processes import warm_up
+from app.route import API, RESPONSES
 from app.routers import (
     batch,
     contact_force,
@@ -30,9 +30,8 @@ from app.routers import (
 from app.schemas.service import ProblemOut
 from app.settings import Settings
 
-API = "/api/v1"
 STATIC = Path(__file__).parent.parent / "static"
-ROUTERS = (
+CALCULATIONS = (
     hertz,
     contact_force,
     roller_strength,
@@ -40,22 +39,8 @@ ROUTERS = (
     crank_planetary,
     precession,
     work_precision,
-    batch,
-    service,
 )
-"""In the order in which a request is matched: the shortest calculations first."""
-
-PROBLEMS: dict[int | str, dict[str, Any]] = {
-    status: {
-        "description": text,
-        "content": {problems.MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
-    }
-    for status, text in (
-        (413, "The request is too large"),
-        (422, "The input is wrong, or the mechanism cannot work"),
-        (503, "Too much is asked now, or it takes too long; `Retry-After` says when to ask again"),
-    )
-}
+"""In the order in which a request is matched: the shortest first."""
 
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
@@ -119,11 +104,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         lifespan=lifespan,
     )
     app.state.ready = False
-    for router in ROUTERS:
-        app.include_router(router.router, prefix=API, responses=PROBLEMS)
+    for calculation in CALCULATIONS:
+        # As if they were its own: FastAPI matches those of included routers twice, and slowly.
+        app.router.routes += calculation.router.routes
+    for other in (batch, service):
+        app.include_router(other.router, prefix=API, responses=RESPONSES)
     problems.install(app)
     complete_description(app)
-    app.add_middleware(GZipMiddleware, minimum_size=2048, compresslevel=6)
+    app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     app.add_middleware(
         BodyLimit,
         limit=settings.max_body_bytes,

@@ -4,6 +4,7 @@ import os
 import re
 import time
 
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import observability
@@ -64,6 +65,15 @@ class Requests:
                 await failure(record.request_id).response()(scope, receive, with_headers)
         finally:
             observability.end(record, scope, status, answered, failed)
+
+
+class CompressGet(GZipMiddleware):
+    """Compresses pages and descriptions; calculations compress their own answers."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request."""
+        reads = scope["type"] == "http" and scope["method"] == "GET"
+        await (super().__call__ if reads else self.app)(scope, receive, send)
 
 
 class BodyLimit:

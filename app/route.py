@@ -11,25 +11,57 @@ from collections.abc import Callable, Coroutine, Iterator
 from typing import Any, get_args, get_type_hints
 
 import orjson
+from fastapi import APIRouter
 from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from pydantic import TypeAdapter, ValidationError
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.routing import Match
+from starlette.types import Scope
 
 from app import processes
 from app.calculation import refusals_named
 from app.figures.theme import Theme
-from app.problems import ErrorItem, invalid_input
+from app.problems import MEDIA_TYPE, ErrorItem, invalid_input
 from app.processes import in_process
 from app.record import Record, at_hand
 from app.schemas.base import RequestModel
 from core.errors import ImpossibleMechanism
 
+API = "/api/v1"
+
 JSON = "application/json"
 
 COMPRESS_BYTES = 2048
 """Size from which an answer is compressed where the client takes that."""
+
+
+RESPONSES: dict[int | str, dict[str, Any]] = {
+    status: {
+        "description": text,
+        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
+    }
+    for status, text in (
+        (413, "The request is too large"),
+        (422, "The input is wrong, or the mechanism cannot work"),
+        (503, "Too much is asked now, or it takes too long; `Retry-After` says when to ask again"),
+    )
+}
+"""Refusals of every endpoint, as its description shows them."""
+
+
+def calculations(prefix: str, *, tag: str) -> APIRouter:
+    """Router of the endpoints of a calculation.
+
+    Parameters
+    ----------
+    prefix : str
+        Their path below `API`.
+    tag : str
+        Their chapter in the description.
+    """
+    return APIRouter(prefix=API + prefix, tags=[tag], route_class=Calculation, responses=RESPONSES)
 
 
 class Calculation(APIRoute):
@@ -38,12 +70,18 @@ class Calculation(APIRoute):
     It runs at once or, where that would hold up others, in a process.
     """
 
+    def matches(self, scope: Scope) -> tuple[Match, Scope]:
+        """Whether a request is for this route; comparing is enough, its path has no parameters."""
+        return super().matches(scope) if scope["path"].endswith(self.path) else (Match.NONE, {})
+
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """What answers a request."""
         endpoint = self.endpoint
         parameters = inspect.signature(endpoint).parameters
         drawn = "theme" in parameters
-        model: TypeAdapter[RequestModel] = TypeAdapter(get_type_hints(endpoint, include_extras=True)["body"])
+        model: TypeAdapter[RequestModel] = TypeAdapter(
+            get_type_hints(endpoint, include_extras=True)["body"]
+        )
 
         async def answer(request: Request) -> Response:
             given: dict[str, Any] = {"body": body_of(request, model, await request.body())}

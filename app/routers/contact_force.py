@@ -1,16 +1,14 @@
 """POST /contact-force and its chart."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.contact_force import contact_force_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.contact_force import ContactForceRequest, ContactForceResponse
 from app.units import from_si
 
-router = APIRouter(prefix="/contact-force", tags=["crank-planetary"], route_class=Calculation)
+router = calculations("/contact-force", tag="crank-planetary")
 
 
 @router.post("", response_model=ContactForceResponse)

@@ -1,13 +1,11 @@
 """POST /crank-planetary and its chart: mechanism, load and contact as one job."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.contact_force import contact_force_figure
 from app.figures.crank_planetary import over_one_axis
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.contact_force import ContactForceResponse
 from app.schemas.crank_planetary import CrankPlanetaryRequest, CrankPlanetaryResponse, GeometryOut
@@ -15,9 +13,7 @@ from app.schemas.cyclogram import CyclogramResponse
 from app.schemas.hertz import HertzResponse
 from app.units import from_si
 
-router = APIRouter(
-    prefix="/crank-planetary", tags=["crank-planetary"], route_class=Calculation
-)
+router = calculations("/crank-planetary", tag="crank-planetary")
 
 
 @router.post("", response_model=CrankPlanetaryResponse)

@@ -1,15 +1,13 @@
 """POST /cyclogram and its chart."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 
-router = APIRouter(prefix="/cyclogram", tags=["crank-planetary"], route_class=Calculation)
+router = calculations("/cyclogram", tag="crank-planetary")
 
 
 @router.post("", response_model=CyclogramResponse)

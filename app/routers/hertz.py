@@ -1,16 +1,14 @@
 """POST /hertz and its chart."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.hertz import PressureCurve, hertz_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.units import from_si
 
-router = APIRouter(prefix="/hertz", tags=["crank-planetary"], route_class=Calculation)
+router = calculations("/hertz", tag="crank-planetary")
 
 
 @router.post("", response_model=HertzResponse)

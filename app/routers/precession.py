@@ -1,17 +1,15 @@
 """POST /precession/contact-line, /meshing-load and /shaft-deflection with their charts."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.precession import contact_line_figure, meshing_load_figure, shaft_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.precession.contact_line import ContactLineRequest, ContactLineResponse
 from app.schemas.precession.meshing_load import MeshingLoadRequest, MeshingLoadResponse
 from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest, ShaftDeflectionResponse
 
-router = APIRouter(prefix="/precession", tags=["precessional gear"], route_class=Calculation)
+router = calculations("/precession", tag="precessional gear")
 
 
 @router.post("/contact-line", response_model=ContactLineResponse)

@@ -1,17 +1,13 @@
 """POST /roller-strength and its chart."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.roller_strength import roller_figure
 from app.figures.theme import Figure, Theme
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 
-router = APIRouter(
-    prefix="/roller-strength", tags=["swinging rollers"], route_class=Calculation
-)
+router = calculations("/roller-strength", tag="swinging rollers")
 
 
 @router.post("", response_model=RollerStrengthResponse)

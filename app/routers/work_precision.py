@@ -1,15 +1,13 @@
 """POST /work-precision and its chart."""
 
-from fastapi import APIRouter
-
 from app.calculation import run
 from app.figures.theme import Figure, Theme
 from app.figures.work_precision import work_precision_figure
-from app.route import Calculation
+from app.route import calculations
 from app.schemas.base import Values
 from app.schemas.work_precision import WorkPrecisionRequest, WorkPrecisionResponse
 
-router = APIRouter(prefix="/work-precision", tags=["accuracy"], route_class=Calculation)
+router = calculations("/work-precision", tag="accuracy")
 
 
 @router.post("", response_model=WorkPrecisionResponse)
