@@ -1,6 +1,7 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
 import asyncio
+import gc
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -76,6 +77,9 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         await warm_up()
         app.state.ready = True
 
+    # What is there now stays: the collector need not look through it again and again.
+    gc.collect()
+    gc.freeze()
     preparing = asyncio.create_task(prepare())
     yield
     app.state.ready = False

@@ -6,10 +6,10 @@ most of the calculations; here pydantic reads the bytes, and the answer is writt
 """
 
 import gzip
-import inspect
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from typing import Any, get_args, get_type_hints
 
+import numpy as np
 import orjson
 from fastapi import APIRouter
 from fastapi.exceptions import RequestValidationError
@@ -18,13 +18,12 @@ from pydantic import TypeAdapter, ValidationError
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Match
-from starlette.types import Scope
+from starlette.types import Receive, Scope, Send
 
 from app import processes
 from app.calculation import refusals_named
 from app.figures.theme import Theme
 from app.problems import MEDIA_TYPE, ErrorItem, invalid_input
-from app.processes import in_process
 from app.record import Record, at_hand
 from app.schemas.base import RequestModel
 from core.errors import ImpossibleMechanism
@@ -74,30 +73,38 @@ class Calculation(APIRoute):
         """Whether a request is for this route; comparing is enough, its path has no parameters."""
         return super().matches(scope) if scope["path"].endswith(self.path) else (Match.NONE, {})
 
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """What answers a request."""
-        endpoint = self.endpoint
-        parameters = inspect.signature(endpoint).parameters
-        drawn = "theme" in parameters
-        model: TypeAdapter[RequestModel] = TypeAdapter(
-            get_type_hints(endpoint, include_extras=True)["body"]
-        )
+    def __init__(self, *args: Any, **settings: Any) -> None:
+        super().__init__(*args, **settings)
+        answer = _answering(self.endpoint)
 
-        async def answer(request: Request) -> Response:
-            given: dict[str, Any] = {"body": body_of(request, model, await request.body())}
-            if drawn:
-                given["theme"] = _theme(request)
-            record = at_hand.get() or Record()
-            body = given["body"]
-            with refusals_named(body):
-                body.refuse_beyond(record.settings)
-            if body.cost_ms(drawn=drawn) <= processes.INLINE_MS:
-                content = _content(endpoint, given)
-            else:
-                content = await in_process(_content, endpoint, given, record=record)
-            return json_response(request, content)
+        async def app(scope: Scope, receive: Receive, send: Send) -> None:
+            response = await answer(Request(scope, receive))
+            await response(scope, receive, send)
 
-        return answer
+        self.app = app
+
+
+def _answering(endpoint: Callable[..., Any]) -> Callable[[Request], Awaitable[Response]]:
+    """What answers a request to an endpoint."""
+    hints = get_type_hints(endpoint, include_extras=True)
+    drawn = "theme" in hints
+    model: TypeAdapter[RequestModel] = TypeAdapter(hints["body"])
+
+    async def answer(request: Request) -> Response:
+        body = body_of(request, model, await request.body())
+        given: dict[str, Any] = {"body": body}
+        if drawn:
+            given["theme"] = _theme(request)
+        record = at_hand.get() or Record()
+        with refusals_named(body):
+            body.refuse_beyond(record.settings)
+        if body.cost_ms(drawn=drawn) <= processes.INLINE_MS:
+            content = _content(endpoint, given)
+        else:
+            content = await processes.in_process(_content, endpoint, given, record=record)
+        return json_response(request, content)
+
+    return answer
 
 
 def _content(endpoint: Callable[..., Any], given: dict[str, Any]) -> bytes:
@@ -141,7 +148,11 @@ def encoded(values: Any) -> bytes:
     ImpossibleMechanism
         If a number is not finite: the input was beyond what doubles can carry.
     """
-    content = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)
+    content = orjson.dumps(
+        values,
+        option=orjson.OPT_SERIALIZE_NUMPY,
+        default=np.ndarray.tolist,  # of other orders
+    )
     # What is not finite is written as null, and nothing else is.
     if b"null" in content and (names := dict.fromkeys(_nulls(orjson.loads(content), ""))):
         raise ImpossibleMechanism(

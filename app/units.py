@@ -55,10 +55,10 @@ def to_si(field: str, value: Any) -> Any:
 
 
 def from_si(field: str, value: Any) -> Any:
-    """Value in SI units as an API field carries it; arrays become lists."""
+    """Value in SI units as an API field carries it; lists and arrays element by element."""
     unit = suffix(field)
     if isinstance(value, np.ndarray):
-        return (value if unit is None else _array_from_si(unit, value)).tolist()
+        return value if unit is None else _array_from_si(unit, value)
     if unit is None or value is None:
         return value
     return _from_si(UNITS[unit][1], value)
@@ -73,6 +73,14 @@ def _from_si(size: float, value: Any) -> Any:
     exact = value * (1 / size)
     short = round(exact, 9)
     return short if short == exact or abs(exact - short) <= 2 * math.ulp(exact) else exact
+
+
+def rounded(values: np.ndarray, digits: int) -> np.ndarray:
+    """Numbers rounded to the place of the last of so many digits of the largest of them."""
+    largest = float(np.abs(values).max())
+    if not 0 < largest < math.inf:
+        return values
+    return np.round(values, digits - 1 - math.floor(math.log10(largest)))
 
 
 QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N"}

@@ -104,14 +104,16 @@ def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> Float
     satellite = np.array(mechanism.phases.satellite_phase)
     pin = np.arange(mechanism.pins) / mechanism.pins
     phase = satellite[:, None] + pin[None, :] - 0.75
-    off_centre = (turns - np.floor(turns))[:, None, None] + phase[None, :, :]
-    off_centre -= np.rint(off_centre)
-    from_switching = 0.25 - np.abs(off_centre)
-    rounding = 8 * ROUNDING * (1 + np.abs(turns))[:, None, None]
-    cosines: FloatArray = np.where(
-        from_switching > rounding, np.sin(2 * np.pi * from_switching), 0.0
-    )
-    return cosines
+    # The angles are the last axis while it is calculated, as the longest.
+    from_switching = (turns - np.floor(turns)) + phase[:, :, None]
+    from_switching -= np.rint(from_switching)
+    np.abs(from_switching, out=from_switching)
+    np.subtract(0.25, from_switching, out=from_switching)
+    drives = from_switching > 8 * ROUNDING * (1 + np.abs(turns))
+    from_switching *= 2 * np.pi
+    cosines = np.zeros_like(from_switching)
+    np.sin(from_switching, out=cosines, where=drives)
+    return cosines.transpose(2, 0, 1)
 
 
 def force_ratios(
@@ -155,14 +157,17 @@ def force_ratios(
     [[[1.0, 0.0, 0.0]]]
     """
     check_exponent(force_exponent)
-    cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angles)
-    largest = cosines.max(axis=(1, 2))
+    cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angles).transpose(1, 2, 0)
+    largest = cosines.max(axis=(0, 1))
     if not largest.all():
         refuse_dead_centre(float(np.asarray(crank_angles)[int(np.argmin(largest))]))
-    relative = cosines / largest[:, None, None]
-    powers = np.where(relative > 0, relative**force_exponent, 0.0)
-    ratios: FloatArray = powers / (largest * (powers * relative).sum(axis=(1, 2)))[:, None, None]
-    return ratios
+    relative = cosines / largest
+    if force_exponent == 0:
+        powers = (relative > 0).astype(np.float64)
+    else:
+        powers = relative if force_exponent == 1 else relative**force_exponent
+    ratios: FloatArray = powers / (largest * (powers * relative).sum(axis=(0, 1)))
+    return ratios.transpose(2, 0, 1)
 
 
 def approximate_peak_ratio(*, pins: int, satellites: int) -> float:

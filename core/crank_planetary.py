@@ -222,7 +222,7 @@ def force_curves(
     return ForceCurves(
         pairs=pairs,
         crank_angle=crank_angle,
-        force=reference * ratios.reshape(len(crank_angle), len(pairs)).T,
+        force=reference * ratios.transpose(1, 2, 0).reshape(len(pairs), len(crank_angle)),
     )
 
 

@@ -5,8 +5,9 @@ A pair drives through exactly half of each turn of the wave angle, at known angl
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from core.errors import InvalidInput
 from core.mechanism import SAME_PHASE, Mechanism, WavePhases
@@ -16,8 +17,7 @@ MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
 
 
-@dataclass(frozen=True, slots=True)
-class DrivingPair:
+class DrivingPair(NamedTuple):
     """When one pair drives.
 
     Attributes
@@ -33,8 +33,7 @@ class DrivingPair:
     driving: tuple[tuple[float, float], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class CountInterval:
+class CountInterval(NamedTuple):
     """A range of crank angle with one number of driving pairs.
 
     Attributes
@@ -147,28 +146,15 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     end = revolutions * 2 * math.pi
 
     def crank_angle(position: float) -> float:
-        return end if position >= waves else max(position, 0.0) * per_wave
+        return end if position >= waves else position * per_wave
 
     sector_counts = list(_sector_counts(phases))
-    zones = list(_repeat(phases.dead_zones(), 1.0, waves))
+    zones = list(_repeated_zones(phases.dead_zones(), waves))
     return Cyclogram(
         working_phase=per_wave / 2,
         period=per_wave,
         pattern_period=per_wave / (mechanism.pins * phases.symmetry),
-        pairs=tuple(
-            DrivingPair(
-                satellite=j + 1,
-                pin=n + 1,
-                driving=tuple(
-                    (crank_angle(start), crank_angle(stop))
-                    for start, stop in _repeat(
-                        [_driving_phase(phases, j, n)], 1.0, waves, widths_only=True
-                    )
-                ),
-            )
-            for j in range(mechanism.satellites)
-            for n in range(mechanism.pins)
-        ),
+        pairs=tuple(_pairs(mechanism, waves, crank_angle)),
         driving_count=tuple(
             CountInterval(crank_angle(start), crank_angle(stop), pairs)
             for start, stop, pairs in _counts(sector_counts, 1 / mechanism.pins, waves)
@@ -182,31 +168,40 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         ),
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING * max(1.0, 1 / waves)
+            relative_error=4 * ROUNDING * (1.0 if waves >= 1 else 1 / waves)
             + (phases.snapped + _dropped(sector_counts, 1 / mechanism.pins, waves)) / waves,
             evaluations=pair_count,
         ),
     )
 
 
-def _driving_phase(phases: WavePhases, satellite: int, pin: int) -> tuple[float, float]:
-    """First driving phase of a pair that starts at or after wave position 0, in turns."""
-    start = (0.5 - phases.satellite_phase[satellite] - pin / phases.pins) % 1.0
-    return start, start + 0.5
-
-
-def _repeat(
-    intervals: Sequence[tuple[float, float]],
-    period: float,
-    end: float,
-    widths_only: bool = False,
-) -> Iterator[tuple[float, float]]:
-    """Intervals repeated with a period and cut to [0, end]; slivers of rounding dropped."""
+def _pairs(
+    mechanism: Mechanism, end: float, crank_angle: Callable[[float], float]
+) -> Iterator[DrivingPair]:
+    """All pairs with their driving phases over [0, end] of the wave; no slivers of rounding."""
     sliver = SAME_PHASE * max(1.0, end)
-    for turn in range(-1, math.ceil(end / period) + 1):
-        for start, stop in intervals:
-            first, last = max(start + turn * period, 0.0), min(stop + turn * period, end)
-            if last - first > sliver or (not widths_only and start == stop and first == last):
+    for j, phase in enumerate(mechanism.phases.satellite_phase):
+        for n in range(mechanism.pins):
+            start = (0.5 - phase - n / mechanism.pins) % 1.0
+            stop = start + 0.5
+            driving = []
+            for turn in range(-1 if stop > 1 else 0, math.ceil(end - start)):
+                first = start + turn if turn >= 0 else 0.0
+                last = stop + turn if stop + turn < end else end
+                if last - first > sliver:
+                    driving.append((crank_angle(first), crank_angle(last)))
+            yield DrivingPair(j + 1, n + 1, tuple(driving))
+
+
+def _repeated_zones(
+    zones: Sequence[tuple[float, float]], end: float
+) -> Iterator[tuple[float, float]]:
+    """Dead zones of one turn, repeated and cut to [0, end]; slivers of rounding dropped."""
+    sliver = SAME_PHASE * max(1.0, end)
+    for turn in range(-1, math.ceil(end) + 1):
+        for start, stop in zones:
+            first, last = max(start + turn, 0.0), min(stop + turn, end)
+            if last - first > sliver or (start == stop and first == last):
                 yield first, last
 
 
@@ -234,18 +229,16 @@ def _counts(
 ) -> Iterator[tuple[float, float, int]]:
     """Counts over [0, end], neighbours with the same count joined."""
     sliver = SAME_PHASE * max(1.0, end)
-    current: tuple[float, float, int] | None = None
+    begun, reached, count = 0.0, 0.0, -1  # of the interval that grows
     for turn in range(-1, math.ceil(end / sector) + 1):
         for start, stop, pairs in sector_counts:
-            first, last = max(start + turn * sector, 0.0), min(stop + turn * sector, end)
-            if last - first <= sliver:
+            first, last = start + turn * sector, stop + turn * sector
+            if (last if last < end else end) - (first if first > 0 else 0.0) <= sliver:
                 continue
-            if current is None:
-                current = (0.0, last, pairs)
-            elif current[2] == pairs:
-                current = (current[0], last, pairs)
-            else:
-                yield current
-                current = (current[1], last, pairs)
-    if current is not None:
-        yield current[0], end, current[2]
+            if pairs != count:
+                if count >= 0:
+                    yield begun, reached, count
+                begun, count = reached, pairs
+            reached = last
+    if count >= 0:
+        yield begun, end, count

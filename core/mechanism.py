@@ -168,36 +168,40 @@ class WavePhases:
         # grid makes coincident starts and ends coincide exactly.
         cells = pins if pins % 2 == 0 else 2 * pins
         start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
-        scaled = [
-            (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
-            for angle in mechanism.crank_angles
-        ]
-        cell = [math.floor(value) for value in scaled]
-        residue = [value - whole for value, whole in zip(scaled, cell, strict=True)]
+        cell, residue = [], []
+        for angle in mechanism.crank_angles:
+            scaled = (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
+            whole = math.floor(scaled)
+            cell.append(whole)
+            residue.append(scaled - whole)
         tolerance = SAME_PHASE * cells
         order = sorted(range(len(residue)), key=residue.__getitem__)
+        lowest = residue[order[0]]
         snapped = 0.0
-        representative: float | None = None
+        representative = -math.inf
         for j in order:
-            if residue[j] > 1 - tolerance and residue[order[0]] <= tolerance:
-                snapped = max(snapped, 1 - residue[j] + residue[order[0]])
-                residue[j] = residue[order[0]]
+            if residue[j] > 1 - tolerance and lowest <= tolerance:
+                snapped = max(snapped, 1 - residue[j] + lowest)
+                residue[j] = lowest
                 cell[j] += 1
-            elif representative is not None and residue[j] - representative <= tolerance:
+            elif residue[j] - representative <= tolerance:
                 snapped = max(snapped, residue[j] - representative)
                 residue[j] = representative
             else:
                 representative = residue[j]
         per_sector = cells // pins
-        keys = [(cell[j] % per_sector, residue[j]) for j in range(len(residue))]
-        distinct = sorted(set(keys))
-        sector_phases = tuple((whole + part) / cells for whole, part in distinct)
-        multiplicity = tuple(keys.count(key) for key in distinct)
+        counts: dict[tuple[int, float], int] = {}
+        for whole, part in zip(cell, residue, strict=True):
+            key = whole % per_sector, part
+            counts[key] = counts.get(key, 0) + 1
+        distinct = sorted(counts)
+        sector_phases = tuple([(whole + part) / cells for whole, part in distinct])
+        multiplicity = tuple([counts[key] for key in distinct])
         symmetry, off = _symmetry(sector_phases, multiplicity, 1 / pins)
         return cls(
             pins=pins,
             satellite_phase=tuple(
-                ((cell[j] % cells) + residue[j]) / cells for j in range(len(residue))
+                [(whole % cells + part) / cells for whole, part in zip(cell, residue, strict=True)]
             ),
             sector_phases=sector_phases,
             multiplicity=multiplicity,
@@ -278,15 +282,10 @@ def _symmetry(
             multiplicity[(i + step) % size] != multiplicity[i] for i in range(size)
         ):
             continue
-        off = max(
-            abs(
-                phases[(i + step) % size]
-                + sector * ((i + step) // size)
-                - phases[i]
-                - sector / repeats
-            )
-            for i in range(size)
-        )
+        off = 0.0
+        for i in range(size):
+            turn, other = divmod(i + step, size)
+            off = max(off, abs(phases[other] + sector * turn - phases[i] - sector / repeats))
         if off <= SAME_PHASE:
             return repeats, off * repeats
     return 1, 0.0

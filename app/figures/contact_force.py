@@ -1,19 +1,20 @@
 """Contact force over the turn for every pair, with the peak marked."""
 
+import numpy as np
+
 from app.figures.theme import Figure, Theme, axis, curve, layout, marker, note, vertical_line
-from app.schemas.contact_force import ContactForceResponse
+from app.schemas.base import Values
+from core.contact_force import FloatArray
 
 
-def contact_force_figure(
-    answer: ContactForceResponse, switching_deg: list[float], theme: Theme
-) -> Figure:
+def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme) -> Figure:
     """Force of every pair over the turn, switching angles as thin lines, the peak marked.
 
     Parameters
     ----------
-    answer : ContactForceResponse
-        The forces with their curves, in newtons and degrees.
-    switching_deg : list of float
+    answer : dict
+        The forces with their curves, as `/contact-force` answers.
+    switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
     theme : {"light", "dark"}
         Look of the figure.
@@ -23,29 +24,28 @@ def contact_force_figure(
     dict
         ``{data, layout}``.
     """
-    curves = answer.curves
-    assert curves is not None
+    curves, peak_pair = answer["curves"], answer["peak_pair"]
     data = [
         curve(
-            f"{pair.satellite}.{pair.pin}",
-            curves.crank_angle_deg,
+            f"{pair['satellite']}.{pair['pin']}",
+            curves["crank_angle_deg"],
             force,
-            pair.pin - 1,
+            pair["pin"] - 1,
             theme,
-            f"satellite {pair.satellite}, pin {pair.pin}<br>%{{y:.5g}} N at %{{x:.2f}}°",
-            colour=pair.satellite - 1,
+            f"satellite {pair['satellite']}, pin {pair['pin']}<br>%{{y:.5g}} N at %{{x:.2f}}°",
+            colour=pair["satellite"] - 1,
         )
-        for pair, force in zip(curves.pairs, curves.force_N, strict=True)
+        for pair, force in zip(curves["pairs"], curves["force_N"], strict=True)
     ]
-    peak = {"x": answer.peak_crank_angle_deg, "y": answer.peak_force_N}
+    peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
     data.append(
         marker(
             "Peak",
             peak["x"],
             peak["y"],
             theme,
-            f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite {answer.peak_pair.satellite}, "
-            f"pin {answer.peak_pair.pin}",
+            f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite {peak_pair['satellite']}, "
+            f"pin {peak_pair['pin']}",
         )
     )
     return {
@@ -54,12 +54,12 @@ def contact_force_figure(
             theme,
             height=380,
             xaxis=axis(theme, "Crank angle, °", range=[0, 360], dtick=30),
-            yaxis=axis(theme, "Contact force, N", range=[0, 1.15 * answer.peak_force_N]),
-            shapes=[vertical_line(theme, round(place, 4)) for place in switching_deg],
+            yaxis=axis(theme, "Contact force, N", range=[0, 1.15 * answer["peak_force_N"]]),
+            shapes=[vertical_line(theme, place) for place in np.round(switching_deg, 4).tolist()],
             annotations=[
                 note(
                     theme,
-                    f"{answer.peak_force_N:.5g} N",
+                    f"{answer['peak_force_N']:.5g} N",
                     xref="x",
                     yref="y",
                     **peak,

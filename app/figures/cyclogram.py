@@ -1,16 +1,16 @@
 """The cyclogram: a bar for each driving phase, and the number of driving pairs under it."""
 
 from app.figures.theme import INK, Figure, Theme, axis, layout, note, series_style
-from app.schemas.cyclogram import CyclogramResponse
+from app.schemas.base import Values
 
 
-def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
+def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
     """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite.
 
     Parameters
     ----------
-    answer : CyclogramResponse
-        The cyclogram, in degrees.
+    answer : dict
+        The cyclogram, as `/cyclogram` answers.
     theme : {"light", "dark"}
         Look of the figure.
 
@@ -19,11 +19,11 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
     dict
         ``{data, layout}``.
     """
-    end = answer.driving_count[-1].to_deg
-    satellites = max(pair.satellite for pair in answer.pairs)
+    end = answer["driving_count"][-1]["to_deg"]
+    satellites = max(pair["satellite"] for pair in answer["pairs"])
     data = [_bars(answer, satellite, theme) for satellite in range(1, satellites + 1)]
     data.append(_count(answer, theme))
-    rows = [f"{pair.satellite}.{pair.pin}" for pair in answer.pairs]
+    rows = [f"{pair['satellite']}.{pair['pin']}" for pair in answer["pairs"]]
     alert = INK[theme]["alert"]
     shapes = [
         {
@@ -38,7 +38,7 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
             "opacity": 0.18,
             "line": {"width": 0},
         }
-        for start, stop in answer.dead_zones_deg or []
+        for start, stop in answer.get("dead_zones_deg", ())
     ] + [
         {
             "type": "line",
@@ -50,7 +50,7 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
             "y1": 1,
             "line": {"color": alert, "width": 2, "dash": "dot"},
         }
-        for place in answer.dead_centres_deg
+        for place in answer["dead_centres_deg"]
     ]
     notes = [
         note(
@@ -63,7 +63,7 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
             yanchor="bottom",
             font={"size": 11, "color": alert},
         )
-        for place in answer.dead_centres_deg[:1]
+        for place in answer["dead_centres_deg"][:1]
     ]
     turns = end / 360
     step = 30 if turns <= 1 else 90 if turns <= 3 else None
@@ -90,8 +90,8 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
                 "Driving",
                 domain=[0, 0.22],
                 rangemode="tozero",
-                dtick=max(1, round(answer.max_driving / 4)),
-                range=[0, answer.max_driving + 0.5],
+                dtick=max(1, round(answer["max_driving"] / 4)),
+                range=[0, answer["max_driving"] + 0.5],
             ),
             shapes=shapes,
             annotations=notes,
@@ -99,14 +99,14 @@ def cyclogram_figure(answer: CyclogramResponse, theme: Theme) -> Figure:
     }
 
 
-def _bars(answer: CyclogramResponse, satellite: int, theme: Theme) -> Figure:
+def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
     """All driving phases of one satellite."""
     colour, _, hatch = series_style(satellite - 1, theme)
     phases = [
-        (pair.pin, start, stop)
-        for pair in answer.pairs
-        if pair.satellite == satellite
-        for start, stop in pair.driving_deg
+        (pair["pin"], start, stop)
+        for pair in answer["pairs"]
+        if pair["satellite"] == satellite
+        for start, stop in pair["driving_deg"]
     ]
     return {
         "type": "bar",
@@ -128,9 +128,9 @@ def _bars(answer: CyclogramResponse, satellite: int, theme: Theme) -> Figure:
     }
 
 
-def _count(answer: CyclogramResponse, theme: Theme) -> Figure:
+def _count(answer: Values, theme: Theme) -> Figure:
     """Number of driving pairs as a step line."""
-    intervals = answer.driving_count
+    intervals = answer["driving_count"]
     return {
         "type": "scatter",
         "mode": "lines",
@@ -138,8 +138,9 @@ def _count(answer: CyclogramResponse, theme: Theme) -> Figure:
         "xaxis": "x",
         "yaxis": "y2",
         "showlegend": False,
-        "x": [round(each.from_deg, 6) for each in intervals] + [round(intervals[-1].to_deg, 6)],
-        "y": [each.pairs for each in intervals] + [intervals[-1].pairs],
+        "x": [round(each["from_deg"], 6) for each in intervals]
+        + [round(intervals[-1]["to_deg"], 6)],
+        "y": [each["pairs"] for each in intervals] + [intervals[-1]["pairs"]],
         "line": {"shape": "hv", "width": 2, "color": INK[theme]["text"]},
         "fill": "tozeroy",
         "fillcolor": INK[theme]["grid"],

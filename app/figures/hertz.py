@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from app.figures.theme import INK, Figure, Theme, axis, curve, layout
+from core.contact_force import FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,13 +14,13 @@ class PressureCurve:
     ----------
     name : str
         Whose it is.
-    place_mm, pressure_MPa : list of float
+    place_mm, pressure_MPa : array
         Places along the arc of the pin and pressure there.
     """
 
     name: str
-    place_mm: list[float]
-    pressure_MPa: list[float]
+    place_mm: FloatArray
+    pressure_MPa: FloatArray
 
 
 def hertz_figure(
@@ -52,9 +53,9 @@ def hertz_figure(
         )
         for index, each in enumerate(curves)
     ]
-    highest = max(max(each.pressure_MPa) for each in curves)
+    highest = max(float(each.pressure_MPa.max()) for each in curves)
     if allowable_pressure_MPa is not None and allowable_pressure_MPa <= 4 * highest:
-        widest = max(each.place_mm[-1] for each in curves)
+        widest = max(float(each.place_mm[-1]) for each in curves)
         data.append(
             {
                 "type": "scatter",

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from app.figures.theme import INK, Figure, Theme, axis, curve, layout, series_style, vertical_line
-from app.schemas.precession.contact_line import ContactLineResponse
+from app.schemas.base import Values
 from app.schemas.precession.meshing_load import FloatArray
 from app.units import from_si
 from core.precession.shaft import ShaftDiagram
@@ -14,7 +14,7 @@ MOST_NAMED = 12
 
 
 def contact_line_figure(
-    answer: ContactLineResponse,
+    answer: Values,
     roller_circle_radius_mm: float,
     roller_radius_mm: float,
     theme: Theme,
@@ -35,20 +35,24 @@ def contact_line_figure(
     dict
         ``{data, layout}``.
     """
-    data = []
-    for index, line in enumerate(answer.lines):
-        assert line.points is not None
+    data, lines = [], answer["lines"]
+    for index, line in enumerate(lines):
+        points = line["points"]
         colour, _, _ = series_style(index, theme)
-        name = f"φ₁ = {line.position_angle_deg:g}°"
-        group: Figure = {"legendgroup": str(index), "showlegend": len(answer.lines) <= MOST_NAMED}
+        name = f"φ₁ = {line['position_angle_deg']:g}°"
+        group: Figure = {
+            "legendgroup": str(index),
+            "showlegend": len(lines) <= MOST_NAMED,
+        }
         data.append(
             curve(
                 name,
-                line.points.x_mm,
-                line.points.z_mm,
+                points["x_mm"],
+                points["z_mm"],
                 index,
                 theme,
-                f"{name}, length {line.length_mm:.5g} mm<br>x = %{{x:.4g}} mm, z = %{{y:.4g}} mm",
+                f"{name}, length {line['length_mm']:.5g} mm<br>"
+                "x = %{x:.4g} mm, z = %{y:.4g} mm",
                 **group,
             )
         )
@@ -58,7 +62,7 @@ def contact_line_figure(
             "legendgroup": str(index),
             "showlegend": False,
         }
-        angle = math.radians(line.position_angle_deg)
+        angle = math.radians(line["position_angle_deg"])
         x, y = _circle(
             -roller_circle_radius_mm * math.sin(angle),
             roller_circle_radius_mm * math.cos(angle),
@@ -68,7 +72,8 @@ def contact_line_figure(
             curve(name, x, y, index, theme, name, **seen) | {"line": {"color": colour, "width": 1}}
         )
         side = seen | {"xaxis": "x3"}
-        middle, low, high = roller_circle_radius_mm * math.cos(angle), line.z_min_mm, line.z_max_mm
+        middle = roller_circle_radius_mm * math.cos(angle)
+        low, high = line["z_min_mm"], line["z_max_mm"]
         bottom, top = middle - roller_radius_mm, middle + roller_radius_mm
         data.append(
             curve(
@@ -82,10 +87,7 @@ def contact_line_figure(
             )
             | {"line": {"color": colour, "width": 1}}
         )
-        along, across, upward = (
-            list(values)
-            for values in zip(*((z, x, y) for x, y, z in line.points.position_mm), strict=True)
-        )
+        across, upward, along = points["position_mm"].T
         for horizontal, view in ((across, seen), (along, side)):
             data.append(
                 curve(name, horizontal, upward, index, theme, f"{name}: contact line", **view)

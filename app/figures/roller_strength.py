@@ -21,13 +21,13 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         ``{data, layout}``.
     """
     design = curves.design
-    lengths, errors = curves.lengths.tolist(), curves.errors.tolist()
+    lengths, errors = curves.lengths, curves.errors
     stress = from_si("bending_stress_MPa", design.bending_stress)
     data = [
         curve(
             "Stiffness",
             lengths,
-            curves.stiffness.tolist(),
+            curves.stiffness,
             0,
             theme,
             "c/(b·E) = %{y:.4g} at l/d = %{x:.3g}",
@@ -45,7 +45,7 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         curve(
             f"n = {rollers}",
             errors,
-            values.tolist(),
+            values,
             index,
             theme,
             f"n = {rollers}: Ψ = %{{y:.4g}} at δ = %{{x:.4g}}",

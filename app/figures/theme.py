@@ -4,10 +4,17 @@ Colours are those of Okabe and Ito, darkened for white and lightened for dark pa
 keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
 """
 
+from collections.abc import Sequence
 from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.contact_force import FloatArray
 
 Theme = Literal["light", "dark"]
 Figure = dict[str, Any]
+Numbers = Sequence[float] | FloatArray
 
 SERIES: dict[Theme, tuple[str, ...]] = {
     "light": ("#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"),
@@ -90,8 +97,8 @@ def vertical_line(theme: Theme, x: float, *, ink: str = "grid", **more: Any) -> 
 
 def curve(
     name: str,
-    x: list[float],
-    y: list[float],
+    x: Numbers,
+    y: Numbers,
     index: int,
     theme: Theme,
     hover: str,
@@ -106,8 +113,8 @@ def curve(
         "type": "scatter",
         "mode": "lines",
         "name": name,
-        "x": shown(x),
-        "y": shown(y),
+        "x": drawn(x),
+        "y": drawn(y),
         "line": {"color": ink, "dash": dash, "width": 2},
         "hovertemplate": f"{hover}<extra></extra>",
         **more,
@@ -133,6 +140,9 @@ def marker(name: str, x: float, y: float, theme: Theme, hover: str, **more: Any)
     }
 
 
-def shown(values: list[float]) -> list[float]:
-    """Values with six significant digits: more than a screen shows, fewer bytes."""
-    return [float(f"{value:.6g}") for value in values]
+def drawn(values: Numbers) -> NDArray[np.floating[Any]]:
+    """Values in single precision where they fit: more than a screen shows, half the bytes."""
+    exact = np.asarray(values, dtype=np.float64)
+    with np.errstate(over="ignore"):
+        single = exact.astype(np.float32)
+    return single if np.isfinite(single).all() else exact

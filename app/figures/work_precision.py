@@ -1,7 +1,7 @@
 """Error against run time, both axes logarithmic, a line for each method."""
 
 from app.figures.theme import DASHES, Figure, Theme, axis, curve, layout, marker
-from app.schemas.work_precision import WorkPointOut, WorkPrecisionResponse
+from app.schemas.base import Values
 
 EXACT = 1e-17
 """Where an error of nothing is drawn: below the rounding of any double."""
@@ -10,13 +10,13 @@ SYMBOLS = ("circle", "square", "triangle-up")
 """Marks that tell methods apart whose colours and dashes repeat."""
 
 
-def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure:
+def work_precision_figure(answer: Values, theme: Theme) -> Figure:
     """Every method's errors over its run times, the default marked.
 
     Parameters
     ----------
-    answer : WorkPrecisionResponse
-        The study.
+    answer : dict
+        The study, as `/work-precision` answers.
     theme : {"light", "dark"}
         Look of the figure.
 
@@ -25,15 +25,15 @@ def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure
     dict
         ``{data, layout}``.
     """
-    methods: dict[str, list[WorkPointOut]] = {}
-    for point in answer.points:
-        methods.setdefault(point.method, []).append(point)
+    methods: dict[str, list[Values]] = {}
+    for point in answer["points"]:
+        methods.setdefault(point["method"], []).append(point)
     data = []
     for index, (method, points) in enumerate(methods.items()):
         line = curve(
             method,
-            [point.run_time_us for point in points],
-            [max(point.relative_error, EXACT) for point in points],
+            [point["run_time_us"] for point in points],
+            [max(point["relative_error"], EXACT) for point in points],
             index,
             theme,
             f"{method}, %{{customdata}}<br>error %{{y:.2g}} in %{{x:.3g}} µs",
@@ -41,17 +41,17 @@ def work_precision_figure(answer: WorkPrecisionResponse, theme: Theme) -> Figure
         line |= {
             "mode": "lines+markers",
             "marker": {"symbol": SYMBOLS[index // len(DASHES) % len(SYMBOLS)], "size": 7},
-            "customdata": [point.setting for point in points],
+            "customdata": [point["setting"] for point in points],
         }
         data.append(line)
-    chosen = answer.chosen
+    chosen = answer["chosen"]
     data.append(
         marker(
             "Used by the calculator",
-            chosen.run_time_us,
-            max(chosen.relative_error, EXACT),
+            chosen["run_time_us"],
+            max(chosen["relative_error"], EXACT),
             theme,
-            f"{chosen.method}: error %{{y:.2g}} in %{{x:.3g}} µs",
+            f"{chosen['method']}: error %{{y:.2g}} in %{{x:.3g}} µs",
         )
     )
     return {

@@ -23,7 +23,7 @@ def contact_force_chart(body: ContactForceRequest, theme: Theme = "light") -> Fi
     run(body, body.refuse_undrawable)
     (force, switching), run_time_us = run(body, lambda: body.solve_for_drawing(body.mechanism()))
     return contact_force_figure(
-        ContactForceResponse.from_core(force, run_time_us),
+        ContactForceResponse.values(force, run_time_us),
         from_si("switching_deg", switching),
         theme,
     )

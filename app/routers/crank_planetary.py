@@ -38,7 +38,7 @@ def crank_planetary(body: CrankPlanetaryRequest) -> Values:
 def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)
-    pattern = cyclogram_figure(CyclogramResponse.from_core(*run(body, body.mechanism.solve)), theme)
+    pattern = cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
     if body.load is None:
         return pattern
     load = body.load
@@ -46,7 +46,7 @@ def crank_planetary_chart(body: CrankPlanetaryRequest, theme: Theme = "light") -
     return over_one_axis(
         pattern,
         contact_force_figure(
-            ContactForceResponse.from_core(force, force_us),
+            ContactForceResponse.values(force, force_us),
             from_si("switching_deg", switching),
             theme,
         ),

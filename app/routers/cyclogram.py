@@ -20,4 +20,4 @@ def cyclogram(body: CyclogramRequest) -> Values:
 def cyclogram_chart(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     """The cyclogram as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)
-    return cyclogram_figure(CyclogramResponse.from_core(*run(body, body.solve)), theme)
+    return cyclogram_figure(CyclogramResponse.values(*run(body, body.solve)), theme)

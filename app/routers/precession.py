@@ -22,7 +22,7 @@ def contact_line(body: ContactLineRequest) -> Values:
 def contact_line_chart(body: ContactLineRequest, theme: Theme = "light") -> Figure:
     """Contact lines developed on the rollers, and the wheel seen along its axis."""
     asked = body.model_copy(update={"include": ["points"], "samples": 41})
-    lines = ContactLineResponse.from_core(*run(asked, asked.solve))
+    lines = ContactLineResponse.values(*run(asked, asked.solve))
     return contact_line_figure(lines, body.roller_circle_radius_mm, body.roller_radius_mm, theme)
 
 

@@ -21,4 +21,4 @@ def work_precision(body: WorkPrecisionRequest) -> Values:
 def work_precision_chart(body: WorkPrecisionRequest, theme: Theme = "light") -> Figure:
     """The same as a diagram, both axes logarithmic."""
     study, _ = run(body, body.solve)
-    return work_precision_figure(WorkPrecisionResponse.from_core(study), theme)
+    return work_precision_figure(WorkPrecisionResponse.values(study), theme)

@@ -2,7 +2,7 @@
 
 import re
 from functools import cache
-from typing import Any, Self, cast, get_args
+from typing import Any, cast, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
@@ -139,7 +139,7 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of an answer from a core result.
+        """Values of an answer from a core result; arrays stay arrays.
 
         Parameters
         ----------
@@ -168,11 +168,6 @@ class ResponseModel(BaseModel):
         if "accuracy" in cls.model_fields:
             values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
         return values
-
-    @classmethod
-    def from_core(cls, result: Any, run_time_us: float | None = None) -> Self:
-        """The answer as an object, for who reads it and does not send it; see `values`."""
-        return cls.model_validate(cls.values(result, run_time_us))
 
 
 @cache

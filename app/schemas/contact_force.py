@@ -1,7 +1,7 @@
 """Request and answer of the contact force."""
 
 from dataclasses import replace
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -11,26 +11,36 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
+    Values,
     WarningOut,
     field_error,
     quantity,
 )
 from app.schemas.mechanism import MechanismFields
 from app.settings import Settings
-from app.units import to_si
+from app.units import from_si, rounded, to_si
 from core.contact_force import (
     FloatArray,
     force_ratios,
     output_torque_from_input,
     reference_force,
 )
-from core.crank_planetary import ContactForce, contact_force, drawing_angles, force_curves
+from core.crank_planetary import (
+    ContactForce,
+    ForceCurves,
+    contact_force,
+    drawing_angles,
+    force_curves,
+)
 from core.errors import InvalidInput
 from core.mechanism import Mechanism
 
 ForceSection = Literal["curves", "equal_sharing", "approximation"]
 
 MAX_SAMPLES = 10_001
+FORCE_DIGITS = 12
+"""Digits of the largest force of curves: fewer bytes, and still finer than any use."""
+
 MAX_CURVE_VALUES = 1_000_000
 
 
@@ -225,11 +235,19 @@ class PairOut(ResponseModel):
 
 
 class ForceCurvesOut(ResponseModel):
-    """Force of every pair over the turn: one list for each pair, in the order of `pairs`."""
+    """Force of every pair over the turn: one list for each pair, in the order of `pairs`, rounded
+    to 12 digits of the largest force.
+    """
 
     crank_angle_deg: list[float]
     force_N: list[list[float]]
     pairs: list[PairOut]
+
+    @classmethod
+    def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's curves."""
+        forces = rounded(from_si("force_N", result.force), FORCE_DIGITS)
+        return super().values(result, run_time_us, force_N=forces, **given)
 
 
 class ContactForceResponse(ResponseModel):

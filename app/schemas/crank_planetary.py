@@ -179,11 +179,11 @@ class GeometryOut(ResponseModel):
         """Values of the geometry and the forces of the pairs, N, satellite by satellite."""
         geometry, forces = result
         satellites, pins = geometry.driving.shape
-        force = from_si("force_N", forces)
-        centres = from_si("centre_mm", geometry.pin_centres)
-        holes = from_si("hole_centre_mm", geometry.hole_centres)
-        contacts = from_si("contact_point_mm", geometry.contact_points)
-        angles = from_si("pressure_angle_deg", geometry.pressure_angles)
+        force = from_si("force_N", forces).tolist()
+        centres = from_si("centre_mm", geometry.pin_centres).tolist()
+        holes = from_si("hole_centre_mm", geometry.hole_centres).tolist()
+        contacts = from_si("contact_point_mm", geometry.contact_points).tolist()
+        angles = from_si("pressure_angle_deg", geometry.pressure_angles).tolist()
         driving = geometry.driving.tolist()
         return super().values(
             geometry,

@@ -1,5 +1,7 @@
 """Request and answer of the cyclogram."""
 
+import numpy as np
+
 from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
 from app.schemas.mechanism import MechanismFields
 from app.units import from_si
@@ -92,17 +94,27 @@ class CyclogramResponse(ResponseModel):
     ) -> Values:
         """Values of the core's result."""
         found, assembly = result
+        # All angles at once: one by one they would cost more than the calculation.
+        angles = [each for pair in found.pairs for phase in pair.driving for each in phase]
+        ends = [each.end for each in found.driving_count]
+        degrees = iter(from_si("angle_deg", np.array(angles + ends)).tolist())
+        pairs = [
+            {
+                "satellite": pair.satellite,
+                "pin": pair.pin,
+                "driving_deg": [[next(degrees), next(degrees)] for _ in pair.driving],
+            }
+            for pair in found.pairs
+        ]
+        counts, start = [], 0.0
+        for each, end in zip(found.driving_count, degrees, strict=True):
+            counts.append({"from_deg": start, "to_deg": end, "pairs": each.pairs})
+            start = end
         return super().values(
             found,
             run_time_us,
-            driving_count=[
-                {
-                    "from_deg": from_si("from_deg", each.start),
-                    "to_deg": from_si("to_deg", each.end),
-                    "pairs": each.pairs,
-                }
-                for each in found.driving_count
-            ],
+            pairs=pairs,
+            driving_count=counts,
             dead_zones_deg=from_si("dead_zones_deg", found.dead_zones) or None,
             assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
             **given,

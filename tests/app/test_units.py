@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.units import UNITS, api_value, core_name, from_si, shown_unit, to_si
+from app.units import UNITS, api_value, core_name, from_si, rounded, shown_unit, to_si
 
 DECIMALS = st.integers(-(10**9), 10**9).map(lambda thousandths: thousandths / 1000)
 
@@ -61,11 +61,25 @@ def test_no_conversion_loses_more_than_the_last_digits(unit, value):
     assert from_si(field, to_si(field, value)) == pytest.approx(value, rel=1e-15, abs=0)
 
 
-def test_arrays_become_lists_without_the_noise_of_pi():
+def test_arrays_are_converted_without_the_noise_of_pi():
     degrees = [[0.0, 60.0, 120.0], [180.0, 240.0, 360.0]]
-    assert from_si("angle_deg", np.radians(degrees)) == degrees
-    assert from_si("force_N", np.array([1.5, 2.0])) == [1.5, 2.0]
-    assert from_si("count", np.array([1, 2])) == [1, 2]
+    assert from_si("angle_deg", np.radians(degrees)).tolist() == degrees
+    assert from_si("force_N", np.array([1.5, 2.0])).tolist() == [1.5, 2.0]
+    assert from_si("count", np.array([1, 2])).tolist() == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("values", "digits", "short"),
+    [
+        ([1234.5678, -0.05], 6, [1234.57, -0.05]),
+        ([9.99996e-7, 1.23456e-9], 3, [1.0e-6, 1e-9]),
+        ([123456789.0, 1.0], 3, [123000000.0, 0.0]),
+        ([0.0, 0.0], 3, [0.0, 0.0]),
+        ([np.inf, 1.25], 1, [np.inf, 1.25]),
+    ],
+)
+def test_numbers_are_rounded_to_digits_of_the_largest(values, digits, short):
+    assert rounded(np.array(values), digits).tolist() == short
 
 
 def test_a_refusals_position_gets_its_unit():
