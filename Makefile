@@ -68,8 +68,9 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.front
 	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
 
-bench: .venv/test  ## time the calculations against each other, as ratios in one run
+bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
+	PYTHONPATH=. $(BIN)/python -m benchmarks.service
 
 bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
 	PYTHONPATH=. $(BIN)/python -m benchmarks.page

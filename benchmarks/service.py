@@ -1,4 +1,4 @@
-"""What the service adds to what its framework costs, as ratios in one run.
+"""What the service adds to what its framework costs, as ratios in one run; and its start.
 
 Each request is sent to the service and to an empty FastAPI endpoint with the same models, one
 after the other on one connection, in rounds; what counts is the processor time of the server.
@@ -6,28 +6,32 @@ after the other on one connection, in rounds; what counts is the processor time 
 
 import json
 import socket
+import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+import timeit
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import orjson
 from fastapi import FastAPI, Response
-from fastapi.testclient import TestClient
-from pydantic import BaseModel
+from pydantic import TypeAdapter
+from starlette.types import Receive, Scope, Send
 
 from app.examples import REQUESTS
+from app.route import encoded
+from app.routers.contact_force import contact_force_chart
+from app.schemas.base import RequestModel, ResponseModel
 from app.schemas.contact_force import ContactForceRequest, ContactForceResponse
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 
-ROUNDS, REPEATS = 7, 400
+ROUNDS, REPEATS = 25, 100
 
-MODELS: dict[str, tuple[type[BaseModel], type[BaseModel]]] = {
+MODELS: dict[str, tuple[type[RequestModel], type[ResponseModel]]] = {
     "hertz": (HertzRequest, HertzResponse),
     "roller-strength": (RollerStrengthRequest, RollerStrengthResponse),
     "contact-force": (ContactForceRequest, ContactForceResponse),
@@ -38,40 +42,47 @@ BODIES: dict[str, dict[str, Any]] = {name: REQUESTS[name] for name in MODELS} | 
     "contact-force": FORCE
 }
 CURVES = FORCE | {"include": ["curves"]}
+QUIET = ("--no-access-log", "--log-level", "warning")
 
 
 def empty() -> FastAPI:
     """An application with an empty endpoint for each calculation, and curves ready to encode."""
-    from app.main import app as service
-
     application = FastAPI()
 
-    def add(name: str, given: Any, answered: Any, answer: BaseModel) -> None:
+    def add(name: str, given: Any, answered: Any) -> None:
+        values = answered.values(given(**BODIES[name]).solve())
+        answer = answered.model_validate_json(encoded(values))
+
         async def endpoint(body: given) -> answered:
             return answer
 
         application.post(f"/{name}", response_model_exclude_none=True)(endpoint)
 
-    with TestClient(service) as client:
-        for name, (given, answered) in MODELS.items():
-            content = client.post(f"/api/v1/{name}", json=BODIES[name]).content
-            add(name, given, answered, answered.model_validate_json(content))
-        curves = client.post("/api/v1/contact-force", json=CURVES).json()
-        chart = client.post("/api/v1/contact-force/chart", json=FORCE).json()
-
-    @application.get("/hello")
-    async def hello() -> dict[str, str]:
-        return {"hello": "world"}
+    for name, models in MODELS.items():
+        add(name, *models)
+    curves = ContactForceResponse.values(ContactForceRequest(**CURVES).solve())
+    chart = contact_force_chart(ContactForceRequest(**FORCE))
 
     @application.post("/contact-force/curves")
     async def encoded_curves(body: ContactForceRequest) -> Response:
-        return Response(orjson.dumps(curves), media_type="application/json")
+        return Response(encoded(curves), media_type="application/json")
 
     @application.post("/contact-force/chart")
     async def encoded_chart(body: ContactForceRequest) -> Response:
-        return Response(orjson.dumps(chart), media_type="application/json")
+        return Response(encoded(chart), media_type="application/json")
 
     return application
+
+
+async def bare(scope: Scope, receive: Receive, send: Send) -> None:
+    """The least that an ASGI application can answer."""
+    if scope["type"] != "http":
+        return
+    while (await receive()).get("more_body"):
+        pass
+    headers = [(b"content-length", b"2")]
+    await send({"type": "http.response.start", "status": 200, "headers": headers})
+    await send({"type": "http.response.body", "body": b"{}"})
 
 
 class Server:
@@ -137,3 +148,71 @@ def post(path: str, body: object) -> bytes:
     content = json.dumps(body).encode()
     head = f"POST {path} HTTP/1.1\r\nhost: service\r\ncontent-type: application/json\r\n"
     return f"{head}content-length: {len(content)}\r\n\r\n".encode() + content
+
+
+def compared(first: Server, one: bytes, second: Server, other: bytes) -> tuple[float, float]:
+    """Processor times of two requests to two servers, microseconds, medians of rounds."""
+    costs = [(first.cost(one), second.cost(other)) for _ in range(ROUNDS + 1)][1:]
+    return statistics.median(a for a, _ in costs), statistics.median(b for _, b in costs)
+
+
+def start_up() -> float:
+    """Seconds from the start of the service to its first answer."""
+    with running("app.serve") as service:
+        service.ask(post("/api/v1/hertz", BODIES["hertz"]))
+        return time.perf_counter() - service.started
+
+
+def main() -> None:
+    """Print the table, the times of the parts, and how long the service takes to start."""
+    warm = [start_up() for _ in range(4)][1:]
+    with (
+        running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
+        running("uvicorn", "benchmarks.service:empty", "--factory", *QUIET) as empty_one,
+        running("app.serve") as service,
+    ):
+        time.sleep(2)  # the process for long calculations, which the service starts
+        print(f"{'request':16s} {'empty us':>9s} {'service us':>10s} {'own share':>10s}")
+        asked = [(name, name, name, BODIES[name]) for name in MODELS]
+        asked += [
+            ("curves", "contact-force/curves", "contact-force", CURVES),
+            ("chart", "contact-force/chart", "contact-force/chart", FORCE),
+        ]
+        for name, path, own_path, body in asked:
+            other, own = post(f"/{path}", body), post(f"/api/v1/{own_path}", body)
+            empty_us, us = compared(empty_one, other, service, own)
+            print(f"{name:16s} {empty_us:9.0f} {us:10.0f} {us / empty_us - 1:10.2f}")
+        bare_us, us = compared(
+            bare_one, post("/", {}), service, post("/api/v1/contact-force", CURVES)
+        )
+        print(f"curves: {bare_us / us:.3f} of the rate of a bare ASGI answer ({bare_us:.0f} us)")
+    print(f"from start to first answer: {min(warm):.2f} s")
+    print("\nparts of a request, microseconds")
+    print(f"{'request':24s} {'read':>6s} {'solve':>6s} {'values':>6s} {'encode':>6s}")
+    for name, (given, answered) in MODELS.items():
+        print(f"{name:24s} " + " ".join(f"{us:6.1f}" for us in parts(name, given, answered)))
+
+
+def parts(
+    name: str, given: type[RequestModel], answered: type[ResponseModel]
+) -> tuple[float, float, float, float]:
+    """Times of what the service does for a request beside HTTP, microseconds."""
+    model, content = TypeAdapter[Any](given), json.dumps(BODIES[name])
+    solve = model.validate_json(content).solve
+    result = solve()
+    values = answered.values(result)
+    return (
+        timed(lambda: model.validate_json(content)),
+        timed(solve),
+        timed(lambda: answered.values(result)),
+        timed(lambda: encoded(values)),
+    )
+
+
+def timed(call: Callable[[], object]) -> float:
+    """Time of a call, microseconds."""
+    return min(timeit.repeat(call, number=500, repeat=9)) / 500 * 1e6
+
+
+if __name__ == "__main__":
+    main()

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.figures.theme import Figure, Theme, axis, curve, layout, marker, note, vertical_line
+from app.figures.theme import Figure, Theme, axis, curve, drawn, layout, marker, note, vertical_line
 from app.schemas.base import Values
 from core.contact_force import FloatArray
 
@@ -25,10 +25,11 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         ``{data, layout}``.
     """
     curves, peak_pair = answer["curves"], answer["peak_pair"]
+    angles = drawn(curves["crank_angle_deg"])  # once, for all curves
     data = [
         curve(
             f"{pair['satellite']}.{pair['pin']}",
-            curves["crank_angle_deg"],
+            angles,
             force,
             pair["pin"] - 1,
             theme,

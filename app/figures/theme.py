@@ -10,11 +10,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from core.contact_force import FloatArray
-
 Theme = Literal["light", "dark"]
 Figure = dict[str, Any]
-Numbers = Sequence[float] | FloatArray
+Numbers = Sequence[float] | NDArray[np.floating[Any]]
 
 SERIES: dict[Theme, tuple[str, ...]] = {
     "light": ("#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"),
@@ -142,6 +140,8 @@ def marker(name: str, x: float, y: float, theme: Theme, hover: str, **more: Any)
 
 def drawn(values: Numbers) -> NDArray[np.floating[Any]]:
     """Values in single precision where they fit: more than a screen shows, half the bytes."""
+    if isinstance(values, np.ndarray) and values.dtype == np.float32:
+        return values
     exact = np.asarray(values, dtype=np.float64)
     with np.errstate(over="ignore"):
         single = exact.astype(np.float32)
