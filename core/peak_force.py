@@ -102,7 +102,7 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     position = min(
         _first_repeat(place + 0.75 - parts[index].phase, repeat)
         for value, index, place in candidates
-        if value >= ratio * (1 - 1e-13)
+        if value >= ratio * (1 - max(1e-13, error))
     )
     satellite, pin = _best_pair(phases, position)
     return PeakForce(
