@@ -32,4 +32,5 @@ roller_curves       roller stiffness, non-uniformity and stress as curves
 roller_strength     stiffness, load non-uniformity and stress of swinging rollers
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 work_precision      error against run time of the methods above
+designs             the peak force, Hertz and rollers for arrays of designs
 """

@@ -7,6 +7,7 @@ Persson's solution for a disc in a hole of the same material takes over.
 
 import math
 from dataclasses import dataclass
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus, lower_allowable_pressure
 from core.results import ROUNDING, Accuracy, Notice
+
+Number = TypeVar("Number", float, NDArray[np.float64])
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""
@@ -151,8 +154,9 @@ def hertz(
     difference = hole_radius - pin_radius
     reduced_radius = hole_radius / difference * pin_radius
     line_load = force / contact_length * dynamic_factor * distribution_factor
-    max_pressure = math.sqrt(line_load / reduced_radius) * math.sqrt(modulus / math.pi)
-    half_width = 2 * math.sqrt(line_load / math.pi / modulus) * math.sqrt(reduced_radius)
+    max_pressure, half_width = narrow_contact(
+        line_load=line_load, reduced_radius=reduced_radius, modulus=modulus
+    )
     ratio = half_width / pin_radius
 
     conformal = half_angle = None
@@ -181,12 +185,58 @@ def hertz(
         safety_factor=allowable / governing if allowable and governing > 0 else None,
         accuracy=Accuracy(
             method="closed form" if conformal is None else "closed form, Newton's method",
-            # The radii are known to rounding; their difference magnifies that.
-            relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / (2 * difference)),
+            relative_error=rounding_error(pin_radius=pin_radius, hole_radius=hole_radius),
             evaluations=evaluations,
         ),
-        notices=_validity(ratio, conformal),
+        notices=validity(half_width_ratio=ratio, conformal=conformal is not None),
     )
+
+
+def narrow_contact(
+    *, line_load: Number, reduced_radius: Number, modulus: Number
+) -> tuple[Number, Number]:
+    """Largest pressure and half-width of a Hertz line contact.
+
+    Parameters
+    ----------
+    line_load : float or array
+        Load per length w, N/m.
+    reduced_radius : float or array
+        Reduced radius of curvature rho, m.
+    modulus : float or array
+        Effective modulus E*, Pa.
+
+    Returns
+    -------
+    max_pressure, half_width : float or array
+        ``sqrt(w*E*/(pi*rho))``, Pa, and ``sqrt(4*w*rho/(pi*E*))``, m.
+    """
+    sqrt = _functions(line_load).sqrt
+    return (
+        sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi),
+        2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius),
+    )
+
+
+def rounding_error(*, pin_radius: Number, hole_radius: Number) -> Number:
+    """Relative error of the pressures.
+
+    Parameters
+    ----------
+    pin_radius, hole_radius : float or array
+        Radii r and R, m: known to rounding; their difference magnifies that.
+
+    Returns
+    -------
+    float or array
+        Dimensionless.
+    """
+    return ROUNDING * (8 + (hole_radius + pin_radius) / (2 * (hole_radius - pin_radius)))
+
+
+def _functions(value: object) -> Any:
+    """The module of functions for a number or an array."""
+    return np if isinstance(value, np.ndarray) else math
 
 
 def _identical(first: ElasticMaterial, second: ElasticMaterial) -> bool:
@@ -196,10 +246,24 @@ def _identical(first: ElasticMaterial, second: ElasticMaterial) -> bool:
     )
 
 
-def _validity(ratio: float, conformal: float | None) -> tuple[Notice, ...]:
+def validity(*, half_width_ratio: float, conformal: bool) -> tuple[Notice, ...]:
+    """Limits of validity that a contact strains.
+
+    Parameters
+    ----------
+    half_width_ratio : float
+        Half-width over the pin's radius a/r.
+    conformal : bool
+        Whether its conformal pressure is given.
+
+    Returns
+    -------
+    tuple of Notice
+    """
+    ratio = half_width_ratio
     if ratio <= HALF_WIDTH_RATIO_LIMIT:
         return ()
-    if conformal is not None:
+    if conformal:
         cure = "use {conformal_pressure}"
     elif ratio <= 1:
         cure = "no conformal solution is known for different materials: take it as a rough guide"
@@ -208,7 +272,7 @@ def _validity(ratio: float, conformal: float | None) -> tuple[Notice, ...]:
         cure += "conformal solution is known: make the hole larger or the load smaller"
     return (
         Notice(
-            code="hertz_half_width" if conformal is not None or ratio <= 1 else "hertz_impossible",
+            code="hertz_half_width" if conformal or ratio <= 1 else "hertz_impossible",
             detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
             f"assumes a narrow contact and is off by more than 1 %: {cure}.",
             value=ratio,
@@ -245,12 +309,33 @@ def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
     y = min(0.84, 2 / (math.pi * load_parameter)) if load_parameter > 0 else 0.84
     step, iterations = y, 0
     while abs(step) > 2 * ROUNDING * y and iterations < 60:
-        value = 2 - math.log1p(y) - 2 * y * y - load_parameter * math.pi * y * (1 + y)
-        slope = -1 / (1 + y) - 4 * y - load_parameter * math.pi * (1 + 2 * y)
-        step = value / slope
+        step = newton_step(square=y, load_parameter=load_parameter)
         y -= step
         iterations += 1
     return math.sqrt(y), iterations
+
+
+def newton_step(*, square: Number, load_parameter: Number) -> Number:
+    """Newton's step of the equation of `conformal_half_angle_tangent` in ``y = b^2``.
+
+    Parameters
+    ----------
+    square : float or array
+        ``b^2``.
+    load_parameter : float or array
+        ``E1**dR/Q``, dimensionless.
+
+    Returns
+    -------
+    float or array
+        What to take off the square.
+    """
+    y = square
+    logarithm = _functions(y).log1p(y)
+    value = 2 - logarithm - 2 * y * y - load_parameter * math.pi * y * (1 + y)
+    slope = -1 / (1 + y) - 4 * y - load_parameter * math.pi * (1 + 2 * y)
+    step: Number = value / slope
+    return step
 
 
 def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, int]:
@@ -281,24 +366,45 @@ def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, in
     1.0
     """
     b, iterations = conformal_half_angle_tangent(load_parameter=load_parameter)
-    hertz_limit = math.sqrt(load_parameter / (2 * math.pi))
-    middle = conformal_pressure(position=0.0, half_angle_tangent=b)
-    return middle / hertz_limit, b, iterations
+    return middle_over_hertz(half_angle_tangent=b, load_parameter=load_parameter), b, iterations
 
 
-def conformal_pressure(*, position: float, half_angle_tangent: float) -> float:
+def middle_over_hertz(*, half_angle_tangent: Number, load_parameter: Number) -> Number:
+    """Pressure in the middle of a conformal contact over the Hertz pressure of the same load.
+
+    Parameters
+    ----------
+    half_angle_tangent : float or array
+        ``b = tan(eps/2)``, > 0.
+    load_parameter : float or array
+        ``E1**dR/Q``, dimensionless, that it belongs to.
+
+    Returns
+    -------
+    float or array
+        Dimensionless.
+    """
+    sqrt = _functions(load_parameter).sqrt
+    middle = conformal_pressure(
+        position=0.0 * half_angle_tangent, half_angle_tangent=half_angle_tangent
+    )
+    ratio: Number = middle / sqrt(load_parameter / (2 * math.pi))
+    return ratio
+
+
+def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Number:
     """Pressure of a conformal contact, over Q/R.
 
     Parameters
     ----------
-    position : float
+    position : float or array
         ``y = tan(angle/2)`` of the place on the pin, from 0 in the middle to b at the end.
-    half_angle_tangent : float
+    half_angle_tangent : float or array
         ``b = tan(eps/2)``, > 0.
 
     Returns
     -------
-    float
+    float or array
         ``p*R/Q``, dimensionless.
 
     Notes
@@ -306,13 +412,14 @@ def conformal_pressure(*, position: float, half_angle_tangent: float) -> float:
     Source: Persson 1964; Ciavarella and Decuzzi 2001, The state of stress induced by the plane
     frictionless cylindrical contact, I, identical materials.
     """
-    b, y = half_angle_tangent, position
-    inner = math.sqrt(max((b - y) * (b + y), 0.0))
-    outer = math.hypot(b, 1.0)
-    logarithm = 2 * math.atanh(inner / outer)
-    return 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
+    b, y, functions = half_angle_tangent, position, _functions(half_angle_tangent)
+    inner = functions.sqrt((b - y) * (b + y))
+    outer = functions.hypot(b, 1.0)
+    logarithm = 2 * functions.atanh(inner / outer)
+    pressure: Number = 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
         2 * math.pi * b * b * outer * outer
     )
+    return pressure
 
 
 def pressure_profile(

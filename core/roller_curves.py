@@ -5,7 +5,7 @@ array for the quantity that its curve runs over.
 """
 
 import math
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +20,10 @@ SHEAR_FACTOR = 1.11
 def relative_stiffness(
     *,
     relative_length: Number,
-    relative_width: float,
-    relative_sphere: float,
-    friction_coefficient: float,
-    modulus_ratio: float,
+    relative_width: float | FloatArray,
+    relative_sphere: float | FloatArray,
+    friction_coefficient: float | FloatArray,
+    modulus_ratio: float | FloatArray,
 ) -> Number:
     """Relative stiffness ``c/(b*E)`` of one end of a roller over its relative length.
 
@@ -34,13 +34,13 @@ def relative_stiffness(
     ----------
     relative_length : float or array
         Length over diameter l/d, dimensionless.
-    relative_width : float
+    relative_width : float or array
         Width of a sphere over diameter b/d.
-    relative_sphere : float
+    relative_sphere : float or array
         Diameter of a sphere over diameter D/d.
-    friction_coefficient : float
+    friction_coefficient : float or array
         Friction coefficient k.
-    modulus_ratio : float
+    modulus_ratio : float or array
         E/G, dimensionless.
 
     Returns
@@ -58,11 +58,13 @@ def relative_stiffness(
     ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
     0.011424309
     """
-    length, width = relative_length, relative_width
+    length: Number = relative_length
+    width: Any = relative_width
     end_moment = friction_coefficient * relative_sphere + width
     bending = end_moment * length / 4 + length * length / 3 + width * (length + end_moment) / 4
     shear = 4 * SHEAR_FACTOR * modulus_ratio * (length + width / 2)
-    return math.pi / (width * (64 * length * bending + shear))
+    stiffness: Number = math.pi / (width * (64 * length * bending + shear))
+    return stiffness
 
 
 def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:

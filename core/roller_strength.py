@@ -217,7 +217,7 @@ def roller_strength(
             relative_error=sharing.relative_error + 16 * ROUNDING,
             evaluations=1,
         ),
-        notices=_notices(
+        notices=strained_assumptions(
             length_ratio=cylinder_length / diameter,
             sphere_ratio=sphere_diameter / diameter,
             width_ratio=sphere_width / sphere_diameter,
@@ -281,9 +281,24 @@ def _roller_gaps(
     return [0.0] + [4 * position_tolerance] * (rollers - 1)
 
 
-def _notices(
+def strained_assumptions(
     *, length_ratio: float, sphere_ratio: float, width_ratio: float, deflection_ratio: float
 ) -> tuple[Notice, ...]:
+    """Assumptions that rollers strain.
+
+    Parameters
+    ----------
+    length_ratio, sphere_ratio : float
+        Length of the cylinder and diameter of the sphere over the cylinder's diameter.
+    width_ratio : float
+        Width of the sphere over its diameter.
+    deflection_ratio : float
+        Deflection of the most loaded roller over its length.
+
+    Returns
+    -------
+    tuple of Notice
+    """
     found = []
     if length_ratio < SHORT_ROLLER:
         found.append(

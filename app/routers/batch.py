@@ -19,14 +19,14 @@ from app.routers import contact_force, crank_planetary, cyclogram, hertz, preces
 from app.routers import roller_strength as rollers
 from app.schemas.base import RequestModel, Values
 from app.schemas.batch import BatchRequest, BatchResponse
-from app.schemas.contact_force import ContactForceRequest
+from app.schemas.contact_force import ContactForceRequest, solve_peaks
 from app.schemas.crank_planetary import CrankPlanetaryRequest
 from app.schemas.cyclogram import CyclogramRequest
-from app.schemas.hertz import HertzRequest
+from app.schemas.hertz import HertzRequest, solve_contacts
 from app.schemas.precession.contact_line import ContactLineRequest
 from app.schemas.precession.meshing_load import MeshingLoadRequest
 from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
-from app.schemas.roller_strength import RollerStrengthRequest
+from app.schemas.roller_strength import RollerStrengthRequest, solve_rollers
 from app.settings import Settings
 from core.errors import ImpossibleMechanism
 
@@ -51,6 +51,13 @@ ENDPOINTS: dict[str, tuple[type[RequestModel], Any]] = {
     "shaft_deflection": (ShaftDeflectionRequest, precession.shaft_deflection),
 }
 """Request and endpoint of every calculation that can be asked in batches."""
+
+TOGETHER: dict[str, Callable[[list[Any]], list[Values | None]]] = {
+    "contact_force": solve_peaks,
+    "hertz": solve_contacts,
+    "roller_strength": solve_rollers,
+}
+"""Calculations that are done for many requests at once, as arrays."""
 
 
 @router.post(
@@ -91,31 +98,51 @@ async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
 
 def _some(calculation: str, requests: list[Any], settings: Settings) -> bytes:
     """The answers to the first requests, a line each: to as many as there is time for."""
-    model, endpoint = ENDPOINTS[calculation]
     end = time.monotonic() + SLICE_S
+    bodies = [_body(ENDPOINTS[calculation][0], request, settings) for request in requests]
+    together = _together(calculation, bodies)
     lines = []
-    for request in requests:
-        lines.append(_answer(model, endpoint, request, settings))
+    for index, body in enumerate(bodies):
+        lines.append(_line(calculation, body, together.get(index)))
         if time.monotonic() > end:
             break
     return b"\n".join(lines)
 
 
-def _answer(
-    model: type[RequestModel], endpoint: Callable[..., Values], request: Any, settings: Settings
-) -> bytes:
-    """One answer as JSON."""
+def _together(calculation: str, bodies: list[RequestModel | Problem]) -> dict[int, Values]:
+    """Answers to the requests that can be calculated as arrays, by their index."""
+    solve = TOGETHER.get(calculation)
+    indices = [index for index, body in enumerate(bodies) if isinstance(body, RequestModel)]
+    if solve is None or not indices:
+        return {}
+    answers = solve([bodies[index] for index in indices])
+    return {
+        index: answer for index, answer in zip(indices, answers, strict=True) if answer is not None
+    }
+
+
+def _body(model: type[RequestModel], request: Any, settings: Settings) -> RequestModel | Problem:
+    """A request as its model, or what is wrong with it."""
     try:
         body = model.model_validate(request)
         with refusals_named(body):
             body.refuse_beyond(settings)
-        result = encoded(endpoint(body))
     except ValidationError as error:
-        problem = wrong_fields(error.errors())
-    except ImpossibleMechanism as error:
-        problem = impossible(error)
+        return wrong_fields(error.errors())
     except Problem as refusal:
-        problem = refusal
-    else:
-        return b'{"result":' + result + b"}"
-    return orjson.dumps({"problem": problem.body()})
+        return refusal
+    return body
+
+
+def _line(calculation: str, body: RequestModel | Problem, values: Values | None) -> bytes:
+    """One answer as JSON; `values` where they are known already."""
+    if isinstance(body, RequestModel):
+        try:
+            result = encoded(ENDPOINTS[calculation][1](body) if values is None else values)
+        except ImpossibleMechanism as error:
+            body = impossible(error)
+        except Problem as refusal:
+            body = refusal
+        else:
+            return b'{"result":' + result + b"}"
+    return orjson.dumps({"problem": body.body()})

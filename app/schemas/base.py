@@ -1,9 +1,11 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import re
+from collections.abc import Sequence
 from functools import cache
 from typing import Any, cast, get_args
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
@@ -164,10 +166,60 @@ class ResponseModel(BaseModel):
             else:
                 values[name] = inner.values(value)
         if "warnings" in cls.model_fields and result.notices:
-            values["warnings"] = [_warning(each) for each in result.notices]
+            values["warnings"] = [warning(each) for each in result.notices]
         if "accuracy" in cls.model_fields:
             values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
         return values
+
+
+def placed(answers: list[Values], indices: Sequence[int], count: int) -> list[Values | None]:
+    """Answers at their indices among others that have none."""
+    found: list[Values | None] = [None] * count
+    for index, answer in zip(indices, answers, strict=True):
+        found[index] = answer
+    return found
+
+
+def rows(
+    columns: dict[str, np.ndarray],
+    *,
+    method: str | Sequence[str],
+    relative_error: np.ndarray,
+    evaluations: np.ndarray,
+    run_time_us: float,
+) -> list[Values]:
+    """Values of the answers to an array of designs.
+
+    Parameters
+    ----------
+    columns : dict of str to array, shape (n, ...)
+        Numbers in SI units by their names in the answer; NaN for what is not there.
+    method : str or sequence of str
+        How they were got, all or each.
+    relative_error, evaluations : array, shape (n,)
+        Their accuracy.
+    run_time_us : float
+        What all of them cost; each answer states its share.
+    """
+    names = [*columns]
+    numbers = [from_si(name, column).tolist() for name, column in columns.items()]
+    answers: list[Values] = [
+        dict(zip(names, row, strict=True)) for row in zip(*numbers, strict=True)
+    ]
+    for name, column in columns.items():
+        for index in np.flatnonzero(np.isnan(column)) if column.ndim == 1 else ():
+            del answers[index][name]
+    share = round(run_time_us / max(len(answers), 1), 1)
+    methods = [method] * len(answers) if isinstance(method, str) else method
+    accuracies = zip(methods, relative_error.tolist(), evaluations.tolist(), strict=True)
+    for answer, (how, error, places) in zip(answers, accuracies, strict=True):
+        answer["accuracy"] = {
+            "method": how,
+            "relative_error": error,
+            "evaluations": places,
+            "run_time_us": share,
+        }
+    return answers
 
 
 @cache
@@ -215,6 +267,6 @@ class WarningOut(BaseModel):
     detail: str
 
 
-def _warning(notice: Notice) -> Values:
+def warning(notice: Notice) -> Values:
     """Warning of a core notice; the app's names stand in for the core's."""
     return {"code": notice.code, "detail": api_text(notice.detail)}

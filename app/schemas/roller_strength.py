@@ -1,5 +1,7 @@
 """Request and answer of the strength of swinging rollers."""
 
+import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Self
 
@@ -11,12 +13,16 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
+    Values,
     WarningOut,
     field_error,
     no_dust,
     quantity,
+    rows,
+    warning,
 )
-from app.units import to_si
+from app.units import core_name, to_si
+from core.designs.roller_strength import roller_strengths
 from core.roller_curves import (
     FloatArray,
     load_nonuniformity,
@@ -24,10 +30,28 @@ from core.roller_curves import (
     relative_stress,
     single_roller_limit,
 )
-from core.roller_strength import RollerStrength, modulus_ratio, roller_strength
+from core.roller_strength import (
+    RollerStrength,
+    modulus_ratio,
+    roller_strength,
+    strained_assumptions,
+)
 
 MAX_ROLLERS = 1000
 """Most rollers of one mechanism."""
+
+ROLLER_SIZES = (
+    "output_torque_Nm",
+    "hole_circle_radius_mm",
+    "cylinder_length_mm",
+    "sphere_width_mm",
+    "sphere_diameter_mm",
+    "diameter_mm",
+    "friction_coefficient",
+    "youngs_modulus_GPa",
+    "stress_concentration",
+)
+"""Numbers that every request has."""
 
 Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -267,6 +291,59 @@ class RollerCurves:
     errors: FloatArray
     nonuniformity: dict[int, FloatArray]
     stress: dict[float, FloatArray]
+
+
+def solve_rollers(bodies: Sequence[RollerStrengthRequest]) -> list[Values | None]:
+    """Answers to many requests at once."""
+    start = time.perf_counter_ns()
+    alike: dict[int, list[int]] = {}
+    for index, body in enumerate(bodies):
+        alike.setdefault(body.rollers, []).append(index)
+    answers: list[Values | None] = [None] * len(bodies)
+    for indices in alike.values():
+        some = [bodies[index] for index in indices]
+        own = {
+            core_name(name): to_si(name, np.array([getattr(body, name) for body in some]))
+            for name in ROLLER_SIZES
+        }
+        ratio = [
+            modulus_ratio(
+                youngs_modulus=body.youngs_modulus_GPa,
+                poissons_ratio=body.poissons_ratio,
+                shear_modulus=body.shear_modulus_GPa,
+            )
+            for body in some
+        ]
+        found = roller_strengths(
+            **own,
+            modulus_ratio=np.array(ratio),
+            gaps=np.array([body.all_gaps() for body in some]),
+        )
+        strengths = rows(
+            {
+                name: getattr(found, core_name(name))
+                for name in RollerStrengthResponse.model_fields
+                if name not in ("accuracy", "warnings")
+            },
+            method="closed form, contacts closed in the order of their gaps",
+            relative_error=found.relative_error,
+            evaluations=np.ones(len(some), dtype=int),
+            run_time_us=(time.perf_counter_ns() - start) / 1000,
+        )
+        ratios = {
+            "length_ratio": own["cylinder_length"] / own["diameter"],
+            "sphere_ratio": own["sphere_diameter"] / own["diameter"],
+            "width_ratio": own["sphere_width"] / own["sphere_diameter"],
+            "deflection_ratio": found.deflection_ratio,
+        }
+        numbers = zip(*(each.tolist() for each in ratios.values()), strict=True)
+        for index, answer, strains in zip(indices, strengths, numbers, strict=True):
+            notices = strained_assumptions(**dict(zip(ratios, strains, strict=True)))
+            if notices:
+                answer["warnings"] = [warning(each) for each in notices]
+            answers[index] = answer
+        start = time.perf_counter_ns()
+    return answers
 
 
 class RollerStrengthResponse(ResponseModel):

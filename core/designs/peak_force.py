@@ -32,7 +32,7 @@ SLIVER = 4 * ROUNDING
 EQUAL = 1e-13
 """Peaks closer than this, or than their errors, are one peak reached more than once."""
 
-RESOLUTION = 1e-8
+RESOLUTION = 1e-11
 """Share of its bracket to which a peak is located: its height is then right to rounding."""
 
 SPLITS = 50
@@ -114,7 +114,7 @@ def peak_forces(
     ...                     ratio=np.full(2, 20.0), force_exponent=np.ones(2),
     ...                     initial_crank_angle=np.zeros(2))
     >>> found.peak_force_ratio.round(12).tolist()
-    [0.666666666667, 0.845299461621]
+    [0.666666666667, 0.694199805444]
     """
     if pins < 3:
         raise InvalidInput("pins", pins, "must be at least 3 for an array of designs")
@@ -434,6 +434,8 @@ def _brackets(
 ) -> tuple[IntArray, FloatArray, FloatArray, IntArray]:
     """Stretches with one summit that may be the highest, and the places looked at by design.
 
+    `ratio`, the highest found so far of each design, is raised on the way.
+
     Over a stretch every pair's u is between its values at the ends, and with it every sum: that
     bounds the force and its slope. Beside the end of a segment, where a pair begins to drive,
     stretches are halved until they are no longer than their distance from it.
@@ -446,7 +448,7 @@ def _brackets(
         open_ = _may_peak(pairs.exponent[columns], left, right, ratio[row[columns]])
         length = right.tangent - left.tangent
         apart = np.fmin(left.tangent - low.tangent[columns], high.tangent[columns] - right.tangent)
-        summit = open_ & (left.slope > 0) & (right.slope < 0)
+        summit = open_ & (left.slope >= 0) & (right.slope <= 0) & (left.slope > right.slope)
         alone = (length <= apart) & (halving > 2) | (halving == SPLITS - 1)
         done = np.flatnonzero(summit & alone)
         found.append((columns[done], left.tangent[done], right.tangent[done]))
@@ -456,8 +458,6 @@ def _brackets(
         columns, left, right = columns[rest], left.of(rest), right.of(rest)
         middle = _at(pairs.of(columns), (left.tangent + right.tangent) / 2)
         np.maximum.at(ratio, row[columns], middle.force)
-        highest = middle.force >= ratio[row[columns]]  # it may be the summit itself
-        found.append((columns[highest], middle.tangent[highest], middle.tangent[highest]))
         evaluations += np.bincount(row[columns], minlength=len(ratio))
         columns = np.concatenate((columns, columns))
         left, right = _joined(left, middle), _joined(middle, right)

@@ -1,0 +1,25 @@
+"""Refusals of arrays of designs: the first entry that is out of range is named."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.contact_force import FloatArray
+from core.errors import InvalidInput
+
+
+def first_where(wrong: NDArray[np.bool_]) -> int | None:
+    """Index of the first entry that is wrong, if one is."""
+    return int(np.argmax(wrong)) if wrong.any() else None
+
+
+def check_positive(**arrays: FloatArray) -> None:
+    """Refuse arrays with an entry that is not larger than 0.
+
+    Raises
+    ------
+    InvalidInput
+        If there is one; array and index are named.
+    """
+    for name, array in arrays.items():
+        if (index := first_where(~(array > 0))) is not None:
+            raise InvalidInput(f"{name}[{index}]", array[index], "must be larger than 0")
