@@ -266,6 +266,25 @@ async def work_precision(body: Body, answer: Body, ask: Ask) -> None:
            "points")  # fmt: skip
 
 
+async def batch(body: Body, answer: Body, ask: Ask) -> None:
+    """Every answer is what the request gets alone: refused, or the same numbers."""
+    path = body["calculation"].replace("_", "-")
+    if path in ("contact-line", "meshing-load", "shaft-deflection"):
+        path = f"precession/{path}"
+    expect(len(answer["results"]) == len(body["requests"]), "number of answers")
+    for request, item in zip(body["requests"], answer["results"], strict=True):
+        alone = await ask(path, request)
+        expect(("result" in item) == (alone is not None), "refused alone or in the batch", request)
+        if alone is None or "accuracy" not in alone:
+            continue
+        result = item["result"]
+        expect(set(result) == set(alone), "names", set(result) ^ set(alone))
+        error = result["accuracy"]["relative_error"] + alone["accuracy"]["relative_error"]
+        for name, number in alone.items():
+            if isinstance(number, float) and not name.endswith("_deg"):
+                equal(number, result[name], f"{name} alone and in the batch", 2 * error)
+
+
 INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "cyclogram": cyclogram,
     "contact-force": contact_force,
@@ -276,4 +295,5 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "precession/meshing-load": meshing_load,
     "precession/shaft-deflection": shaft_deflection,
     "work-precision": work_precision,
+    "batch": batch,
 }

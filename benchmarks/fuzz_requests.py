@@ -391,6 +391,11 @@ def random_request(r: Draw) -> Request:
         study = r.choice(list(STUDIES))
         return Request("work-precision", {"calculation": study, "input": STUDIES[study](r)})
     endpoint = r.choice(list(DESIGNS))
+    if r.chance(0.02):
+        designs = [DESIGNS[endpoint](r) for _ in range(r.randrange(1, 7))]
+        requests = [mutated(r, each) if r.chance(0.3) else each for each in designs]
+        calculation = endpoint.split("/")[-1].replace("-", "_")
+        return Request("batch", {"calculation": calculation, "requests": requests})
     kind = r.random()
     if kind < 0.55:
         request = Request(endpoint, DESIGNS[endpoint](r))

@@ -294,11 +294,12 @@ class RollerCurves:
 
 
 def solve_rollers(bodies: Sequence[RollerStrengthRequest]) -> list[Values | None]:
-    """Answers to many requests at once."""
+    """Answers to many requests at once; None for one roller, whose tolerance no gap shows."""
     start = time.perf_counter_ns()
     alike: dict[int, list[int]] = {}
     for index, body in enumerate(bodies):
-        alike.setdefault(body.rollers, []).append(index)
+        if body.rollers > 1:
+            alike.setdefault(body.rollers, []).append(index)
     answers: list[Values | None] = [None] * len(bodies)
     for indices in alike.values():
         some = [bodies[index] for index in indices]
