@@ -21,6 +21,9 @@ LONG = {
 }
 """A force whose peak takes some tenths of a second, in a process of its own."""
 
+ENDLESS = [angles.uniform(0, 360) for _ in range(100)]
+"""Cranks of a mechanism of 10,000 pairs whose peak takes many seconds."""
+
 
 @pytest.mark.parametrize(("workers", "whole_group"), [(1, True), (2, False)])
 def test_stopping_loses_no_request_in_flight(serve, workers, whole_group):
@@ -46,6 +49,32 @@ def test_stopping_loses_no_request_in_flight(serve, workers, whole_group):
         assert [each.status_code for each in answers] == [200] * 4, lost
         with pytest.raises(httpx.TransportError):
             httpx.get(f"{service.url}/livez")
+
+
+def test_a_stopping_service_waits_only_so_long(serve):
+    endless = LONG | {"pins": 100, "satellites": 100, "crank_angles_deg": ENDLESS}
+    with serve(max_seconds=60, stop_seconds=1) as service:
+        broken = []
+
+        def ask():
+            try:
+                broken.append(
+                    httpx.post(
+                        f"{service.url}/api/v1/contact-force", json=endless, timeout=60
+                    ).status_code
+                )
+            except httpx.TransportError as error:
+                broken.append(error)
+
+        asking = threading.Thread(target=ask)
+        asking.start()
+        while "khv_requests_in_flight 2.0" not in httpx.get(f"{service.url}/metrics").text:
+            assert not broken
+        service.process.send_signal(signal.SIGTERM)
+        service.process.wait(15)
+        asking.join(15)
+        assert len(broken) == 1
+        assert broken[0] == 503 or isinstance(broken[0], httpx.TransportError)
 
 
 def family(pid):
