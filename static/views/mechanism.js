@@ -5,6 +5,8 @@
 import { formatQuantity } from "../format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { download } from "./download.js";
+import { pngOf, svgOf } from "./picture.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
@@ -14,9 +16,12 @@ const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 /** `on.moved(angle)` and `on.selected(pair)` let the figures follow. */
 export function createMechanism({ calculator, on }) {
   const { load, moving } = calculator.drawing;
+  const title = message(`drawing.${calculator.id}`);
   const root = element(html`
     <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
-      <h2 id="mechanism-title">${message(`drawing.${calculator.id}`)}</h2>
+      <div class="head"><h2 id="mechanism-title">${title}</h2><span class="figure-tools">
+        ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}" disabled
+          aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}</span></div>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
         <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">
@@ -28,6 +33,7 @@ export function createMechanism({ calculator, on }) {
       <p class="scale"></p>
     </section>`);
   const views = root.querySelector(".drawing");
+  const savers = root.querySelectorAll(".save");
   const scale = root.querySelector(".scale");
   const slider = root.querySelector("input");
   const shown = root.querySelector("output");
@@ -89,6 +95,7 @@ export function createMechanism({ calculator, on }) {
     if (!createDrawing || !latest || size.width === 0) return;
     drawing = createDrawing({ ...latest, ...size });
     fill(views, drawing?.markup ?? html``);
+    for (const saver of savers) saver.disabled = !drawing;
     scale.textContent = drawing ? drawing.caption : message("drawing.none");
     light(lit);
     if (!moving) return;
@@ -114,6 +121,14 @@ export function createMechanism({ calculator, on }) {
     if (views.clientWidth !== size.width && !PAPER.matches) draw();
   });
   sizes.observe(views);
+
+  root.querySelector(".figure-tools").addEventListener("click", async ({ target }) => {
+    const kind = target.closest("[data-kind]")?.dataset.kind.toLowerCase();
+    if (!kind) return;
+    const svg = views.querySelector("svg");
+    const content = kind === "png" ? await pngOf(svg) : svgOf(svg);
+    download(`${calculator.id}.${kind}`, content, "image/svg+xml");
+  });
 
   if (moving) {
     slider.addEventListener("input", () => {

@@ -1,6 +1,8 @@
 """The drawings: to scale, moving with the figures, tied to the form; effects, not presence."""
 
+from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -346,3 +348,29 @@ def test_texts_stay_on_the_paper(page: Page, service: str, calculator: str, widt
     expect(page.locator(".drawing svg")).to_be_attached()
     assert page.evaluate(OUTSIDE) == []
     assert page.evaluate("() => watched.shift") < 0.02
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_drawing_is_saved_as_it_is_light_on_white(page: Page, service: str, theme: str) -> None:
+    page.emulate_media(color_scheme=theme)  # type: ignore[arg-type]
+    show(page, service, "crank-planetary", **FORCES)
+    drawing = page.locator(".mechanism")
+    with page.expect_download() as download:
+        drawing.get_by_role("button", name="SVG").click()
+    saved = ElementTree.parse(download.value.path()).getroot()
+    paper, *parts = saved.iter()
+    paper = saved[0]
+    assert paper.get("fill") == "#ffffff"
+    assert saved.get("width") == paper.get("width")
+    for kind in ("circle", "text", "path"):
+        count = page.locator(f".drawing svg {kind}").count()
+        assert sum(part.tag.endswith(f"}}{kind}") for part in parts) == count > 0
+    colours = {part.get("stroke") for part in parts} | {part.get("fill") for part in parts}
+    assert "rgb(0, 114, 178)" in colours  # the first series on light paper
+    assert not any(part.get("class") or part.get("style") for part in parts)
+    with page.expect_download() as download:
+        drawing.get_by_role("button", name="PNG").click()
+    content = Path(download.value.path()).read_bytes()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n"
+    width = int.from_bytes(content[16:20], "big")
+    assert width == 2 * int(float(saved.get("width") or 0))
