@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, Literal, Self
 
@@ -235,15 +236,16 @@ class ContactForceRequest(MechanismFields, LoadFields):
 
 
 def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
-    """Answers to many requests for the peak at once; None where more is asked, or where fewer
-    than three pins may have a dead centre.
+    """Answers to many requests for the peak at once; None where more is asked, where fewer than
+    three pins may have a dead centre, or where one has to be refused for itself.
     """
     start = time.perf_counter_ns()
     alike: dict[tuple[int, int], list[tuple[int, Mechanism]]] = {}
     for index, body in enumerate(bodies):
         if body.pins >= 3 and body.pairs <= MOST_TOGETHER and not body.include:
-            mechanism = body.mechanism()
-            alike.setdefault((body.pins, body.satellites), []).append((index, mechanism))
+            with suppress(InvalidInput):
+                mechanism = body.mechanism()
+                alike.setdefault((body.pins, body.satellites), []).append((index, mechanism))
     answers: list[Values | None] = [None] * len(bodies)
     for (pins, _), group in alike.items():
         some = [bodies[index] for index, _ in group]

@@ -75,7 +75,9 @@ MIXED = {
     "contact_force": lambda: {
         "pins": random.randrange(1, 9),
         "crank_angles_deg": crank_angles(random.randrange(1, 5)),
-        "ratio": size(),
+        **random.choice(
+            [{"ratio": size()}, {"satellite_teeth": 40, "ring_teeth": random.randrange(38, 45)}]
+        ),
         "force_exponent": random.choice([0, 1, 1.5, 10 / 9, -1]),
         "output_torque_Nm": size(),
         "pin_circle_radius_mm": size(),
