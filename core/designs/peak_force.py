@@ -23,8 +23,8 @@ from core.results import ROUNDING
 
 IntArray = NDArray[np.intp]
 
-CHUNK = 100_000
-"""About how many cosines are worked on at once: they stay in the processor's cache."""
+CHUNK = 50_000
+"""About how many cosines are worked on at once: enough to pay, few enough for the cache."""
 
 SLIVER = 4 * ROUNDING
 """Width below which a segment is nothing but rounding, in turns."""
