@@ -15,8 +15,10 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 from mpmath import mp, mpf
 
+from core.designs.peak_force import peak_forces
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
@@ -64,6 +66,23 @@ def _peak_force(seed: int) -> Pair:
     found = peak_force(mechanism=mechanism, force_exponent=exponent)
     exact = peak(mechanism.pins, mechanism.crank_angles, exponent, screened=True).ratio
     return found.accuracy.relative_error, _relative(found.peak_force_ratio, exact)
+
+
+def _peak_of_array(seed: int) -> Pair:
+    r = random.Random(seed)
+    while True:
+        mechanism, exponent = random_mechanism(r.randrange(10**9), largest_pins=6)
+        if mechanism.pins >= 3:
+            break
+    found = peak_forces(
+        pins=mechanism.pins,
+        crank_angles=np.array([mechanism.crank_angles]),
+        ratio=np.array([mechanism.ratio]),
+        force_exponent=np.array([exponent]),
+        initial_crank_angle=np.array([mechanism.initial_crank_angle]),
+    )
+    exact = peak(mechanism.pins, mechanism.crank_angles, exponent, screened=True).ratio
+    return float(found.relative_error[0]), _relative(float(found.peak_force_ratio[0]), exact)
 
 
 def _hertz(seed: int) -> Pair:
@@ -189,6 +208,7 @@ def _shaft_deflection(seed: int) -> Pair:
 
 CALCULATIONS: dict[str, Callable[[int], Pair]] = {
     "peak force": _peak_force,
+    "peak force, arrays of designs": _peak_of_array,
     "Hertz and conformal pressure": _hertz,
     "roller strength": _roller_strength,
     "contact-line length": _contact_line,
