@@ -5,6 +5,7 @@ import re
 import time
 
 from starlette.middleware.gzip import GZipMiddleware
+from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import observability
@@ -59,6 +60,8 @@ class Requests:
 
         try:
             await self.app(scope, receive, with_headers)
+        except ClientDisconnect:
+            pass  # before its body was whole: there is nobody to answer
         except Exception as error:
             failed = error
             if not status:

@@ -35,7 +35,6 @@ JSON = "application/json"
 COMPRESS_BYTES = 2048
 """Size from which an answer is compressed where the client takes that."""
 
-
 RESPONSES: dict[int | str, dict[str, Any]] = {
     status: {
         "description": text,
@@ -69,10 +68,6 @@ class Calculation(APIRoute):
     It runs at once or, where that would hold up others, in a process.
     """
 
-    def matches(self, scope: Scope) -> tuple[Match, Scope]:
-        """Whether a request is for this route; comparing is enough, its path has no parameters."""
-        return super().matches(scope) if scope["path"].endswith(self.path) else (Match.NONE, {})
-
     def __init__(self, *args: Any, **settings: Any) -> None:
         super().__init__(*args, **settings)
         answer = _answering(self.endpoint)
@@ -82,6 +77,10 @@ class Calculation(APIRoute):
             await response(scope, receive, send)
 
         self.app = app
+
+    def matches(self, scope: Scope) -> tuple[Match, Scope]:
+        """Whether a request is for this route; comparing is enough, its path has no parameters."""
+        return super().matches(scope) if scope["path"].endswith(self.path) else (Match.NONE, {})
 
 
 def _answering(endpoint: Callable[..., Any]) -> Callable[[Request], Awaitable[Response]]:

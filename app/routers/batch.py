@@ -85,15 +85,21 @@ async def batch(
 async def _answers(body: BatchRequest, record: Record) -> AsyncIterator[bytes]:
     """The answers as JSON, calculated in another process and in order."""
     waiting = body.requests
+    alone = 0  # so many are calculated each for itself, as one of them takes longer than is allowed
     while waiting:
+        some = waiting[: 1 if alone else SLICE]
         try:
-            job = body.calculation, waiting[:SLICE], record.settings
+            job = body.calculation, some, record.settings
             done = (await in_process(_some, *job, record=record)).split(b"\n")
-        except Problem as problem:  # the first of those waiting takes longer than is allowed
-            done = [orjson.dumps({"problem": problem.body()})]
+        except Problem as problem:
+            if len(some) > 1:
+                alone = len(some)
+                continue
+            done, alone = [orjson.dumps({"problem": problem.body()})], 1
         for line in done:
             yield line
         waiting = waiting[len(done) :]
+        alone = max(0, alone - len(done))
 
 
 def _some(calculation: str, requests: list[Any], settings: Settings) -> bytes:

@@ -12,6 +12,20 @@ def first_where(wrong: NDArray[np.bool_]) -> int | None:
     return int(np.argmax(wrong)) if wrong.any() else None
 
 
+def check_finite(**arrays: FloatArray) -> None:
+    """Refuse arrays of designs, shape (n, ...), with an entry that is not a finite number.
+
+    Raises
+    ------
+    InvalidInput
+        If there is one; array and index of the design are named.
+    """
+    for name, array in arrays.items():
+        largest = np.abs(array).max(axis=tuple(range(1, array.ndim)), initial=0.0)
+        if (index := first_where(~np.isfinite(largest))) is not None:
+            raise InvalidInput(f"{name}[{index}]", array[index], "must be finite")
+
+
 def check_positive(**arrays: FloatArray) -> None:
     """Refuse arrays with an entry that is not larger than 0.
 

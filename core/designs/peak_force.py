@@ -16,7 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.contact_force import FloatArray, check_exponent
+from core.contact_force import MAX_FORCE_EXPONENT, FloatArray
+from core.designs.checks import check_finite, check_positive, first_where
 from core.errors import InvalidInput
 from core.mechanism import SAME_PHASE
 from core.results import ROUNDING
@@ -96,7 +97,7 @@ def peak_forces(
     Raises
     ------
     InvalidInput
-        If there are fewer than three pins, or an exponent is out of range.
+        If there are fewer than three pins, or an entry is out of range; its index is named.
 
     Notes
     -----
@@ -118,8 +119,12 @@ def peak_forces(
     """
     if pins < 3:
         raise InvalidInput("pins", pins, "must be at least 3 for an array of designs")
-    for extreme in (force_exponent.min(), force_exponent.max()):
-        check_exponent(float(extreme))
+    check_finite(crank_angles=crank_angles, initial_crank_angle=initial_crank_angle, ratio=ratio)
+    check_positive(ratio=ratio)
+    outside = ~((force_exponent >= 0) & (force_exponent <= MAX_FORCE_EXPONENT))
+    if (index := first_where(outside)) is not None:
+        limit = f"must lie from 0 to {MAX_FORCE_EXPONENT:g}"
+        raise InvalidInput(f"force_exponent[{index}]", force_exponent[index], limit)
     count, satellites = crank_angles.shape
     found = PeakForces(
         np.empty(count),

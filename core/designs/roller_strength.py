@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.contact_force import FloatArray
-from core.designs.checks import check_positive, first_where
+from core.designs.checks import check_finite, check_positive, first_where
 from core.errors import InvalidInput
 from core.results import ROUNDING
 from core.roller_curves import relative_stiffness
@@ -135,8 +135,7 @@ def roller_strengths(
         raise InvalidInput(
             f"friction_coefficient[{index}]", friction_coefficient[index], "must not be negative"
         )
-    if (index := first_where(~np.isfinite(gaps.sum(axis=1)))) is not None:
-        raise InvalidInput(f"gaps[{index}]", gaps[index], "must be finite numbers")
+    check_finite(gaps=gaps)
     relative = relative_stiffness(
         relative_length=cylinder_length / diameter,
         relative_width=sphere_width / diameter,

@@ -176,20 +176,19 @@ async def test_one_request_that_takes_too_long_does_not_fail_the_others():
     heavy = {
         "pins": 100,
         "satellites": 100,
-        "crank_angles_deg": [3.6 * j + 0.01 * j * j for j in range(100)],
+        "crank_angles_deg": [random.uniform(0, 360) for _ in range(100)],
         "ratio": 20,
-        "force_exponent": 1.5,
+        "force_exponent": 30.5,
         **LOAD,
     }
     light = {"pins": 3, "ratio": 20, **LOAD}
-    transport = httpx.ASGITransport(create_app(Settings(max_seconds=2.0)))
+    transport = httpx.ASGITransport(create_app(Settings(max_seconds=3.0)))
     async with httpx.AsyncClient(transport=transport, base_url="http://service") as client:
         body = {"calculation": "contact_force", "requests": [light, heavy, light]}
         answer = await client.post("/api/v1/batch", json=body, timeout=60)
     first, second, third = answer.json()["results"]
     assert "result" in first and "result" in third
-    if "problem" in second:  # a fast machine may be done in time
-        assert second["problem"]["status"] == 503
+    assert second["problem"]["status"] == 503
 
 
 async def test_the_service_answers_others_while_a_batch_runs(api):

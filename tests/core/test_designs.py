@@ -111,8 +111,24 @@ def test_arrays_of_two_pins_and_wrong_exponents_are_refused() -> None:
     with pytest.raises(InvalidInput, match="pins"):
         peak_forces(pins=2, force_exponent=np.ones(1), **one)
     for exponent in (-0.1, 1.1e6, math.nan):
-        with pytest.raises(InvalidInput, match="force_exponent"):
+        with pytest.raises(InvalidInput, match=r"force_exponent\[0\]"):
             peak_forces(pins=3, force_exponent=np.full(1, exponent), **one)
+    for name, value in (("ratio", 0.0), ("crank_angles", math.nan), ("ratio", math.inf)):
+        wrong = one | {name: np.full_like(one[name], value)}
+        with pytest.raises(InvalidInput, match=rf"{name}\[0\]"):
+            peak_forces(pins=3, force_exponent=np.ones(1), **wrong)
+
+
+def test_no_designs_are_no_answers() -> None:
+    none = np.zeros(0)
+    found = peak_forces(
+        pins=3,
+        crank_angles=np.zeros((0, 2)),
+        ratio=none,
+        force_exponent=none,
+        initial_crank_angle=none,
+    )
+    assert found.peak_force_ratio.shape == (0,)
 
 
 @settings(max_examples=50)

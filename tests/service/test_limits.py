@@ -97,6 +97,20 @@ def test_headers_without_end_are_refused_by_their_size(service):
     assert time.perf_counter() - start < 1
 
 
+def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(serve):
+    with serve() as service:
+        with connect(service) as connection:
+            connection.sendall(POST % 1000 + b'{"pins": ')
+            time.sleep(0.3)
+        lines = []
+        for _ in range(50):
+            lines = [line for line in service.log() if line.get("route") == "/api/v1/cyclogram"]
+            if lines:
+                break
+            time.sleep(0.1)
+        assert [(line["status"], line["level"]) for line in lines] == [(499, "info")]
+
+
 def test_an_answer_that_nobody_takes_is_dropped(service):
     """Pipelined requests for a large file, and a client that reads nothing."""
     ask = b"GET /static/vendor/plotly/plotly-basic.min.js HTTP/1.1\r\nhost: x\r\n\r\n"
