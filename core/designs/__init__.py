@@ -13,6 +13,10 @@ crank spacing that loads three pins on each of two satellites least, for a nearl
 >>> int(np.argmin(found.peak_force_ratio)) + 1, float(found.peak_force_ratio.min().round(4))
 (120, 0.6318)
 
+checks              refusals that name the entry
+segments            phases of the pairs, segments of smooth peak force
+linear_law          peaks of linear load sharing: closed forms
+power_law           peaks of any load sharing: bounds, halving, roots
 peak_force          the exact peak of the contact force
 hertz               line contact of pin and hole
 roller_strength     stiffness, load non-uniformity and stress of swinging rollers
