@@ -4,11 +4,13 @@
  * Every change is read and checked at once; the service is asked 120 ms after the last one (at once
  * on Enter), an older request is aborted, and until the answer is there the results count as stale.
  */
-import { newestOnly, Problem } from "./api.js";
+import { newestOnly } from "./api.js";
+import { askSections, postingOnce } from "./asking.js";
 import { createHistory } from "./history.js";
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { fieldAtPointer, readState, shownFields, stateFromInput, stepped, textIn } from "./schema_form.js";
+import { placed } from "./refusals.js";
+import { readState, shownFields, stateFromInput, stepped, textIn } from "./schema_form.js";
 import { query } from "./url_state.js";
 import { createCompare } from "./views/compare.js";
 import { createExamples } from "./views/examples.js";
@@ -25,62 +27,6 @@ import { inWords } from "./wording.js";
 import { filledInput } from "./worked/inputs.js";
 
 const DEBOUNCE_MS = 120;
-
-/** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
-function postingOnce(client, signal, done = []) {
-  const answers = new Map();
-  return (path, body) => {
-    const key = `${path} ${JSON.stringify(body)}`;
-    if (!answers.has(key)) {
-      answers.set(key, client.post(path, body, { signal }).then((answer) => {
-        done.push({ path: client.base + path, body, answer });
-        return answer;
-      }));
-    }
-    return answers.get(key);
-  };
-}
-
-/** Ask for all sections; where the service refuses, for those that do not need the refused one. */
-async function askSections({ client, calculator, input, tables, signal }) {
-  const requests = [];
-  const post = postingOnce(client, signal, requests);
-  let refusal = null;
-  for (let count = calculator.sections.length; count > 0; count -= 1) {
-    const sections = calculator.sections.slice(0, count);
-    try {
-      return { answer: await calculator.ask({ post, input, sections, tables }), refusal, requests };
-    } catch (problem) {
-      if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
-      refusal ??= problem;
-    }
-  }
-  return { answer: null, refusal };
-}
-
-/** What the service says of a field: its words, and the box of a list of records they are about. */
-function refusalAt(field, pointer, words) {
-  const [row, column] = pointer.split("/").slice(-2);
-  const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
-  if (!about) return { words };
-  return {
-    words: message("rows.problem", { row: Number(row) + 1, title: about.title, words }),
-    place: { row: Number(row), column },
-  };
-}
-
-/** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
-function placed(refusal, shown, titles) {
-  const refused = {};
-  const elsewhere = [];
-  for (const { pointer = "", detail } of refusal?.errors ?? []) {
-    const field = fieldAtPointer(shown, pointer);
-    if (field) refused[field.path] ??= refusalAt(field, pointer, inWords(detail, titles));
-    else elsewhere.push(inWords(`${pointer.split("/").pop()} ${detail}`.trim(), titles));
-  }
-  if (refusal && refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
-  return { refused, elsewhere };
-}
 
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, state, on }) {
   const words = new Map([

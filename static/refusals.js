@@ -1,0 +1,28 @@
+/** Refusals of the service, sorted by the boxes on the screen that they are about. */
+import { message } from "./messages/index.js";
+import { fieldAtPointer } from "./schema_form.js";
+import { inWords } from "./wording.js";
+
+/** What the service says of a field: its words, and the box of a list of records they are about. */
+function refusalAt(field, pointer, words) {
+  const [row, column] = pointer.split("/").slice(-2);
+  const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
+  if (!about) return { words };
+  return {
+    words: message("rows.problem", { row: Number(row) + 1, title: about.title, words }),
+    place: { row: Number(row), column },
+  };
+}
+
+/** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
+export function placed(refusal, shown, titles) {
+  const refused = {};
+  const elsewhere = [];
+  for (const { pointer = "", detail } of refusal?.errors ?? []) {
+    const field = fieldAtPointer(shown, pointer);
+    if (field) refused[field.path] ??= refusalAt(field, pointer, inWords(detail, titles));
+    else elsewhere.push(inWords(`${pointer.split("/").pop()} ${detail}`.trim(), titles));
+  }
+  if (refusal && refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
+  return { refused, elsewhere };
+}
