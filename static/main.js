@@ -57,6 +57,7 @@ const linked = new URLSearchParams(location.search);
 const designs = createDesigns(storage("localStorage"));
 let wanted = null;
 let open = null;
+let build = null; // the open calculator anew, from its address
 
 try {
   const remembered = JSON.parse(storage("sessionStorage")?.getItem(KEPT) ?? "{}");
@@ -92,7 +93,7 @@ async function openCalculator(id) {
   const catalogues = await cataloguesOf(calculator);
   if (wanted !== id) return; // another tab was opened meanwhile
   open?.close();
-  open = openWorkbench({
+  build = () => openWorkbench({
     host: panel,
     calculator,
     model,
@@ -117,19 +118,12 @@ async function openCalculator(id) {
       },
     },
   });
+  open = build();
 }
 
 function failed(error) {
   wanted = null;
   panel.textContent = message("page.failed", { detail: error.message });
-}
-
-/** Build the open calculator anew, in other units, from its address. */
-function reopen() {
-  const id = wanted;
-  open = null;
-  wanted = null;
-  openCalculator(id).catch(failed);
 }
 
 function tool(sign, words, act) {
@@ -166,10 +160,10 @@ const settings = createSettings({
       open?.redraw();
     },
     units(chosen) {
-      open.close(); // its state, in the old units, goes into the address
+      open?.close(); // its state, in the old units, goes into the address
       setUnits(chosen);
       setPreference("units", chosen);
-      reopen();
+      open = build?.() ?? null; // at once: what is typed next goes into the new form
     },
     language(chosen) {
       setPreference("language", chosen);
