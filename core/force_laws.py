@@ -1,9 +1,8 @@
 """Laws of load sharing: the force of the best placed pair, and where in a segment it may peak."""
 
 import math
-from collections.abc import Sequence
-from functools import lru_cache
-from typing import ClassVar
+from collections.abc import Iterator, Sequence
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +13,17 @@ from core.results import ROUNDING
 
 IntArray = NDArray[np.intp]
 
-CHUNK = 500_000
-"""Most cosines that are taken at once."""
+RESOLUTION = 1e-7
+"""Last step to a peak, over its distance from the ends of its bracket: its height is then right to
+rounding."""
 
-RESOLUTION = 1e-11
-"""Share of its bracket to which a peak is located: its height is then right to rounding."""
+NARROW = 2.0**-12
+"""Width of a stretch, over its distance from the ends of the segment, in which all summits, if
+there are more than one, are equally high but for rounding: where two part from one, they differ
+with the fourth power of their distance."""
+
+TINY = 2.0**-50
+"""Share of a segment that is not halved any more."""
 
 
 Candidate = tuple[float, int, float]
@@ -99,123 +104,150 @@ class _Linear(ForceLaw):
         return rounding + 2 * math.pi * phase_error * slope
 
 
-class _Power(ForceLaw):
-    """Any exponent: sign changes of the slope on a grid, each narrowed down, all at once.
+class _Look(NamedTuple):
+    """What is known at a place; with t the tangent of the best placed pair's pressure angle and d
+    the phase of another pair against it, u = cos(d) - t*sin(d) is that one's cosine over its own.
+    """
 
-    Large exponents put the peak within 1/v of the end of a segment, where the next pair takes
-    over, and exponents just above 1 within (1 + v)^(-1/(v - 1)) of it, where the next pair begins
-    to drive; so the grid that looks for sign changes is even inside and geometric towards both
-    ends, down to where a peak would differ from the end's value by less than rounding.
+    tangent: float
+    slope: float  # of the sign of the derivative of the force
+    shares: list[float]  # weight*u^(1 + v) of the driving pairs
+    leads: list[float]  # weight*sin(d)*u^v
+    bends: list[float]  # weight*sin(d)^2*u^(v - 1), 0 where u is
+
+    @property
+    def force(self) -> float:
+        """Force ratio."""
+        return math.sqrt(1 + self.tangent * self.tangent) / sum(self.shares)
+
+
+class _Power(ForceLaw):
+    """Any exponent: stretches are halved until they have no summit that may be the peak, or one.
+
+    Every u is linear in t, so it, and every sum of powers of it, is between its values at the ends
+    of a stretch: that bounds the force and its slope.
     """
 
     method = "segment-exact, bracketed roots"
 
     def __init__(self, parts: Sequence[Segment], exponent: float) -> None:
         super().__init__(parts, exponent)
-        pairs = [part.driving.pairs() for part in parts]
-        shape = len(parts), max(len(offsets) for offsets, _ in pairs)
-        self.offsets = np.zeros(shape)
-        self.weights = np.zeros(shape)  # 0 where a segment has fewer driving pairs than another
-        for row, (offsets, weights) in enumerate(pairs):
-            self.offsets[row, : len(offsets)] = offsets
-            self.weights[row, : len(weights)] = weights
+        self.phases = [part.driving.pairs() for part in parts]
+        self.pairs = []  # weight, cosine and sine of the phase of each driving pair
+        for offsets, weights in self.phases:
+            columns = weights, np.cos(2 * np.pi * offsets), np.sin(2 * np.pi * offsets)
+            self.pairs.append(list(zip(*(each.tolist() for each in columns), strict=True)))
 
     def candidates(self) -> list[Candidate]:
-        grid = _unit_grid(self.exponent)
-        found: list[Candidate] = []
-        brackets: list[tuple[float, int, float, float]] = []  # bound of the force, segment, ends
-        step = max(1, CHUNK // (len(grid) * self.offsets.shape[1]))
-        for first in range(0, len(self.parts), step):
-            rows = np.arange(first, min(first + step, len(self.parts)))
-            low, high = (
-                np.array([getattr(self.parts[row], end) for row in rows.tolist()])
-                for end in ("low", "high")
-            )
-            places = low[:, None] + (high - low)[:, None] * grid
-            places[:, -1] = high
-            forces, slopes = self._force_and_slope(rows[:, None], places)
-            for end in (0, -1):
-                values, at = forces[:, end].tolist(), places[:, end].tolist()
-                found += zip(values, rows.tolist(), at, strict=True)
-            row, left = np.nonzero(
-                (slopes[:, :-1] > 0) & (slopes[:, 1:] < 0) | (slopes[:, :-1] == 0)
-            )
-            # A summit lies below the tangents at the ends of its bracket; twice their rise is safe.
-            steep = np.maximum(np.abs(slopes[row, left]), np.abs(slopes[row, left + 1]))
-            rise = 2 * steep * (places[row, left + 1] - places[row, left])
-            bound = np.maximum(forces[row, left], forces[row, left + 1]) * np.exp(rise)
-            starts, stops = places[row, left].tolist(), places[row, left + 1].tolist()
-            brackets += zip(bound.tolist(), rows[row].tolist(), starts, stops, strict=True)
+        found = []
+        ends = []
+        for index, part in enumerate(self.parts):
+            places = part.low, part.high
+            found += [(self._force(index, place), index, place) for place in places]
+            tangents = (math.tan(2 * math.pi * place) for place in places)
+            low, high = (self._look(index, tangent) for tangent in tangents)
+            ends.append((low, high))
         highest = max(found)[0]
-        for most, index, start, stop in brackets:
-            if most >= highest:
-                place = self._summit(index, start, stop)
-                force, _ = self._force_and_slope(np.array(index), np.array(place))
-                found.append((float(force), index, place))
+        # The most promising segments first: the higher the peak found, the less is left to search.
+        for index in sorted(range(len(ends)), key=lambda index: -max(found[2 * index :][:2])[0]):
+            low, high = ends[index]
+            for tangent in self._summits(index, low, high, highest):
+                place = math.atan(tangent) / (2 * math.pi)
+                force = self._force(index, place)
+                found.append((force, index, place))
+                highest = max(highest, force)
         return found
 
-    def _summit(self, index: int, left: float, right: float) -> float:
-        """Where the slope falls through 0: Illinois steps, bisection behind."""
-        count = np.count_nonzero(self.weights[index])
-        pairs = list(
-            zip(
-                self.weights[index, :count].tolist(),
-                self.offsets[index, :count].tolist(),
-                strict=True,
+    def _force(self, index: int, offset: float) -> float:
+        offsets, weights = self.phases[index]
+        best = math.cos(2 * math.pi * offset)
+        ratios = _cosines(offset + offsets) / best
+        return 1 / (best * float((weights * ratios ** (1 + self.exponent)).sum()))
+
+    def _summits(self, index: int, low: _Look, high: _Look, highest: float) -> Iterator[float]:
+        """Tangents at which the force of a segment may be the highest."""
+        tiny = TINY * (high.tangent - low.tangent)
+        stretches = [(low, high)]
+        while stretches:
+            left, right = stretches.pop()
+            summits = self._most_summits(left, right, highest)
+            if not summits:
+                continue
+            width = right.tangent - left.tangent
+            apart = min(left.tangent - low.tangent, high.tangent - right.tangent)
+            visible = left.slope >= 0 >= right.slope and left.slope > right.slope
+            if visible and (summits == 1 or width <= max(NARROW * apart, tiny)):
+                yield self._summit(index, left, right)
+            elif width > tiny:
+                middle = self._look(index, (left.tangent + right.tangent) / 2)
+                highest = max(highest, middle.force)
+                stretches += [(middle, right), (left, middle)]
+
+    def _most_summits(self, left: _Look, right: _Look, highest: float) -> int:
+        """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
+        start, stop, rise = left.tangent, right.tangent, 1 + self.exponent
+        least = sum(map(min, left.shares, right.shares))
+        largest = 1 + max(start * start, stop * stop)
+        if math.sqrt(largest) <= highest * least:
+            return 0
+        most = sum(map(max, left.shares, right.shares))
+        lead_low = sum(map(min, left.leads, right.leads))
+        lead_high = sum(map(max, left.leads, right.leads))
+        smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
+        slope_low = start * (most if start < 0 else least)
+        slope_low += rise * lead_low * (largest if lead_low < 0 else smallest)
+        slope_high = stop * (least if stop < 0 else most)
+        slope_high += rise * lead_high * (largest if lead_high > 0 else smallest)
+        if slope_low > 0 or slope_high < 0:
+            return 0
+        # how far the logarithm of the force rises from either end
+        length = (stop - start) / (smallest * least)
+        for force, rise_of_log in ((left.force, slope_high), (right.force, -slope_low)):
+            if force * math.exp(min(length * rise_of_log, 700.0)) <= highest:
+                return 0
+        lead = max(start * lead_low, start * lead_high, stop * lead_low, stop * lead_high)
+        bend = self.exponent * sum(map(min, left.bends, right.bends))
+        return 1 if most + rise * (lead - smallest * bend) < 0 else 2  # 1: the slope only falls
+
+    def _summit(self, index: int, left: _Look, right: _Look) -> float:
+        """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
+        start, stop = left.tangent, right.tangent
+        place = start + left.slope / (left.slope - right.slope) * (stop - start)
+        for _ in range(100):
+            here = self._look(index, place)
+            change = sum(here.shares) + (1 + self.exponent) * (
+                place * sum(here.leads) - (1 + place * place) * self.exponent * sum(here.bends)
             )
-        )
-        power = self.exponent
-
-        def slope(offset: float) -> float:
-            """Quantity with the sign of the derivative of the force."""
-            top, rise = math.cos(2 * math.pi * offset), math.sin(2 * math.pi * offset)
-            lead = total = 0.0
-            for weight, phase in pairs:
-                turns = offset + phase
-                cosine = math.sin(2 * math.pi * (0.25 - abs(turns)))
-                if cosine > 0:
-                    share = weight * (cosine / top) ** power
-                    total += share * cosine
-                    lead += share * math.sin(2 * math.pi * turns)
-            return (1 + power) * lead * top - power * rise * total
-
-        close = RESOLUTION * (right - left)
-        rising, falling = slope(left), slope(right)
-        kept = 0  # which end stayed in the last step: -1 the left, 1 the right
-        for iteration in range(120):
-            if right - left <= close or rising == 0:
+            if here.slope == 0 and change <= 0:
                 break
-            place = right - falling * (right - left) / (falling - rising)
-            if not left < place < right or iteration % 4 == 3:
-                place = (left + right) / 2
-            value = slope(place)
-            if value > 0:
-                falling /= 2 if kept > 0 else 1
-                left, rising, kept = place, value, 1
+            if here.slope > 0:
+                start = place
             else:
-                rising /= 2 if kept < 0 else 1
-                right, falling, kept = place, value, -1
-        return left if rising == 0 else (left + right) / 2
+                stop = place
+            following = place - here.slope / change if change < 0 else start
+            if not start < following < stop:
+                following = (start + stop) / 2
+            step = abs(following - place)
+            place = following
+            apart = min(place - left.tangent, right.tangent - place)
+            if step <= RESOLUTION * apart:  # each step squares the error
+                break
+        return place
 
-    def _force_and_slope(
-        self, rows: IntArray, offsets: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """Force ratio and the derivative of its logarithm by the offset, per turn."""
-        turns = offsets[..., None] + self.offsets[rows]
-        cosines, sines = _cosines(turns), np.sin(2 * np.pi * turns)
-        best = 2 * np.pi * offsets
-        top, rise = np.cos(best), np.sin(best)
-        relative = cosines / top[..., None]
-        powers = self.weights[rows] * relative**self.exponent
-        total = (powers * relative).sum(axis=-1)
-        lead = (powers * sines).sum(axis=-1)
-        slope = 2 * np.pi / top * ((1 + self.exponent) * lead / total - self.exponent * rise)
-        return 1 / (top * total), slope
+    def _look(self, index: int, tangent: float) -> _Look:
+        shares, leads, bends = [], [], []
+        for weight, along, across in self.pairs[index]:
+            ratio = along - tangent * across
+            power = weight * ratio**self.exponent if ratio > 0 else 0.0
+            shares.append(power * ratio)
+            leads.append(power * across)
+            bends.append(power / ratio * across * across if ratio > 0 else 0.0)
+        rise = (1 + self.exponent) * (1 + tangent * tangent)
+        return _Look(tangent, tangent * sum(shares) + rise * sum(leads), shares, leads, bends)
 
     def relative_error(self, index: int, offset: float, phase_error: float) -> float:
-        count = np.count_nonzero(self.weights[index])
-        turns = offset + self.offsets[index, :count]
-        weights = self.weights[index, :count]
+        offsets, weights = self.phases[index]
+        turns = offset + offsets
         cosines, sines = _cosines(turns), np.sin(2 * np.pi * turns)
         best_cosine, best_sine = math.cos(2 * math.pi * offset), math.sin(2 * math.pi * offset)
         relative = cosines / best_cosine
@@ -232,15 +264,6 @@ class _Power(ForceLaw):
         others = max(total - 1.0, 0.0) / total
         error = ROUNDING * (6 + 2 * (1 + self.exponent) * others)
         return error + angle_error * slope
-
-
-@lru_cache(maxsize=64)
-def _unit_grid(exponent: float) -> FloatArray:
-    """Places from 0 to 1, even inside and geometric towards both ends."""
-    levels = max(16, math.ceil(math.log2(64 * (1 + exponent)) / 2))
-    towards_end = 0.25 ** np.arange(levels, 0, -1)
-    half = np.unique(np.concatenate(([0.0], towards_end / 2, np.linspace(0.0, 0.5, 9))))
-    return np.concatenate((half, 1 - half[-2::-1]))
 
 
 def _cosines(turns: FloatArray) -> FloatArray:

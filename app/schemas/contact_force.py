@@ -36,7 +36,6 @@ from core.crank_planetary import (
     drawing_angles,
     force_curves,
 )
-from core.designs.peak_force import peak_forces
 from core.errors import InvalidInput
 from core.mechanism import Mechanism
 
@@ -239,6 +238,8 @@ def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
     """Answers to many requests for the peak at once; None where more is asked, where fewer than
     three pins may have a dead centre, or where one has to be refused for itself.
     """
+    from core.designs.peak_force import peak_forces  # what compiles is imported where it is used
+
     start = time.perf_counter_ns()
     alike: dict[tuple[int, int], list[tuple[int, Mechanism]]] = {}
     for index, body in enumerate(bodies):

@@ -7,13 +7,9 @@ import numpy as np
 
 from core.contact_force import MAX_FORCE_EXPONENT, FloatArray
 from core.designs.checks import check_finite, check_positive, first_where
-from core.designs.linear_law import linear_peaks
-from core.designs.power_law import power_peaks
-from core.designs.segments import IntArray, Phases
+from core.designs.peak_search import Peaks, find_peaks
+from core.designs.room import IntArray, room
 from core.errors import InvalidInput
-
-CHUNK = 50_000
-"""About how many cosines are worked on at once: enough to pay, few enough for the cache."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +74,7 @@ def peak_forces(
     Notes
     -----
     Source of the force: Yanchevskiy and Niekhoroshykh 2021, eq. (10), as in `core.peak_force`.
-    For v = 1 and an even number of pins the sum of the squared cosines is constant and the peak
-    4/(K*N); for an odd one the peaks inside segments are roots of a cubic. For other exponents a
-    stretch is halved as long as neither its force can be shown to stay below the largest found
-    so far, nor its slope to keep its sign.
+    How it is found, and compiled at the first call, is told in `core.designs.peak_search`.
 
     Examples
     --------
@@ -102,35 +95,28 @@ def peak_forces(
         limit = f"must lie from 0 to {MAX_FORCE_EXPONENT:g}"
         raise InvalidInput(f"force_exponent[{index}]", force_exponent[index], limit)
     count, satellites = crank_angles.shape
-    found = PeakForces(
-        np.empty(count),
-        np.empty(count),
-        np.empty(count, dtype=np.intp),
-        np.empty(count, dtype=np.intp),
-        np.empty(count),
-        np.empty(count, dtype=np.intp),
+    peaks = Peaks(
+        ratio=np.empty(count),
+        place=np.empty(count),
+        satellite=np.empty(count, np.int64),
+        pin=np.empty(count, np.int64),
+        error=np.empty(count),
+        evaluations=np.empty(count, np.int64),
     )
-    linear = force_exponent == 1
-    for closed, rows in ((True, np.flatnonzero(linear)), (False, np.flatnonzero(~linear))):
-        step = max(1, CHUNK // (satellites * satellites * 3 * (1 if closed else pins)))
-        for first in range(0, len(rows), step):
-            some = rows[first : first + step]
-            phases = Phases.of(
-                pins=pins, crank_angles=crank_angles[some].T, initial=initial_crank_angle[some]
-            )
-            peak = (
-                linear_peaks(phases)
-                if closed
-                else power_peaks(phases=phases, exponent=force_exponent[some])
-            )
-            satellite, pin = phases.best_pair(peak.place)
-            for name, each in (
-                ("peak_force_ratio", peak.ratio),
-                ("peak_crank_angle", peak.place * 2 * math.pi * ratio[some] / (1 + ratio[some])),
-                ("peak_satellite", satellite),
-                ("peak_pin", pin),
-                ("relative_error", peak.error),
-                ("evaluations", peak.evaluations),
-            ):
-                getattr(found, name)[some] = each
-    return found
+    powers = bool((force_exponent != 1).any())
+    find_peaks(
+        pins,
+        np.ascontiguousarray(crank_angles, float),
+        np.ascontiguousarray(force_exponent, float),
+        np.ascontiguousarray(initial_crank_angle, float),
+        room(pins=pins, satellites=satellites, powers=powers),
+        peaks,
+    )
+    return PeakForces(
+        peak_force_ratio=peaks.ratio,
+        peak_crank_angle=peaks.place * 2 * math.pi * ratio / (1 + ratio),
+        peak_satellite=peaks.satellite,
+        peak_pin=peaks.pin,
+        relative_error=peaks.error,
+        evaluations=peaks.evaluations,
+    )

@@ -1,221 +1,296 @@
-"""Peaks of any law of load sharing for arrays of designs: bounds, halving, roots.
+"""Peaks of any law of load sharing, compiled: stretches are halved until a summit stands alone.
 
-With t = tan(pressure angle of the best placed pair) another pair's cosine over the best one's is
-``u = cos(d) - t*sin(d)``, linear in t, and the force ratio is
-``f = sqrt(1 + t^2)/sum(u^(1 + v))``. So every u, and every sum of powers of them, is bounded over
-a stretch by its values at the ends: a stretch whose force or whose slope shows that no peak is in
-it is dropped, others are halved.
+What is done for one design in `core.force_laws`, with the same bounds: with t = tan(pressure angle
+of the best placed pair) the cosine of a pair whose phase against that one is d, over the best
+one's, is ``u = cos(d) - t*sin(d)``, linear in t, and the force ratio is
+``f = sqrt(1 + t^2)/sum(u^(1 + v))``. It is continuous over the whole turn, for u is 0 where a pair
+begins to drive.
 """
 
 import math
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any
 
 from core.contact_force import FloatArray
-from core.designs.segments import EQUAL, IntArray, Peaks, Phases, Segments
+from core.designs.compiling import part
+from core.designs.room import SPLITS, TURN, ComplexArray, Records
+from core.designs.segments import driving, enter, join, remainder
+from core.force_laws import NARROW, RESOLUTION
 from core.results import ROUNDING
 
-RESOLUTION = 1e-11
-"""Share of its bracket to which a peak is located: its height is then right to rounding."""
 
-SPLITS = 50
-"""Most halvings of a stretch in which a peak may hide."""
-
-
-class _Pairs(NamedTuple):
-    """Driving pairs of segments, shape (S, m): where fewer drive, cosine and sine are 0."""
-
-    cosine: FloatArray  # of the phase against the best placed pair
-    sine: FloatArray
-    exponent: FloatArray  # shape (m,)
-
-    def of(self, columns: IntArray) -> "_Pairs":
-        """Those of some segments."""
-        return _Pairs(*(each.take(columns, axis=-1) for each in self))
-
-
-class _Ends(NamedTuple):
-    """What is known at one end of stretches, shape (m,) and (S, m)."""
-
-    tangent: FloatArray
-    force: FloatArray
-    slope: FloatArray  # of the sign of the force's
-    shares: FloatArray  # u^(1 + v)
-    leads: FloatArray  # sin(d)*u^v
-
-    def of(self, columns: IntArray) -> "_Ends":
-        """Those of some stretches."""
-        return _Ends(*(each.take(columns, axis=-1) for each in self))
+@part
+def _gather(
+    pins: int,
+    best: int,
+    phases: Records,
+    relative: ComplexArray,
+    roots: ComplexArray,
+    cosines: FloatArray,
+    sines: FloatArray,
+) -> int:
+    """Number of the pairs that drive beside the best placed one; their phases are filled in."""
+    number = 0
+    for k in range(len(phases)):
+        first, last = driving(pins, phases[k].nearest)
+        turned = remainder(phases[best].step - phases[k].step + first, pins)
+        for pin in range(int(first), int(last) + 1):
+            if k != best or pin != 0:
+                direction = relative[best, k] * roots[int(turned)]
+                cosines[number], sines[number] = direction.real, direction.imag
+                number += 1
+            turned = turned + 1 if turned + 1 < pins else 0.0
+    return number
 
 
-def _at(pairs: _Pairs, tangent: FloatArray) -> _Ends:
-    ratio = np.fmax(pairs.cosine - tangent * pairs.sine, 0.0)
-    power = ratio**pairs.exponent
-    shares, leads = power * ratio, power * pairs.sine
-    total, stretch = shares.sum(axis=0), 1 + tangent * tangent
-    slope = tangent * total + (1 + pairs.exponent) * stretch * leads.sum(axis=0)
-    return _Ends(tangent, np.sqrt(stretch) / total, slope, shares, leads)
+@part
+def _look(
+    row: int,
+    tangent: float,
+    exponent: float,
+    number: int,
+    cosines: FloatArray,
+    sines: FloatArray,
+    places: Records,
+    shares: FloatArray,
+    leads: FloatArray,
+    bends: FloatArray,
+) -> float:
+    """Force at a place; all that is known there is filled in."""
+    total, lead = 1.0, 0.0
+    for pair in range(number):
+        ratio = max(cosines[pair] - tangent * sines[pair], 0.0)
+        power = ratio**exponent
+        shares[row, pair], leads[row, pair] = power * ratio, power * sines[pair]
+        bends[row, pair] = power / ratio * sines[pair] * sines[pair] if ratio > 0 else 0.0
+        total += power * ratio
+        lead += power * sines[pair]
+    stretch = 1 + tangent * tangent
+    place = places[row]
+    place.tangent = tangent
+    place.force = math.sqrt(stretch) / total
+    place.slope = tangent * total + (1 + exponent) * stretch * lead
+    place.halvings = 0
+    force: float = place.force
+    return force
 
 
-def power_peaks(*, phases: Phases, exponent: FloatArray) -> Peaks:
-    """Peaks for any exponent: ends of segments, and where the slope inside falls through 0.
+@part
+def _move(
+    row: int,
+    to: int,
+    number: int,
+    places: Records,
+    shares: FloatArray,
+    leads: FloatArray,
+    bends: FloatArray,
+) -> None:
+    places[to].tangent, places[to].force = places[row].tangent, places[row].force
+    places[to].slope, places[to].halvings = places[row].slope, places[row].halvings
+    for pair in range(number):
+        shares[to, pair], leads[to, pair] = shares[row, pair], leads[row, pair]
+        bends[to, pair] = bends[row, pair]
 
-    Parameters
-    ----------
-    phases : Phases
-        Phases of the satellites.
-    exponent : array, shape (n,)
-        Exponent v of the force over the approach.
 
-    Returns
-    -------
-    Peaks
+@part
+def _most_summits(
+    left: int,
+    right: int,
+    exponent: float,
+    highest: float,
+    number: int,
+    places: Records,
+    shares: FloatArray,
+    leads: FloatArray,
+    bends: FloatArray,
+) -> int:
+    """Most summits above the highest found that a stretch may have: 0, 1, or 2 for any number.
+
+    Every sum is between the sums of the smaller and of the larger of its terms at the ends, and
+    so are force and slope. If the slope falls all along it, there is one summit.
     """
-    segments = Segments.of(phases)
-    pins, count = phases.pins, len(exponent)
-    most = np.arange((pins + 1) // 2)[:, None]
-    angle = 2 * np.pi * (segments.nearest[:, :, None] + (segments.first[:, :, None] + most) / pins)
-    drives = most < segments.driving[:, :, None]
-    slots = (len(segments.start), -1, count)
-    segment, row = np.nonzero(segments.real)
-    pairs = _Pairs(
-        cosine=np.where(drives, np.cos(angle), 0.0).reshape(slots)[segment, :, row].T.copy(),
-        sine=np.where(drives, np.sin(angle), 0.0).reshape(slots)[segment, :, row].T.copy(),
-        exponent=exponent[row],
-    )
-    low = _at(pairs, np.tan(2 * np.pi * segments.low[segment, row]))
-    high = _at(pairs, np.tan(2 * np.pi * segments.high[segment, row]))
-    ratio = np.zeros(count)
-    np.maximum.at(ratio, row, np.fmax(low.force, high.force))
-    columns, left, right, evaluations = _brackets(pairs, row, low, high, ratio)
-    roots = _summits(pairs.of(columns), left, right)
-    at_roots = _at(pairs.of(columns), roots).force
-
-    every = np.arange(len(row))
-    columns = np.concatenate((every, every, columns))
-    tangent = np.concatenate((low.tangent, high.tangent, roots))
-    force = np.concatenate((low.force, high.force, at_roots))
-    ratio = np.zeros(count)
-    np.maximum.at(ratio, row[columns], force)
-    winner = np.empty(count, dtype=np.intp)
-    exact = np.flatnonzero(force == ratio[row[columns]])
-    winner[row[columns[exact]]] = exact
-    error = _error_of_power(pairs.of(columns[winner]), tangent[winner], phases.error)
-    equal = ratio * (1 - np.fmax(EQUAL, error))
-    top = np.flatnonzero(force >= equal[row[columns]])
-    place = np.full(count, np.inf)
-    which = segment[columns[top]], row[columns[top]]
-    moved = np.arctan(tangent[top]) / (2 * np.pi) - segments.low[which]
-    np.minimum.at(place, which[1], phases.position(segments.start[which] + moved))
-    return Peaks(ratio, place, error, evaluations)
+    least = most = 1.0
+    lead_low = lead_high = bend = 0.0
+    for pair in range(number):
+        least += min(shares[left, pair], shares[right, pair])
+        most += max(shares[left, pair], shares[right, pair])
+        lead_low += min(leads[left, pair], leads[right, pair])
+        lead_high += max(leads[left, pair], leads[right, pair])
+        bend += min(bends[left, pair], bends[right, pair])
+    start, stop = places[left].tangent, places[right].tangent
+    largest = 1 + max(start * start, stop * stop)
+    smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
+    slope_low = start * (most if start < 0 else least)
+    slope_low += (1 + exponent) * lead_low * (largest if lead_low < 0 else smallest)
+    slope_high = stop * (least if stop < 0 else most)
+    slope_high += (1 + exponent) * lead_high * (largest if lead_high > 0 else smallest)
+    if math.sqrt(largest) <= highest * least or slope_low > 0 or slope_high < 0:
+        return 0
+    # how far the logarithm of the force rises from either end
+    length = (stop - start) / (smallest * least)
+    if places[left].force * math.exp(length * slope_high) <= highest:
+        return 0
+    if places[right].force * math.exp(-length * slope_low) <= highest:
+        return 0
+    lead = max(start * lead_low, start * lead_high, stop * lead_low, stop * lead_high)
+    return 1 if most + (1 + exponent) * (lead - exponent * smallest * bend) < 0 else 2
 
 
-def _brackets(
-    pairs: _Pairs, row: IntArray, low: _Ends, high: _Ends, ratio: FloatArray
-) -> tuple[IntArray, FloatArray, FloatArray, IntArray]:
-    """Stretches with one summit that may be the highest, and the places looked at by design.
+@part
+def _slope(
+    tangent: float, exponent: float, number: int, cosines: FloatArray, sines: FloatArray
+) -> tuple[float, float]:
+    """Quantity with the sign of the slope of the force, and its derivative."""
+    total, lead, bend = 1.0, 0.0, 0.0
+    for pair in range(number):
+        ratio = max(cosines[pair] - tangent * sines[pair], 0.0)
+        if ratio > 0:
+            power = ratio**exponent
+            total += power * ratio
+            lead += power * sines[pair]
+            bend -= exponent * power / ratio * sines[pair] * sines[pair]
+    stretch = 1 + tangent * tangent
+    slope = tangent * total + (1 + exponent) * stretch * lead
+    return slope, total + (1 + exponent) * (tangent * lead + stretch * bend)
 
-    `ratio`, the highest found so far of each design, is raised on the way.
 
-    Over a stretch every pair's u is between its values at the ends, and with it every sum: that
-    bounds the force and its slope. Beside the end of a segment, where a pair begins to drive,
-    stretches are halved until they are no longer than their distance from it.
-    """
-    columns = np.arange(len(row))
-    left, right = low, high
-    evaluations = np.bincount(row, minlength=len(ratio)) * 2
-    found: list[tuple[IntArray, FloatArray, FloatArray]] = []
-    for halving in range(SPLITS):
-        open_ = _may_peak(pairs.exponent[columns], left, right, ratio[row[columns]])
-        length = right.tangent - left.tangent
-        apart = np.fmin(left.tangent - low.tangent[columns], high.tangent[columns] - right.tangent)
-        summit = open_ & (left.slope >= 0) & (right.slope <= 0) & (left.slope > right.slope)
-        alone = (length <= apart) & (halving > 2) | (halving == SPLITS - 1)
-        done = np.flatnonzero(summit & alone)
-        found.append((columns[done], left.tangent[done], right.tangent[done]))
-        rest = np.flatnonzero(open_ & ~(summit & alone))
-        if not len(rest):
+@part
+def _summit(
+    left: Any, right: Any, exponent: float, number: int, cosines: FloatArray, sines: FloatArray
+) -> float:
+    """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
+    start, stop = left.tangent, right.tangent
+    place: float = start + left.slope / (left.slope - right.slope) * (stop - start)
+    for _ in range(100):
+        value, change = _slope(place, exponent, number, cosines, sines)
+        if value == 0 and change <= 0:
             break
-        columns, left, right = columns[rest], left.of(rest), right.of(rest)
-        middle = _at(pairs.of(columns), (left.tangent + right.tangent) / 2)
-        np.maximum.at(ratio, row[columns], middle.force)
-        evaluations += np.bincount(row[columns], minlength=len(ratio))
-        columns = np.concatenate((columns, columns))
-        left, right = _joined(left, middle), _joined(middle, right)
-    columns, starts, stops = (np.concatenate(each) for each in zip(*found, strict=True))
-    return columns, starts, stops, evaluations
-
-
-def _joined(first: _Ends, second: _Ends) -> _Ends:
-    return _Ends(*(np.concatenate(each, axis=-1) for each in zip(first, second, strict=True)))
-
-
-def _may_peak(
-    exponent: FloatArray, left: _Ends, right: _Ends, highest: FloatArray
-) -> NDArray[np.bool_]:
-    """Whether a stretch's force may exceed the highest found, and its slope change its sign."""
-    least = np.fmin(left.shares, right.shares).sum(axis=0)
-    most = np.fmax(left.shares, right.shares).sum(axis=0)
-    squares = left.tangent**2, right.tangent**2
-    largest = 1 + np.fmax(*squares)
-    smallest = 1 + np.where(left.tangent * right.tangent > 0, np.fmin(*squares), 0.0)
-    lead_low = (1 + exponent) * np.fmin(left.leads, right.leads).sum(axis=0)
-    lead_high = (1 + exponent) * np.fmax(left.leads, right.leads).sum(axis=0)
-    slope_low = left.tangent * np.where(left.tangent < 0, most, least)
-    slope_low += lead_low * np.where(lead_low < 0, largest, smallest)
-    slope_high = right.tangent * np.where(right.tangent < 0, least, most)
-    slope_high += lead_high * np.where(lead_high > 0, largest, smallest)
-    higher = (exponent > 0) & (np.sqrt(largest) > highest * least)
-    open_: NDArray[np.bool_] = higher & (slope_low <= 0) & (slope_high >= 0)
-    return open_
-
-
-def _summits(pairs: _Pairs, left: FloatArray, right: FloatArray) -> FloatArray:
-    """Where the slope falls through 0: Illinois steps, bisection behind."""
-    summits = (left + right) / 2
-    waiting = np.flatnonzero(right > left)
-    close = RESOLUTION * (right - left)[waiting]
-    left, right, pairs = left[waiting], right[waiting], pairs.of(waiting)
-    rising, falling = _at(pairs, left).slope, _at(pairs, right).slope
-    kept = np.zeros(len(left), dtype=np.intp)
-    for iteration in range(120):
-        if not len(waiting):
+        if value > 0:
+            start = place
+        else:
+            stop = place
+        following = place - value / change if change < 0 else start
+        if not start < following < stop:
+            following = (start + stop) / 2
+        step = abs(following - place)
+        place = following
+        apart = min(place - left.tangent, right.tangent - place)
+        if step <= RESOLUTION * apart:  # each step squares the error
             break
-        place = right - falling * (right - left) / (falling - rising)
-        halve = (place <= left) | (place >= right) | (iteration % 4 == 3)
-        place[halve] = (left + right)[halve] / 2
-        value = _at(pairs, place).slope
-        up = value > 0
-        falling = np.where(up, np.where(kept > 0, falling / 2, falling), value)
-        rising = np.where(up, value, np.where(kept < 0, rising / 2, rising))
-        left, right = np.where(up, place, left), np.where(up, right, place)
-        kept = np.where(up, 1, -1)
-        summits[waiting] = place
-        rest = np.flatnonzero((right - left > close) & (value != 0))
-        if len(rest) < 0.7 * len(waiting) or not len(rest):
-            waiting, close, kept, pairs = waiting[rest], close[rest], kept[rest], pairs.of(rest)
-            left, right, rising, falling = left[rest], right[rest], rising[rest], falling[rest]
-    return summits
+    return place
 
 
-def _error_of_power(pairs: _Pairs, tangent: FloatArray, phase_error: FloatArray) -> FloatArray:
-    """Relative error of forces, from that of the phases in turns; as `core.force_laws`."""
-    exponent = pairs.exponent
-    best = 1 / np.sqrt(1 + tangent * tangent)
-    ratio = np.fmax(pairs.cosine - tangent * pairs.sine, 0.0)
-    power = ratio**exponent
-    total = (power * ratio).sum(axis=0)
-    angle_error = 2 * math.pi * phase_error
-    drives = (pairs.cosine != 0) | (pairs.sine != 0)
-    widened = np.where(drives, (ratio + angle_error / best) ** exponent, 0.0)
-    widened *= 1 + (ratio * best <= angle_error)
-    sines = np.abs(pairs.sine + tangent * pairs.cosine)
-    slope = exponent * np.abs(tangent)
-    slope += (1 + exponent) * (widened * sines).sum(axis=0) / total
-    others = np.fmax(total - 1, 0.0) / total
-    lost = (power * drives).sum(axis=0) * (1 + np.abs(tangent)) / total
-    rounding = ROUNDING * (6 + 2 * (1 + exponent) * (others + lost))
-    error: FloatArray = rounding + angle_error * slope
+@part
+def power_candidates(
+    pins: int,
+    count: int,
+    exponent: float,
+    phases: Records,
+    relative: ComplexArray,
+    roots: ComplexArray,
+    segments: Records,
+    candidates: Records,
+    cosines: FloatArray,
+    sines: FloatArray,
+    places: Records,
+    shares: FloatArray,
+    leads: FloatArray,
+    bends: FloatArray,
+) -> tuple[int, int]:
+    """Number of the candidates for any exponent, starts of segments and summits; of the looks."""
+    for index in range(count):
+        best = enter(pins, index, count, phases, segments)
+        segments[index].number = _gather(
+            pins, best, phases, relative, roots, cosines[index], sines[index]
+        )
+    join(count, segments)
+    highest = 0.0
+    for index in range(count):
+        segment, number = segments[index], int(segments[index].number)
+        for end in range(2):
+            tangent = segment.right if end else segment.left
+            force = _look(
+                2 * index + end, tangent, exponent, number, cosines[index], sines[index],
+                places, shares, leads, bends,
+            )  # fmt: skip
+            highest = max(highest, force)
+        candidates[index].force = places[2 * index].force
+        candidates[index].tangent = segment.left
+        candidates[index].segment = index
+    used, looks = count, 2 * count
+    left = 2 * count  # the row of where the stretch at hand starts; those after it are to come
+    for index in range(count if exponent > 0 else 0):
+        segment, number = segments[index], int(segments[index].number)
+        _move(2 * index, left, number, places, shares, leads, bends)
+        _move(2 * index + 1, left + 1, number, places, shares, leads, bends)
+        top = left + 1
+        while top > left:
+            start, stop = places[left], places[top]
+            summits = _most_summits(
+                left, top, exponent, highest, number, places, shares, leads, bends
+            )
+            if summits:
+                visible = start.slope >= 0 >= stop.slope and start.slope > stop.slope
+                apart = min(start.tangent - segment.left, segment.right - stop.tangent)
+                narrow = stop.tangent - start.tangent <= NARROW * apart
+                alone = visible and (summits == 1 or narrow)
+                if stop.halvings < SPLITS and not alone:
+                    stop.halvings += 1
+                    force = _look(
+                        top + 1, (start.tangent + stop.tangent) / 2, exponent, number,
+                        cosines[index], sines[index], places, shares, leads, bends,
+                    )  # fmt: skip
+                    highest = max(highest, force)
+                    places[top + 1].halvings = stop.halvings
+                    top += 1
+                    looks += 1
+                    continue
+                if visible:
+                    tangent = _summit(start, stop, exponent, number, cosines[index], sines[index])
+                    force = _look(
+                        left, tangent, exponent, number, cosines[index], sines[index],
+                        places, shares, leads, bends,
+                    )  # fmt: skip
+                    highest = max(highest, force)
+                    looks += 1
+                    if used < len(candidates) or force > candidates[used - 1].force:
+                        used = min(used, len(candidates) - 1)
+                        candidates[used].force = force
+                        candidates[used].tangent = tangent
+                        candidates[used].segment = index
+                        used += 1
+            _move(top, left, number, places, shares, leads, bends)
+            top -= 1
+    return used, looks
+
+
+@part
+def power_error(
+    candidate: Any,
+    exponent: float,
+    segments: Records,
+    cosines: FloatArray,
+    sines: FloatArray,
+    phase_error: float,
+) -> float:
+    """Relative error of a force, from that of the phases in turns; as in `core.force_laws`."""
+    tangent = candidate.tangent
+    best = 1 / math.sqrt(1 + tangent * tangent)
+    angle_error = TURN * phase_error
+    total = lost = 1.0
+    crossed = (1 + angle_error / best) ** exponent * abs(tangent)
+    for pair in range(int(segments[candidate.segment].number)):
+        cosine, sine = cosines[candidate.segment, pair], sines[candidate.segment, pair]
+        ratio = max(cosine - tangent * sine, 0.0)
+        power = ratio**exponent
+        widened = (ratio + angle_error / best) ** exponent
+        if ratio * best <= angle_error:
+            widened *= 2
+        total += power * ratio
+        crossed += widened * abs(sine + tangent * cosine)
+        lost += power
+    slope = exponent * abs(tangent) + (1 + exponent) * crossed / total
+    others = max(total - 1, 0.0) / total
+    lost *= (1 + abs(tangent)) / total
+    rounding = ROUNDING * (6 + 4 * (1 + exponent) * (others + lost))
+    error: float = rounding + angle_error * slope
     return error

@@ -1,184 +1,173 @@
-"""Phases and segments of smooth peak force for arrays of mechanisms with the same numbers of pairs.
+"""Phases and segments of one design, compiled.
 
-The segments of the turn are those of `core.driving_set`, here over one sector of the wave with
-all satellites apart. Arrays have the designs as their last axis, for it is the longest.
+The segments of the turn are those of `core.driving_set`, here over one sector of the wave with all
+satellites apart.
 """
 
 import math
-from dataclasses import dataclass
-from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.contact_force import FloatArray
+from core.designs.compiling import part
+from core.designs.room import TURN, ComplexArray, IntArray, Records
 from core.mechanism import SAME_PHASE
 from core.results import ROUNDING
 
-IntArray = NDArray[np.intp]
 
-SLIVER = 4 * ROUNDING
-"""Width below which a segment is nothing but rounding, in turns."""
-
-EQUAL = 1e-13
-"""Peaks closer than this, or than their errors, are one peak reached more than once."""
+@part
+def _turns(angle: float) -> float:
+    turns: float = (angle if abs(angle) < TURN else np.fmod(angle, TURN)) / TURN
+    return turns
 
 
-@dataclass(frozen=True, slots=True)
-class Phases:
-    """Phases of the satellites, in turns; compare `core.mechanism.WavePhases`.
+@part
+def remainder(number: float, divisor: float) -> float:
+    """Remainder of whole numbers, at least 0."""
+    remainder: float = number - divisor * np.floor(number / divisor)
+    return remainder
 
-    Attributes
-    ----------
-    pins : int
-        Number of pins N.
-    satellite : array, shape (K, n)
-        Phase of the pair of each satellite with pin 1, in [0, 1).
-    sector : array, shape (K, n)
-        The same within a sector [0, 1/N).
-    error : array, shape (n,)
-        By how much they may be elsewhere.
+
+@part
+def _within_sector(pins: int, position: float) -> float:
+    within: float = max(position - np.floor(position * pins) / pins, 0.0)
+    return within
+
+
+@part
+def position(pins: int, position: float) -> float:
+    """Wave position within a sector, turns; a rounding error beside its ends is 0."""
+    within = _within_sector(pins, position)
+    return within if SAME_PHASE < within < 1 / pins - SAME_PHASE else 0.0
+
+
+@part
+def locate_phases(
+    pins: int, cranks: FloatArray, initial: float, order: IntArray, phases: Records
+) -> float:
+    """Phases of a design, and by how much they may be elsewhere, in turns.
+
+    Those that differ by rounding within their cell, an N-th of a turn or half of one, are made
+    one; compare `core.mechanism.WavePhases`.
     """
-
-    pins: int
-    satellite: FloatArray
-    sector: FloatArray
-    error: FloatArray
-
-    @classmethod
-    def of(cls, *, pins: int, crank_angles: FloatArray, initial: FloatArray) -> Self:
-        """Phases of designs; those that differ by rounding are made one.
-
-        Parameters
-        ----------
-        pins : int
-            Number of pins N.
-        crank_angles : array, shape (K, n)
-            Angles of the cranks, rad.
-        initial : array, shape (n,)
-            Wave angle at crank angle 0, rad.
-        """
-        cells = pins if pins % 2 == 0 else 2 * pins
-        turn = 2 * math.pi
-        scaled = (np.fmod(crank_angles, turn) / turn + np.fmod(initial, turn) / turn) * cells
+    cells = pins if pins % 2 == 0 else 2 * pins
+    shift = _turns(initial)
+    for k in range(len(cranks)):
+        scaled = (_turns(cranks[k]) + shift) * cells
         cell = np.floor(scaled)
-        residue = scaled - cell
-        tolerance = SAME_PHASE * cells
-        order = np.argsort(residue, axis=0)
-        ascending = np.take_along_axis(residue, order, axis=0)
-        wrapped = np.zeros_like(ascending)
-        snapped = np.zeros(crank_angles.shape[1])
-        lowest = representative = ascending[0].copy()
-        for j in range(1, len(ascending)):
-            own = ascending[j].copy()
-            wraps = (own > 1 - tolerance) & (lowest <= tolerance)
-            joins = ~wraps & (own - representative <= tolerance)
-            wrapped[j] = wraps
-            ascending[j] = np.where(wraps, lowest, np.where(joins, representative, own))
-            snapped = np.maximum(snapped, np.abs(ascending[j] + wraps - own))
-            representative = np.where(wraps | joins, representative, own)
-        np.put_along_axis(residue, order, ascending, axis=0)
-        carried = np.empty_like(wrapped)
-        np.put_along_axis(carried, order, wrapped, axis=0)
-        cell += carried
-        return cls(
-            pins=pins,
-            satellite=(cell % cells + residue) / cells,
-            sector=(cell % (cells // pins) + residue) / cells,
-            error=2 * ROUNDING + snapped / cells,
-        )
-
-    def position(self, position: FloatArray) -> FloatArray:
-        """Wave position within [0, 1/N), turns; a rounding error beside the ends is 0."""
-        within = position % (1 / self.pins)
-        inside = (within > SAME_PHASE) & (within < 1 / self.pins - SAME_PHASE)
-        return np.where(inside, within, 0.0)
-
-    def best_pair(self, position: FloatArray) -> tuple[IntArray, IntArray]:
-        """Satellite and pin, from 1, of the best placed pair at wave positions; of equals the
-        first.
-        """
-        off = (0.75 - position - self.satellite) * self.pins
-        pin = np.ceil(off - 0.5 - SAME_PHASE * self.pins)
-        satellite = np.argmin(np.round(np.abs(off - pin) / self.pins, 12), axis=0)
-        chosen = np.take_along_axis(pin, satellite[None], axis=0)[0]
-        return satellite + 1, (chosen % self.pins).astype(np.intp) + 1
+        phases[k].satellite, phases[k].sector = cell, scaled - cell
+        rank = k
+        while rank > 0 and phases[order[rank - 1]].sector > scaled - cell:
+            order[rank] = order[rank - 1]
+            rank -= 1
+        order[rank] = k
+    tolerance = SAME_PHASE * cells
+    lowest = phases[order[0]].sector
+    representative = lowest
+    snapped = 0.0
+    for rank in range(1, len(cranks)):
+        k = order[rank]
+        own = phases[k].sector
+        if own > 1 - tolerance and lowest <= tolerance:
+            phases[k].satellite += 1
+            phases[k].sector = lowest
+            snapped = max(snapped, abs(lowest + 1 - own))
+        elif own - representative <= tolerance:
+            phases[k].sector = representative
+            snapped = max(snapped, own - representative)
+        else:
+            representative = own
+    for k in range(len(cranks)):
+        cell, residue = phases[k].satellite, phases[k].sector
+        phases[k].satellite = (remainder(cell, cells) + residue) / cells
+        phases[k].sector = (remainder(cell, cells // pins) + residue) / cells
+    return 2 * ROUNDING + snapped / cells
 
 
-@dataclass(frozen=True, slots=True)
-class Segments:
-    """Segments of smooth peak force over one sector of the wave, in turns.
+@part
+def best_pair(pins: int, place: float, phases: Records) -> tuple[int, int]:
+    """Numbers of the best placed pair at a wave position, of equals the first."""
+    best = chosen = 0
+    least = np.inf
+    for k in range(len(phases)):
+        off = (0.75 - place - phases[k].satellite) * pins
+        # Midway between two pins the first of them is the one to name.
+        pin = math.ceil(off - 0.5 - SAME_PHASE * pins)
+        distance = np.rint(abs(off - pin) / pins * 1e12)
+        if distance < least:
+            least, best, chosen = distance, k, pin
+    return best + 1, chosen % pins + 1
 
-    Attributes
-    ----------
-    start : array, shape (G, n)
-        Wave position at which a segment starts.
-    low, high : array, shape (G, n)
-        Pressure angle of the best placed pair at its start and at its end.
-    real : array of bool, shape (G, n)
-        Whether it is more than a sliver of rounding.
-    nearest : array, shape (G, K, n)
-        Phase of each satellite's pin nearest to the best place, against the best placed pair.
-    first : array, shape (G, K, n)
-        Number of the satellite's first driving pin, from that one.
-    driving : array of int, shape (G, K, n)
-        How many of its pins drive.
+
+@part
+def relate(phases: Records, relative: ComplexArray) -> None:
+    """Fill in the sector phases of the satellites against each other, as directions."""
+    for k in range(len(phases)):
+        relative[k, k] = 1.0
+        for other in range(k):
+            angle = TURN * (phases[other].sector - phases[k].sector)
+            relative[k, other] = complex(math.cos(angle), math.sin(angle))
+            relative[other, k] = relative[k, other].conjugate()
+
+
+@part
+def locate_segments(pins: int, phases: Records, segments: Records) -> int:
+    """Number of the segments of a design; where they start is filled in, ascending."""
+    for k in range(len(phases)):
+        rank = k
+        while rank > 0 and phases[rank - 1].ordered > phases[k].sector:
+            phases[rank].ordered = phases[rank - 1].ordered
+            rank -= 1
+        phases[rank].ordered = phases[k].sector
+    count = 0
+    for k in range(len(phases)):
+        own = phases[k].ordered
+        after = phases[k + 1].ordered if k + 1 < len(phases) else phases[0].ordered + 1 / pins
+        for kind in range(3 if pins % 2 else 2):
+            # another pair becomes the best placed, or a pair starts or stops driving
+            start = 0.75 - (own + after) / 2 if kind == 0 else (1.0 if kind == 1 else 0.5) - own
+            start = _within_sector(pins, start)
+            rank = count
+            while rank > 0 and segments[rank - 1].start > start:
+                segments[rank].start = segments[rank - 1].start
+                rank -= 1
+            segments[rank].start = start
+            count += 1
+    return count
+
+
+@part
+def enter(pins: int, index: int, count: int, phases: Records, segments: Records) -> int:
+    """The best placed satellite of a segment; its range and the nearest pins are filled in."""
+    segment = segments[index]
+    stop = segments[index + 1].start if index + 1 < count else segments[0].start + 1 / pins
+    half = (stop - segment.start) / 2
+    best = 0
+    for k in range(len(phases)):
+        off = segment.start + half + (phases[k].sector - 0.75)
+        phases[k].step = np.rint(off * pins)
+        phases[k].nearest = off - phases[k].step / pins
+        if abs(phases[k].nearest) < abs(phases[best].nearest):
+            best = k
+    low = phases[best].nearest - half
+    segment.origin = segment.start - low
+    segment.left = math.tan(TURN * low)
+    segment.right = low + 2 * half  # its sign is that of the tangent, see join
+    return best
+
+
+@part
+def join(count: int, segments: Records) -> None:
+    """Fill in the tangents at the ends of segments, known but for their sign.
+
+    At a switching angle the best placed pairs of both sides are equally far from the best place.
     """
-
-    start: FloatArray
-    low: FloatArray
-    high: FloatArray
-    real: NDArray[np.bool_]
-    nearest: FloatArray
-    first: FloatArray
-    driving: IntArray
-
-    @classmethod
-    def of(cls, phases: Phases) -> Self:
-        """Segments of designs."""
-        sector = 1 / phases.pins
-        ordered = np.sort(phases.sector, axis=0)
-        following = np.concatenate((ordered[1:], ordered[:1] + sector))
-        switches = [0.75 - (ordered + following) / 2, 1.0 - ordered]
-        if phases.pins % 2:
-            switches.append(0.5 - ordered)
-        start = np.sort(np.concatenate(switches) % sector, axis=0)
-        width = np.concatenate((start[1:], start[:1] + sector)) - start
-        middle = start + width / 2
-        nearest = middle[:, None] + (phases.sector - 0.75)
-        nearest -= np.rint(nearest * phases.pins) / phases.pins
-        best = np.argmin(np.abs(nearest), axis=1)[:, None]
-        at_middle = np.take_along_axis(nearest, best, axis=1)[:, 0]
-        first = np.floor(phases.pins * (-0.25 - nearest)) + 1
-        last = np.ceil(phases.pins * (0.25 - nearest)) - 1
-        return cls(
-            start=start,
-            low=at_middle - width / 2,
-            high=at_middle + width / 2,
-            real=width > SLIVER,
-            nearest=nearest - at_middle[:, None],
-            first=first,
-            driving=(last - first + 1).astype(np.intp),
-        )
+    for index in range(count):
+        following = segments[index + 1 if index + 1 < count else 0].left
+        segments[index].right = math.copysign(following, segments[index].right)
 
 
-@dataclass(frozen=True, slots=True)
-class Peaks:
-    """Peaks of designs, arrays of shape (n,).
-
-    Attributes
-    ----------
-    ratio : array
-        Largest force over F0, dimensionless.
-    place : array
-        First wave position within the sector at which it is reached, turns.
-    error : array
-        Bound of the relative error of the ratio.
-    evaluations : array of int
-        Places at which the force was calculated.
-    """
-
-    ratio: FloatArray
-    place: FloatArray
-    error: FloatArray
-    evaluations: IntArray
+@part
+def driving(pins: int, nearest: float) -> tuple[float, float]:
+    """First and last driving pin of a satellite, counted from its nearest to the best place."""
+    return np.floor(pins * (-0.25 - nearest)) + 1, np.ceil(pins * (0.25 - nearest)) - 1

@@ -24,7 +24,7 @@ settings.load_profile("no deadline")
 
 GENERATOR = np.random.default_rng
 
-EXPONENTS = (0.0, 0.3, 1.0, 1.001, 1.02, 10 / 9, 1.5, 3.0, 30.0)
+EXPONENTS = (0.0, 0.06, 0.3, 1.0, 1.001, 1.02, 10 / 9, 1.5, 3.0, 4.01, 30.0)
 
 
 def mechanisms(seed: int, count: int = 60) -> dict[str, object]:

@@ -135,6 +135,36 @@ def test_peak_hidden_beside_a_switching_angle(
     assert error <= result.accuracy.relative_error
 
 
+@pytest.mark.parametrize("exponent", [0.02, 0.0345, 0.06, 0.0987, 0.15])
+@pytest.mark.parametrize(
+    ("pins", "crank_angles"), [(25, (2.26,)), (14, (0.0, math.pi)), (6, (-0.77, 3.97, 2.56, 0.71))]
+)
+def test_peak_of_small_exponents_lies_just_beside_a_switching_angle(
+    pins: int, crank_angles: tuple[float, ...], exponent: float
+) -> None:
+    # down to 1e-10 rad: a summit that is 3 % of that away is lower by more than is stated
+    mechanism = Mechanism(pins=pins, crank_angles=crank_angles, ratio=20.0)
+    exact = peak(pins, crank_angles, exponent)
+    result = peak_force(mechanism=mechanism, force_exponent=exponent)
+    assert relative_error(result.peak_force_ratio, exact.ratio) <= result.accuracy.relative_error
+
+
+@pytest.mark.parametrize("exponent", [3.99, 4.0, 4.0001, 4.01, 4.05, 4.0879851642071605, 4.2])
+def test_a_peak_that_parts_in_two_is_found(exponent: float) -> None:
+    # Five pins, one satellite: above v = 4 the summit of three driving pairs becomes a hollow
+    # between two, with no change of sign of the slope from one end of either half to the other.
+    mechanism = Mechanism(pins=5, crank_angles=(0.3,), ratio=20.0)
+    result = peak_force(mechanism=mechanism, force_exponent=exponent)
+    period = 2 * math.pi / 5 / (1 + 1 / 20)
+    forces = force_ratios(
+        mechanism=mechanism,
+        crank_angles=np.linspace(0, period, 100_001),
+        force_exponent=exponent,
+    )
+    assert result.peak_force_ratio == pytest.approx(forces.max(), rel=1e-9)
+    assert result.peak_force_ratio >= forces.max() * (1 - 4e-15)
+
+
 @pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 20.0])
 @pytest.mark.parametrize(("pins", "satellites"), [(2, 3), (2, 5), (1, 6), (3, 4), (4, 3)])
 @pytest.mark.parametrize("seed", range(2))

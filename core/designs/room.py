@@ -1,0 +1,98 @@
+"""Room to work in for the search of peaks: records that are filled in design by design."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.contact_force import FloatArray
+
+IntArray = NDArray[np.int64]
+ComplexArray = NDArray[np.complex128]
+Records = np.recarray[Any, np.dtype[np.void]]
+
+TURN = 2 * math.pi
+
+SPLITS = 50
+"""Most halvings of a stretch in which a peak may hide."""
+
+PHASE = np.dtype(
+    [
+        ("satellite", float),  # phase of the satellite's pair with pin 1, turns, in [0, 1)
+        ("sector", float),  # the same within a sector [0, 1/N)
+        ("ordered", float),  # the k-th of these, ascending
+        ("nearest", float),  # in a segment: phase of the pin nearest to the best place, turns
+        ("step", float),  # that pin's number against the satellite's own phase
+    ]
+)
+SEGMENT = np.dtype(
+    [
+        ("start", float),  # wave position, turns
+        ("origin", float),  # wave position at which the best placed pair's pressure angle is 0
+        ("left", float),  # tangent of that angle at the start
+        ("right", float),  # and at the end
+        ("number", float),  # of driving pairs
+        ("squares", float),  # sum of sin(d)^2 over them, for v = 1
+        ("products", float),  # sum of sin(d)*cos(d)
+    ]
+)
+PLACE = np.dtype(
+    [
+        ("tangent", float),
+        ("force", float),
+        ("slope", float),  # of the sign of the force's
+        ("halvings", np.int64),  # of the stretch that ends here
+    ]
+)
+CANDIDATE = np.dtype([("force", float), ("tangent", float), ("segment", np.int64)])
+
+
+class Room(NamedTuple):
+    """Room to work in, for designs with the same numbers of pairs; S driving pairs at most."""
+
+    order: IntArray  # shape (K,): of the phases within their cells
+    phases: Records  # shape (K,)
+    relative: ComplexArray  # shape (K, K): exp(i*d) of each sector phase against the others
+    roots: ComplexArray  # shape (N,): exp(i*d) of the pins
+    segments: Records  # shape (G,)
+    candidates: Records  # shape (C,)
+    cosines: FloatArray  # shape (G, S): cos(d) of the driving pairs but the best placed
+    sines: FloatArray  # shape (G, S): sin(d)
+    places: Records  # shape (P,)
+    shares: FloatArray  # shape (P, S): u^(1 + v) at a place
+    leads: FloatArray  # shape (P, S): sin(d)*u^v
+    bends: FloatArray  # shape (P, S): sin(d)^2*u^(v - 1), 0 where u is
+
+
+def room(*, pins: int, satellites: int, powers: bool) -> Room:
+    """Room to work in.
+
+    Parameters
+    ----------
+    pins, satellites : int
+        Numbers N and K.
+    powers : bool
+        Whether there are exponents other than 1.
+
+    Returns
+    -------
+    Room
+    """
+    most = 3 * satellites
+    driving = satellites * ((pins + 1) // 2) if powers else 0
+    places = 2 * most + SPLITS + 2
+    return Room(
+        order=np.empty(satellites, np.int64),
+        phases=np.recarray(satellites, PHASE),
+        relative=np.empty((satellites, satellites), np.complex128),
+        roots=np.exp(1j * TURN * np.arange(pins) / pins),
+        segments=np.recarray(most, SEGMENT),
+        candidates=np.recarray(3 * most + 64, CANDIDATE),
+        cosines=np.empty((most, driving)),
+        sines=np.empty((most, driving)),
+        places=np.recarray(places, PLACE),
+        shares=np.empty((places, driving)),
+        leads=np.empty((places, driving)),
+        bends=np.empty((places, driving)),
+    )
