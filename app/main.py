@@ -28,6 +28,7 @@ from app.routers import (
     service,
     work_precision,
 )
+from app.schemas.contact_force import compile_searches
 from app.schemas.service import ProblemOut
 from app.settings import Settings
 
@@ -69,13 +70,18 @@ def complete_description(app: FastAPI) -> None:
     app.openapi = openapi  # type: ignore[method-assign]
 
 
+def _import_app() -> None:
+    """Nothing: to be called is to have imported this module."""
+
+
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Be ready once the process for long calculations is."""
+    """Be ready once the process for long calculations has its imports; then load the rest."""
 
     async def prepare() -> None:
-        await warm_up()
+        await warm_up(_import_app)
         app.state.ready = True
+        await warm_up(compile_searches)
 
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()

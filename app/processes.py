@@ -83,10 +83,16 @@ async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> b
     return content
 
 
-async def warm_up() -> None:
-    """Start a process before the first long request, which would wait for its imports."""
+async def warm_up(job: Callable[[], None]) -> None:
+    """Do in a process what the first long request would have to wait for.
+
+    Parameters
+    ----------
+    job : callable
+        What to do: a function of a module.
+    """
     with suppress(anyio.BrokenWorkerProcess, OSError):
-        await run_sync(_ready, cancellable=True)
+        await run_sync(_prepared, job, cancellable=True)
 
 
 async def _stop_when_gone(record: Record, scope: anyio.CancelScope) -> None:
@@ -95,9 +101,9 @@ async def _stop_when_gone(record: Record, scope: anyio.CancelScope) -> None:
     scope.cancel()
 
 
-def _ready() -> None:
-    """Nothing: to be called is to have imported this module."""
+def _prepared(job: Callable[[], None]) -> None:
     _outlive_signals()
+    job()
 
 
 def _outlive_signals() -> None:

@@ -114,12 +114,11 @@ class DrivingSet:
 
     def pairs(self) -> tuple[FloatArray, FloatArray]:
         """Phases of the driving pairs against the best placed one, in turns, and their weights."""
-        offsets = [
-            run.middle + (np.arange(run.count) - (run.count - 1) / 2) / self.pins
-            for run in self.runs
-        ]
-        weights = [np.full(run.count, float(run.weight)) for run in self.runs]
-        return np.concatenate(offsets), np.concatenate(weights)
+        count = np.array([run.count for run in self.runs])
+        first = np.array([run.middle for run in self.runs]) - (count - 1) / (2 * self.pins)
+        within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+        weights = np.repeat([float(run.weight) for run in self.runs], count)
+        return np.repeat(first, count) + within / self.pins, weights
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,9 @@ from core.results import ROUNDING
 
 IntArray = NDArray[np.intp]
 
+MANY = 24
+"""Driving pairs above which arrays are faster than a loop."""
+
 RESOLUTION = 1e-7
 """Last step to a peak, over its distance from the ends of its bracket: its height is then right to
 rounding."""
@@ -110,22 +113,20 @@ class _Look(NamedTuple):
     """
 
     tangent: float
+    force: float
     slope: float  # of the sign of the derivative of the force
-    shares: list[float]  # weight*u^(1 + v) of the driving pairs
-    leads: list[float]  # weight*sin(d)*u^v
-    bends: list[float]  # weight*sin(d)^2*u^(v - 1), 0 where u is
-
-    @property
-    def force(self) -> float:
-        """Force ratio."""
-        return math.sqrt(1 + self.tangent * self.tangent) / sum(self.shares)
+    change: float  # derivative of that slope
+    total: float  # sum of u^(1 + v) over the driving pairs, convex in t
+    lead: float  # sum of sin(d)*u^v, which falls with t
+    falling: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u falls with t
+    rising: float  # and over those whose u rises
 
 
 class _Power(ForceLaw):
     """Any exponent: stretches are halved until they have no summit that may be the peak, or one.
 
-    Every u is linear in t, so it, and every sum of powers of it, is between its values at the ends
-    of a stretch: that bounds the force and its slope.
+    Sums of powers of u, which is linear in t for every pair, are convex or monotone in t, so their
+    values at the ends of a stretch bound the force and its slope all along.
     """
 
     method = "segment-exact, bracketed roots"
@@ -133,10 +134,14 @@ class _Power(ForceLaw):
     def __init__(self, parts: Sequence[Segment], exponent: float) -> None:
         super().__init__(parts, exponent)
         self.phases = [part.driving.pairs() for part in parts]
-        self.pairs = []  # weight, cosine and sine of the phase of each driving pair
-        for offsets, weights in self.phases:
-            columns = weights, np.cos(2 * np.pi * offsets), np.sin(2 * np.pi * offsets)
-            self.pairs.append(list(zip(*(each.tolist() for each in columns), strict=True)))
+        self.directions = [
+            (weights, np.cos(2 * np.pi * offsets), np.sin(2 * np.pi * offsets))
+            for offsets, weights in self.phases
+        ]
+        self.pairs = [
+            list(zip(*(column.tolist() for column in columns), strict=True))
+            for columns in self.directions
+        ]
 
     def candidates(self) -> list[Candidate]:
         found = []
@@ -186,28 +191,36 @@ class _Power(ForceLaw):
     def _most_summits(self, left: _Look, right: _Look, highest: float) -> int:
         """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
         start, stop, rise = left.tangent, right.tangent, 1 + self.exponent
-        least = sum(map(min, left.shares, right.shares))
         largest = 1 + max(start * start, stop * stop)
-        if math.sqrt(largest) <= highest * least:
-            return 0
-        most = sum(map(max, left.shares, right.shares))
-        lead_low = sum(map(min, left.leads, right.leads))
-        lead_high = sum(map(max, left.leads, right.leads))
         smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
+        most, least = max(left.total, right.total), self._least_total(left, right)
         slope_low = start * (most if start < 0 else least)
-        slope_low += rise * lead_low * (largest if lead_low < 0 else smallest)
+        slope_low += rise * right.lead * (largest if right.lead < 0 else smallest)
         slope_high = stop * (least if stop < 0 else most)
-        slope_high += rise * lead_high * (largest if lead_high > 0 else smallest)
-        if slope_low > 0 or slope_high < 0:
+        slope_high += rise * left.lead * (largest if left.lead > 0 else smallest)
+        if math.sqrt(largest) <= highest * least or slope_low > 0 or slope_high < 0:
             return 0
         # how far the logarithm of the force rises from either end
         length = (stop - start) / (smallest * least)
-        for force, rise_of_log in ((left.force, slope_high), (right.force, -slope_low)):
-            if force * math.exp(min(length * rise_of_log, 700.0)) <= highest:
+        for force, steepest in ((left.force, slope_high), (right.force, -slope_low)):
+            if force * math.exp(min(length * steepest, 700.0)) <= highest:
                 return 0
-        lead = max(start * lead_low, start * lead_high, stop * lead_low, stop * lead_high)
-        bend = self.exponent * sum(map(min, left.bends, right.bends))
+        lead = max(tangent * end.lead for tangent in (start, stop) for end in (left, right))
+        ends = (right, left) if self.exponent > 1 else (left, right)
+        bend = self.exponent * (ends[0].falling + ends[1].rising)
         return 1 if most + rise * (lead - smallest * bend) < 0 else 2  # 1: the slope only falls
+
+    def _least_total(self, left: _Look, right: _Look) -> float:
+        """Where the tangents of the convex total at the ends meet, or the lower end; at least 1,
+        the share of the best placed pair itself.
+        """
+        if left.lead <= 0:
+            return left.total
+        if right.lead >= 0:
+            return right.total
+        width = (1 + self.exponent) * (right.tangent - left.tangent)
+        meet = (left.total - right.total - width * right.lead) / (left.lead - right.lead)
+        return max(left.total - left.lead * min(max(meet, 0.0), width), 1.0)
 
     def _summit(self, index: int, left: _Look, right: _Look) -> float:
         """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
@@ -215,16 +228,13 @@ class _Power(ForceLaw):
         place = start + left.slope / (left.slope - right.slope) * (stop - start)
         for _ in range(100):
             here = self._look(index, place)
-            change = sum(here.shares) + (1 + self.exponent) * (
-                place * sum(here.leads) - (1 + place * place) * self.exponent * sum(here.bends)
-            )
-            if here.slope == 0 and change <= 0:
+            if here.slope == 0 and here.change <= 0:
                 break
             if here.slope > 0:
                 start = place
             else:
                 stop = place
-            following = place - here.slope / change if change < 0 else start
+            following = place - here.slope / here.change if here.change < 0 else start
             if not start < following < stop:
                 following = (start + stop) / 2
             step = abs(following - place)
@@ -235,15 +245,38 @@ class _Power(ForceLaw):
         return place
 
     def _look(self, index: int, tangent: float) -> _Look:
-        shares, leads, bends = [], [], []
-        for weight, along, across in self.pairs[index]:
-            ratio = along - tangent * across
-            power = weight * ratio**self.exponent if ratio > 0 else 0.0
-            shares.append(power * ratio)
-            leads.append(power * across)
-            bends.append(power / ratio * across * across if ratio > 0 else 0.0)
-        rise = (1 + self.exponent) * (1 + tangent * tangent)
-        return _Look(tangent, tangent * sum(shares) + rise * sum(leads), shares, leads, bends)
+        total = lead = falling = rising = 0.0
+        power = self.exponent
+        if len(self.pairs[index]) <= MANY:
+            for weight, along, across in self.pairs[index]:
+                ratio = along - tangent * across
+                if ratio > 0:
+                    share = weight * ratio**power
+                    total += share * ratio
+                    lead += share * across
+                    bend = share * across * across / ratio
+                    falling += bend if across > 0 else 0.0
+                    rising += 0.0 if across > 0 else bend
+        else:
+            weights, cosines, sines = self.directions[index]
+            ratios = np.maximum(cosines - tangent * sines, 0.0)
+            shares = weights * ratios**power
+            leads = shares * sines
+            bends = np.divide(leads * sines, ratios, out=np.zeros_like(leads), where=ratios > 0)
+            total, lead = float((shares * ratios).sum()), float(leads.sum())
+            falling = float(bends[sines > 0].sum())
+            rising = float(bends.sum()) - falling
+        stretch = 1 + tangent * tangent
+        return _Look(
+            tangent=tangent,
+            force=math.sqrt(stretch) / total,
+            slope=tangent * total + (1 + power) * stretch * lead,
+            change=total + (1 + power) * (tangent * lead - power * stretch * (falling + rising)),
+            total=total,
+            lead=lead,
+            falling=falling,
+            rising=rising,
+        )
 
     def relative_error(self, index: int, offset: float, phase_error: float) -> float:
         offsets, weights = self.phases[index]

@@ -36,6 +36,7 @@ from core.crank_planetary import (
     drawing_angles,
     force_curves,
 )
+from core.designs.peak_force import peak_forces
 from core.errors import InvalidInput
 from core.mechanism import Mechanism
 
@@ -44,6 +45,9 @@ ForceSection = Literal["curves", "equal_sharing", "approximation"]
 MAX_SAMPLES = 10_001
 MOST_TOGETHER = 60
 """Most pairs of a design that is calculated together with others: larger ones take too long."""
+
+FEWEST_TOGETHER = 100
+"""Fewest designs that are worth loading what is compiled."""
 
 FORCE_DIGITS = 12
 """Digits of the largest force of curves: fewer bytes, and still finer than any use."""
@@ -146,16 +150,17 @@ class LoadFields(RequestModel):
     def cost_of(self, fields: MechanismFields, *, drawn: bool) -> float:
         """About what the force costs for a mechanism, milliseconds.
 
-        Evenly spaced pairs have closed forms or one driving set; otherwise each of about 2*pairs
-        driving sets has its own peak, by root-finding where the exponent is neither 0 nor 1.
+        Evenly spaced pairs have closed forms or a few driving sets; otherwise there are about 3*K
+        of them, with K phases each, searched where the exponent is neither 0 nor 1.
         """
-        pairs = fields.pairs
-        if self.force_exponent in (0.0, 1.0):
-            cost = 0.01 * pairs
-        elif fields.crank_angles_deg is None and fields.crank_spacing_deg is None:
-            cost = 2.0
+        pairs, satellites = fields.pairs, fields.satellites
+        searched = self.force_exponent not in (0.0, 1.0)
+        if fields.crank_angles_deg is None and fields.crank_spacing_deg is None:
+            cost = 0.002 * pairs + (2.0 if searched else 0.0)
         else:
-            cost = pairs * (0.1 + 6e-5 * pairs)
+            cost = satellites * (0.05 + 0.01 * satellites)
+            if searched:
+                cost += 1.0 + satellites * (0.2 + 1.2e-3 * pairs)
         if "curves" in self.include:
             cost += 3e-4 * pairs * self.samples
         return cost + (0.5 * pairs if drawn else 0.0)
@@ -235,11 +240,9 @@ class ContactForceRequest(MechanismFields, LoadFields):
 
 
 def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
-    """Answers to many requests for the peak at once; None where more is asked, where fewer than
-    three pins may have a dead centre, or where one has to be refused for itself.
+    """Answers to many requests for the peak at once; None where they are few, where more is asked,
+    where fewer than three pins may have a dead centre, or where one has to be refused for itself.
     """
-    from core.designs.peak_force import peak_forces  # what compiles is imported where it is used
-
     start = time.perf_counter_ns()
     alike: dict[tuple[int, int], list[tuple[int, Mechanism]]] = {}
     for index, body in enumerate(bodies):
@@ -248,6 +251,8 @@ def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
                 mechanism = body.mechanism()
                 alike.setdefault((body.pins, body.satellites), []).append((index, mechanism))
     answers: list[Values | None] = [None] * len(bodies)
+    if sum(map(len, alike.values())) < FEWEST_TOGETHER:
+        return answers
     for (pins, _), group in alike.items():
         some = [bodies[index] for index, _ in group]
         found = peak_forces(
@@ -278,6 +283,14 @@ def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
             answers[index] = answer
         start = time.perf_counter_ns()
     return answers
+
+
+def compile_searches() -> None:
+    """Compile what peaks of many requests need, or load what was compiled before."""
+    request = ContactForceRequest(
+        pins=3, satellites=1, ratio=1.0, output_torque_Nm=1.0, pin_circle_radius_mm=1.0
+    )
+    solve_peaks([request] * FEWEST_TOGETHER)
 
 
 class PairOut(ResponseModel):

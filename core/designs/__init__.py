@@ -14,12 +14,8 @@ crank spacing that loads three pins on each of two satellites least, for a nearl
 (120, 0.6318)
 
 checks              refusals that name the entry
-compiling           compilation of loops, when they are first called
 room                records that are filled in design by design
-segments            phases of the pairs, segments of smooth peak force
-linear_law          peaks of linear load sharing: roots of a cubic
-power_law           peaks of any load sharing: bounds, halving, roots
-peak_search         the search for peaks
+compiled            the search for peaks, in compiled loops
 peak_force          the exact peak of the contact force
 hertz               line contact of pin and hole
 roller_strength     stiffness, load non-uniformity and stress of swinging rollers

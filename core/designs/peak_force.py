@@ -7,8 +7,7 @@ import numpy as np
 
 from core.contact_force import MAX_FORCE_EXPONENT, FloatArray
 from core.designs.checks import check_finite, check_positive, first_where
-from core.designs.peak_search import Peaks, find_peaks
-from core.designs.room import IntArray, room
+from core.designs.room import IntArray, Peaks, room
 from core.errors import InvalidInput
 
 
@@ -74,7 +73,7 @@ def peak_forces(
     Notes
     -----
     Source of the force: Yanchevskiy and Niekhoroshykh 2021, eq. (10), as in `core.peak_force`.
-    How it is found, and compiled at the first call, is told in `core.designs.peak_search`.
+    How it is found, and compiled at the first call, is told in `core.designs.compiled.peak_search`.
 
     Examples
     --------
@@ -94,6 +93,8 @@ def peak_forces(
     if (index := first_where(outside)) is not None:
         limit = f"must lie from 0 to {MAX_FORCE_EXPONENT:g}"
         raise InvalidInput(f"force_exponent[{index}]", force_exponent[index], limit)
+    from core.designs.compiled.peak_search import find_peaks  # with a compiler, which takes a while
+
     count, satellites = crank_angles.shape
     peaks = Peaks(
         ratio=np.empty(count),

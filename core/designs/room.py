@@ -42,6 +42,11 @@ PLACE = np.dtype(
         ("tangent", float),
         ("force", float),
         ("slope", float),  # of the sign of the force's
+        ("change", float),  # derivative of that slope
+        ("total", float),  # sum of u^(1 + v) over the driving pairs
+        ("lead", float),  # sum of sin(d)*u^v
+        ("falling", float),  # sum of sin(d)^2*u^(v - 1) where u falls with t
+        ("rising", float),  # and where it rises
         ("halvings", np.int64),  # of the stretch that ends here
     ]
 )
@@ -60,9 +65,31 @@ class Room(NamedTuple):
     cosines: FloatArray  # shape (G, S): cos(d) of the driving pairs but the best placed
     sines: FloatArray  # shape (G, S): sin(d)
     places: Records  # shape (P,)
-    shares: FloatArray  # shape (P, S): u^(1 + v) at a place
-    leads: FloatArray  # shape (P, S): sin(d)*u^v
-    bends: FloatArray  # shape (P, S): sin(d)^2*u^(v - 1), 0 where u is
+
+
+class Peaks(NamedTuple):
+    """Peaks of designs, arrays of shape (n,) to be filled in.
+
+    Attributes
+    ----------
+    ratio : array
+        Largest force over F0, dimensionless.
+    place : array
+        First wave position within the sector at which it is reached, turns.
+    satellite, pin : array of int
+        Numbers of the pair that carries it there, from 1.
+    error : array
+        Bound of the relative error of the ratio.
+    evaluations : array of int
+        Places at which the force was calculated.
+    """
+
+    ratio: FloatArray
+    place: FloatArray
+    satellite: IntArray
+    pin: IntArray
+    error: FloatArray
+    evaluations: IntArray
 
 
 def room(*, pins: int, satellites: int, powers: bool) -> Room:
@@ -92,7 +119,4 @@ def room(*, pins: int, satellites: int, powers: bool) -> Room:
         cosines=np.empty((most, driving)),
         sines=np.empty((most, driving)),
         places=np.recarray(places, PLACE),
-        shares=np.empty((places, driving)),
-        leads=np.empty((places, driving)),
-        bends=np.empty((places, driving)),
     )

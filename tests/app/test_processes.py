@@ -86,7 +86,7 @@ async def test_a_calculation_stops_when_its_client_has_gone():
     async def receive():
         for message in messages:
             return message
-        await asyncio.sleep(1.5)
+        await asyncio.sleep(0.8)
         return {"type": "http.disconnect"}
 
     async def send(message):

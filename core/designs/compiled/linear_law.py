@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from core.designs.compiling import part
+from core.designs.compiled.compiling import part
+from core.designs.compiled.segments import driving, enter, join, position, remainder
 from core.designs.room import TURN, ComplexArray, Records
-from core.designs.segments import driving, enter, join, position, remainder
 from core.results import ROUNDING
 
 

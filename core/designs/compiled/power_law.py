@@ -11,9 +11,9 @@ import math
 from typing import Any
 
 from core.contact_force import FloatArray
-from core.designs.compiling import part
+from core.designs.compiled.compiling import part
+from core.designs.compiled.segments import driving, enter, join, remainder
 from core.designs.room import SPLITS, TURN, ComplexArray, Records
-from core.designs.segments import driving, enter, join, remainder
 from core.force_laws import NARROW, RESOLUTION
 from core.results import ROUNDING
 
@@ -51,132 +51,99 @@ def _look(
     cosines: FloatArray,
     sines: FloatArray,
     places: Records,
-    shares: FloatArray,
-    leads: FloatArray,
-    bends: FloatArray,
 ) -> float:
     """Force at a place; all that is known there is filled in."""
-    total, lead = 1.0, 0.0
+    total = 1.0
+    lead = falling = rising = 0.0
     for pair in range(number):
-        ratio = max(cosines[pair] - tangent * sines[pair], 0.0)
-        power = ratio**exponent
-        shares[row, pair], leads[row, pair] = power * ratio, power * sines[pair]
-        bends[row, pair] = power / ratio * sines[pair] * sines[pair] if ratio > 0 else 0.0
-        total += power * ratio
-        lead += power * sines[pair]
+        ratio = cosines[pair] - tangent * sines[pair]
+        if ratio > 0:
+            power = ratio**exponent
+            bend = power / ratio * sines[pair] * sines[pair]
+            total += power * ratio
+            lead += power * sines[pair]
+            falling += bend if sines[pair] > 0 else 0.0
+            rising += 0.0 if sines[pair] > 0 else bend
     stretch = 1 + tangent * tangent
+    rise = 1 + exponent
     place = places[row]
-    place.tangent = tangent
-    place.force = math.sqrt(stretch) / total
-    place.slope = tangent * total + (1 + exponent) * stretch * lead
-    place.halvings = 0
-    force: float = place.force
-    return force
+    place.tangent, place.force = tangent, math.sqrt(stretch) / total
+    place.slope = tangent * total + rise * stretch * lead
+    place.change = total + rise * (tangent * lead - exponent * stretch * (falling + rising))
+    place.total, place.lead = total, lead
+    place.falling, place.rising = falling, rising
+    return math.sqrt(stretch) / total
 
 
 @part
-def _move(
-    row: int,
-    to: int,
-    number: int,
-    places: Records,
-    shares: FloatArray,
-    leads: FloatArray,
-    bends: FloatArray,
-) -> None:
-    places[to].tangent, places[to].force = places[row].tangent, places[row].force
-    places[to].slope, places[to].halvings = places[row].slope, places[row].halvings
-    for pair in range(number):
-        shares[to, pair], leads[to, pair] = shares[row, pair], leads[row, pair]
-        bends[to, pair] = bends[row, pair]
+def _least_total(left: Any, right: Any, exponent: float) -> float:
+    """Where the tangents of the convex total at the ends meet, or the lower end; at least 1."""
+    least: float = left.total
+    if right.lead >= 0:
+        least = right.total
+    elif left.lead > 0:
+        width = (right.tangent - left.tangent) * (1 + exponent)
+        meet = (left.total - right.total - width * right.lead) / (left.lead - right.lead)
+        least = max(left.total - left.lead * min(max(meet, 0.0), width), 1.0)
+    return least
 
 
 @part
-def _most_summits(
-    left: int,
-    right: int,
-    exponent: float,
-    highest: float,
-    number: int,
-    places: Records,
-    shares: FloatArray,
-    leads: FloatArray,
-    bends: FloatArray,
-) -> int:
-    """Most summits above the highest found that a stretch may have: 0, 1, or 2 for any number.
-
-    Every sum is between the sums of the smaller and of the larger of its terms at the ends, and
-    so are force and slope. If the slope falls all along it, there is one summit.
-    """
-    least = most = 1.0
-    lead_low = lead_high = bend = 0.0
-    for pair in range(number):
-        least += min(shares[left, pair], shares[right, pair])
-        most += max(shares[left, pair], shares[right, pair])
-        lead_low += min(leads[left, pair], leads[right, pair])
-        lead_high += max(leads[left, pair], leads[right, pair])
-        bend += min(bends[left, pair], bends[right, pair])
-    start, stop = places[left].tangent, places[right].tangent
+def _most_summits(left: Any, right: Any, exponent: float, highest: float) -> int:
+    """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
+    start, stop, rise = left.tangent, right.tangent, 1 + exponent
     largest = 1 + max(start * start, stop * stop)
     smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
+    most, least = max(left.total, right.total), _least_total(left, right, exponent)
     slope_low = start * (most if start < 0 else least)
-    slope_low += (1 + exponent) * lead_low * (largest if lead_low < 0 else smallest)
+    slope_low += rise * right.lead * (largest if right.lead < 0 else smallest)
     slope_high = stop * (least if stop < 0 else most)
-    slope_high += (1 + exponent) * lead_high * (largest if lead_high > 0 else smallest)
+    slope_high += rise * left.lead * (largest if left.lead > 0 else smallest)
     if math.sqrt(largest) <= highest * least or slope_low > 0 or slope_high < 0:
         return 0
     # how far the logarithm of the force rises from either end
     length = (stop - start) / (smallest * least)
-    if places[left].force * math.exp(length * slope_high) <= highest:
+    if left.force * math.exp(length * slope_high) <= highest:
         return 0
-    if places[right].force * math.exp(-length * slope_low) <= highest:
+    if right.force * math.exp(-length * slope_low) <= highest:
         return 0
-    lead = max(start * lead_low, start * lead_high, stop * lead_low, stop * lead_high)
-    return 1 if most + (1 + exponent) * (lead - exponent * smallest * bend) < 0 else 2
-
-
-@part
-def _slope(
-    tangent: float, exponent: float, number: int, cosines: FloatArray, sines: FloatArray
-) -> tuple[float, float]:
-    """Quantity with the sign of the slope of the force, and its derivative."""
-    total, lead, bend = 1.0, 0.0, 0.0
-    for pair in range(number):
-        ratio = max(cosines[pair] - tangent * sines[pair], 0.0)
-        if ratio > 0:
-            power = ratio**exponent
-            total += power * ratio
-            lead += power * sines[pair]
-            bend -= exponent * power / ratio * sines[pair] * sines[pair]
-    stretch = 1 + tangent * tangent
-    slope = tangent * total + (1 + exponent) * stretch * lead
-    return slope, total + (1 + exponent) * (tangent * lead + stretch * bend)
+    lead = max(start * left.lead, start * right.lead, stop * left.lead, stop * right.lead)
+    bend = right.falling + left.rising if exponent > 1 else left.falling + right.rising
+    return 1 if most + rise * (lead - exponent * smallest * bend) < 0 else 2
 
 
 @part
 def _summit(
-    left: Any, right: Any, exponent: float, number: int, cosines: FloatArray, sines: FloatArray
+    row: int,
+    left: Any,
+    right: Any,
+    exponent: float,
+    number: int,
+    cosines: FloatArray,
+    sines: FloatArray,
+    places: Records,
 ) -> float:
-    """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
-    start, stop = left.tangent, right.tangent
-    place: float = start + left.slope / (left.slope - right.slope) * (stop - start)
+    """Force where the slope falls through 0: a secant, Newton's method, bisection behind."""
+    first, last = left.tangent, right.tangent
+    start, stop = first, last
+    place = start + left.slope / (left.slope - right.slope) * (stop - start)
+    here = places[row]
     for _ in range(100):
-        value, change = _slope(place, exponent, number, cosines, sines)
-        if value == 0 and change <= 0:
+        _look(row, place, exponent, number, cosines, sines, places)
+        if here.slope == 0 and here.change <= 0:
             break
-        if value > 0:
+        if here.slope > 0:
             start = place
         else:
             stop = place
-        following = place - value / change if change < 0 else start
+        following = place - here.slope / here.change if here.change < 0 else start
         if not start < following < stop:
             following = (start + stop) / 2
         step = abs(following - place)
         place = following
-        apart = min(place - left.tangent, right.tangent - place)
-        if step <= RESOLUTION * apart:  # each step squares the error
+        if step <= RESOLUTION * min(place - first, last - place):  # each step squares the error
             break
-    return place
+    return _look(row, place, exponent, number, cosines, sines, places)
 
 
 @part
@@ -192,9 +159,6 @@ def power_candidates(
     cosines: FloatArray,
     sines: FloatArray,
     places: Records,
-    shares: FloatArray,
-    leads: FloatArray,
-    bends: FloatArray,
 ) -> tuple[int, int]:
     """Number of the candidates for any exponent, starts of segments and summits; of the looks."""
     for index in range(count):
@@ -208,10 +172,9 @@ def power_candidates(
         segment, number = segments[index], int(segments[index].number)
         for end in range(2):
             tangent = segment.right if end else segment.left
-            force = _look(
-                2 * index + end, tangent, exponent, number, cosines[index], sines[index],
-                places, shares, leads, bends,
-            )  # fmt: skip
+            row = 2 * index + end
+            force = _look(row, tangent, exponent, number, cosines[index], sines[index], places)
+            places[row].halvings = 0
             highest = max(highest, force)
         candidates[index].force = places[2 * index].force
         candidates[index].tangent = segment.left
@@ -220,45 +183,40 @@ def power_candidates(
     left = 2 * count  # the row of where the stretch at hand starts; those after it are to come
     for index in range(count if exponent > 0 else 0):
         segment, number = segments[index], int(segments[index].number)
-        _move(2 * index, left, number, places, shares, leads, bends)
-        _move(2 * index + 1, left + 1, number, places, shares, leads, bends)
+        places[left], places[left + 1] = places[2 * index], places[2 * index + 1]
         top = left + 1
         while top > left:
             start, stop = places[left], places[top]
-            summits = _most_summits(
-                left, top, exponent, highest, number, places, shares, leads, bends
-            )
+            summits = _most_summits(start, stop, exponent, highest)
             if summits:
-                visible = start.slope >= 0 >= stop.slope and start.slope > stop.slope
+                width = stop.tangent - start.tangent
                 apart = min(start.tangent - segment.left, segment.right - stop.tangent)
-                narrow = stop.tangent - start.tangent <= NARROW * apart
-                alone = visible and (summits == 1 or narrow)
+                visible = start.slope >= 0 >= stop.slope and start.slope > stop.slope
+                alone = visible and (summits == 1 or width <= NARROW * apart)
                 if stop.halvings < SPLITS and not alone:
                     stop.halvings += 1
-                    force = _look(
-                        top + 1, (start.tangent + stop.tangent) / 2, exponent, number,
-                        cosines[index], sines[index], places, shares, leads, bends,
-                    )  # fmt: skip
-                    highest = max(highest, force)
-                    places[top + 1].halvings = stop.halvings
+                    tangent = (start.tangent + stop.tangent) / 2
                     top += 1
                     looks += 1
+                    force = _look(
+                        top, tangent, exponent, number, cosines[index], sines[index], places
+                    )
+                    places[top].halvings = stop.halvings
+                    highest = max(highest, force)
                     continue
                 if visible:
-                    tangent = _summit(start, stop, exponent, number, cosines[index], sines[index])
-                    force = _look(
-                        left, tangent, exponent, number, cosines[index], sines[index],
-                        places, shares, leads, bends,
-                    )  # fmt: skip
+                    force = _summit(
+                        left, start, stop, exponent, number, cosines[index], sines[index], places
+                    )
                     highest = max(highest, force)
                     looks += 1
                     if used < len(candidates) or force > candidates[used - 1].force:
                         used = min(used, len(candidates) - 1)
                         candidates[used].force = force
-                        candidates[used].tangent = tangent
+                        candidates[used].tangent = places[left].tangent
                         candidates[used].segment = index
                         used += 1
-            _move(top, left, number, places, shares, leads, bends)
+            places[left] = places[top]
             top -= 1
     return used, looks
 

@@ -2,44 +2,24 @@
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
 from core.contact_force import FloatArray
-from core.designs.compiling import part, sources, whole
-from core.designs.linear_law import even_peak, linear_candidates, linear_error
-from core.designs.power_law import power_candidates, power_error
-from core.designs.room import TURN, IntArray, Records, Room
-from core.designs.segments import best_pair, locate_phases, locate_segments, position, relate
+from core.designs.compiled.compiling import part, sources, whole
+from core.designs.compiled.linear_law import even_peak, linear_candidates, linear_error
+from core.designs.compiled.power_law import power_candidates, power_error
+from core.designs.compiled.segments import (
+    best_pair,
+    locate_phases,
+    locate_segments,
+    position,
+    relate,
+)
+from core.designs.room import TURN, Peaks, Records, Room
 
 EQUAL = 1e-13
 """Peaks closer than this, or than their errors, are one peak reached more than once."""
-
-
-class Peaks(NamedTuple):
-    """Peaks of designs, arrays of shape (n,) to be filled in.
-
-    Attributes
-    ----------
-    ratio : array
-        Largest force over F0, dimensionless.
-    place : array
-        First wave position within the sector at which it is reached, turns.
-    satellite, pin : array of int
-        Numbers of the pair that carries it there, from 1.
-    error : array
-        Bound of the relative error of the ratio.
-    evaluations : array of int
-        Places at which the force was calculated.
-    """
-
-    ratio: FloatArray
-    place: FloatArray
-    satellite: IntArray
-    pin: IntArray
-    error: FloatArray
-    evaluations: IntArray
 
 
 @part
@@ -117,7 +97,7 @@ def _search(made_of: str) -> Callable[[int, FloatArray, FloatArray, FloatArray, 
                 else:
                     used, looks = power_candidates(
                         pins, count, power, phases, relative, roots, segments, candidates,
-                        room.cosines, room.sines, room.places, room.shares, room.leads, room.bends,
+                        room.cosines, room.sines, room.places,
                     )  # fmt: skip
                     top = _highest(candidates, used)
                     error = power_error(

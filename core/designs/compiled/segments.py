@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from core.contact_force import FloatArray
-from core.designs.compiling import part
+from core.designs.compiled.compiling import part
 from core.designs.room import TURN, ComplexArray, IntArray, Records
 from core.mechanism import SAME_PHASE
 from core.results import ROUNDING
