@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from app.calculation import refusals_named
 from app.problems import Problem, impossible, wrong_fields
-from app.processes import in_process
+from app.processes import in_process, prepared
 from app.record import Record
 from app.route import encoded
 from app.schemas.base import RequestModel, Values
@@ -19,6 +19,9 @@ from core.errors import ImpossibleMechanism
 
 SLICE = 1000
 """Most requests that are handed to a process at once."""
+
+FEWEST_TOGETHER = 100
+"""Fewer requests are calculated each for itself: arrays do not pay, nor what has to be loaded."""
 
 SLICE_S = 0.25
 """Time after which a process hands back what it has done, so that answers begin to flow."""
@@ -36,15 +39,20 @@ class Batched:
         Its endpoint, a function of a module.
     together : callable, optional
         What answers many requests at once, as arrays; None for one that it leaves to the endpoint.
+    prepare : callable, optional
+        What a process has to do once before that, however long it takes.
     """
 
     model: type[RequestModel]
     endpoint: Callable[..., Values]
     together: Callable[[list[Any]], list[Values | None]] | None = None
+    prepare: Callable[[], None] | None = None
 
 
 async def answers(batched: Batched, requests: list[Any], record: Record) -> AsyncIterator[bytes]:
     """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``."""
+    if batched.prepare is not None and len(requests) >= FEWEST_TOGETHER:
+        await prepared(batched.prepare)
     waiting = requests
     alone = 0  # so many are calculated each for itself, as one of them takes longer than is allowed
     while waiting:
@@ -92,7 +100,7 @@ def _body(model: type[RequestModel], request: Any, settings: Settings) -> Reques
 def _together(batched: Batched, bodies: list[RequestModel | Problem]) -> dict[int, Values]:
     """Answers to the requests that can be calculated as arrays, by their index."""
     indices = [index for index, body in enumerate(bodies) if isinstance(body, RequestModel)]
-    if batched.together is None or not indices:
+    if batched.together is None or len(indices) < FEWEST_TOGETHER:
         return {}
     found = batched.together([bodies[index] for index in indices])
     return {

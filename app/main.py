@@ -15,7 +15,7 @@ from fastapi.staticfiles import StaticFiles
 from app import VERSION, observability, problems
 from app.examples import REQUESTS
 from app.middleware import BodyLimit, CompressGet, Requests
-from app.processes import warm_up
+from app.processes import prepared
 from app.route import API, RESPONSES
 from app.routers import (
     batch,
@@ -28,7 +28,6 @@ from app.routers import (
     service,
     work_precision,
 )
-from app.schemas.contact_force import compile_searches
 from app.schemas.service import ProblemOut
 from app.settings import Settings
 
@@ -76,12 +75,11 @@ def _import_app() -> None:
 
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Be ready once the process for long calculations has its imports; then load the rest."""
+    """Be ready once the process for long calculations is."""
 
     async def prepare() -> None:
-        await warm_up(_import_app)
+        await prepared(_import_app)
         app.state.ready = True
-        await warm_up(compile_searches)
 
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()

@@ -83,8 +83,8 @@ async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> b
     return content
 
 
-async def warm_up(job: Callable[[], None]) -> None:
-    """Do in a process what the first long request would have to wait for.
+async def prepared(job: Callable[[], None]) -> None:
+    """Do in a process what has to be done before its first long request, in no limited time.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ async def warm_up(job: Callable[[], None]) -> None:
         What to do: a function of a module.
     """
     with suppress(anyio.BrokenWorkerProcess, OSError):
-        await run_sync(_prepared, job, cancellable=True)
+        await run_sync(_prepare, job, cancellable=True)
 
 
 async def _stop_when_gone(record: Record, scope: anyio.CancelScope) -> None:
@@ -101,7 +101,7 @@ async def _stop_when_gone(record: Record, scope: anyio.CancelScope) -> None:
     scope.cancel()
 
 
-def _prepared(job: Callable[[], None]) -> None:
+def _prepare(job: Callable[[], None]) -> None:
     _outlive_signals()
     job()
 

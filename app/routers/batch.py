@@ -13,7 +13,7 @@ from app.route import json_response
 from app.routers import contact_force, crank_planetary, cyclogram, hertz, precession
 from app.routers import roller_strength as rollers
 from app.schemas.batch import BatchRequest, BatchResponse
-from app.schemas.contact_force import ContactForceRequest, solve_peaks
+from app.schemas.contact_force import ContactForceRequest, compile_search, solve_peaks
 from app.schemas.crank_planetary import CrankPlanetaryRequest
 from app.schemas.cyclogram import CyclogramRequest
 from app.schemas.hertz import HertzRequest, solve_contacts
@@ -28,7 +28,9 @@ LINES = "application/x-ndjson"
 
 CALCULATIONS = {
     "cyclogram": Batched(CyclogramRequest, cyclogram.cyclogram),
-    "contact_force": Batched(ContactForceRequest, contact_force.contact_force, solve_peaks),
+    "contact_force": Batched(
+        ContactForceRequest, contact_force.contact_force, solve_peaks, compile_search
+    ),
     "hertz": Batched(HertzRequest, hertz.hertz, solve_contacts),
     "crank_planetary": Batched(CrankPlanetaryRequest, crank_planetary.crank_planetary),
     "roller_strength": Batched(RollerStrengthRequest, rollers.roller_strength, solve_rollers),

@@ -46,9 +46,6 @@ MAX_SAMPLES = 10_001
 MOST_TOGETHER = 60
 """Most pairs of a design that is calculated together with others: larger ones take too long."""
 
-FEWEST_TOGETHER = 100
-"""Fewest designs that are worth loading what is compiled."""
-
 FORCE_DIGITS = 12
 """Digits of the largest force of curves: fewer bytes, and still finer than any use."""
 
@@ -240,8 +237,8 @@ class ContactForceRequest(MechanismFields, LoadFields):
 
 
 def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
-    """Answers to many requests for the peak at once; None where they are few, where more is asked,
-    where fewer than three pins may have a dead centre, or where one has to be refused for itself.
+    """Answers to many requests for the peak at once; None where more is asked, where fewer than
+    three pins may have a dead centre, or where one has to be refused for itself.
     """
     start = time.perf_counter_ns()
     alike: dict[tuple[int, int], list[tuple[int, Mechanism]]] = {}
@@ -251,8 +248,6 @@ def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
                 mechanism = body.mechanism()
                 alike.setdefault((body.pins, body.satellites), []).append((index, mechanism))
     answers: list[Values | None] = [None] * len(bodies)
-    if sum(map(len, alike.values())) < FEWEST_TOGETHER:
-        return answers
     for (pins, _), group in alike.items():
         some = [bodies[index] for index, _ in group]
         found = peak_forces(
@@ -285,12 +280,12 @@ def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
     return answers
 
 
-def compile_searches() -> None:
+def compile_search() -> None:
     """Compile what peaks of many requests need, or load what was compiled before."""
-    request = ContactForceRequest(
-        pins=3, satellites=1, ratio=1.0, output_torque_Nm=1.0, pin_circle_radius_mm=1.0
+    one = np.ones(1)
+    peak_forces(
+        pins=3, crank_angles=np.ones((1, 1)), ratio=one, force_exponent=one, initial_crank_angle=one
     )
-    solve_peaks([request] * FEWEST_TOGETHER)
 
 
 class PairOut(ResponseModel):

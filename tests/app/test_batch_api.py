@@ -9,10 +9,10 @@ import httpx
 import pytest
 
 from app import batches
+from app.batches import FEWEST_TOGETHER
 from app.examples import REQUESTS
 from app.main import create_app
 from app.problems import unavailable
-from app.schemas.contact_force import FEWEST_TOGETHER
 from app.settings import Settings
 
 pytestmark = pytest.mark.anyio
