@@ -115,7 +115,7 @@ def room(*, pins: int, satellites: int, powers: bool) -> Room:
         relative=np.empty((satellites, satellites), np.complex128),
         roots=np.exp(1j * TURN * np.arange(pins) / pins),
         segments=np.recarray(most, SEGMENT),
-        candidates=np.recarray(3 * most + 64, CANDIDATE),
+        candidates=np.recarray(4 * most + 64, CANDIDATE),
         cosines=np.empty((most, driving)),
         sines=np.empty((most, driving)),
         places=np.recarray(places, PLACE),

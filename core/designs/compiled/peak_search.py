@@ -100,10 +100,11 @@ def _search(made_of: str) -> Callable[[int, FloatArray, FloatArray, FloatArray, 
                         room.cosines, room.sines, room.places,
                     )  # fmt: skip
                     top = _highest(candidates, used)
-                    error = power_error(
-                        candidates[top], power, segments, room.cosines, room.sines, phase_error
-                    )
                     ratio = candidates[top].force
+                    error = power_error(
+                        ratio * (1 - EQUAL), used, candidates, power,
+                        segments, room.cosines, room.sines, phase_error,
+                    )  # fmt: skip
                 least = ratio * (1 - max(EQUAL, error))
                 place = _first_place(pins, least, used, segments, candidates)
             satellite, pin = best_pair(pins, place, phases)

@@ -160,7 +160,7 @@ def power_candidates(
     sines: FloatArray,
     places: Records,
 ) -> tuple[int, int]:
-    """Number of the candidates for any exponent, starts of segments and summits; of the looks."""
+    """Number of the candidates for any exponent, ends of segments and summits; of the looks."""
     for index in range(count):
         best = enter(pins, index, count, phases, segments)
         segments[index].number = _gather(
@@ -176,10 +176,10 @@ def power_candidates(
             force = _look(row, tangent, exponent, number, cosines[index], sines[index], places)
             places[row].halvings = 0
             highest = max(highest, force)
-        candidates[index].force = places[2 * index].force
-        candidates[index].tangent = segment.left
-        candidates[index].segment = index
-    used, looks = count, 2 * count
+            candidates[row].force = force
+            candidates[row].tangent = tangent
+            candidates[row].segment = index
+    used = looks = 2 * count
     left = 2 * count  # the row of where the stretch at hand starts; those after it are to come
     for index in range(count if exponent > 0 else 0):
         segment, number = segments[index], int(segments[index].number)
@@ -223,6 +223,28 @@ def power_candidates(
 
 @part
 def power_error(
+    least: float,
+    used: int,
+    candidates: Records,
+    exponent: float,
+    segments: Records,
+    cosines: FloatArray,
+    sines: FloatArray,
+    phase_error: float,
+) -> float:
+    """Largest relative error of the candidates that are at least so large: at a switching angle
+    one and the same peak is known with the pairs that drive before it and with those after it.
+    """
+    error = 0.0
+    for index in range(used):
+        if candidates[index].force >= least:
+            each = _error(candidates[index], exponent, segments, cosines, sines, phase_error)
+            error = max(error, each)
+    return error
+
+
+@part
+def _error(
     candidate: Any,
     exponent: float,
     segments: Records,

@@ -14,6 +14,9 @@ from core.designs.room import TURN, ComplexArray, IntArray, Records
 from core.mechanism import SAME_PHASE
 from core.results import ROUNDING
 
+SLIVER = 4 * ROUNDING
+"""Width below which a segment is nothing but rounding, in turns."""
+
 
 @part
 def _turns(angle: float) -> float:
@@ -112,7 +115,10 @@ def relate(phases: Records, relative: ComplexArray) -> None:
 
 @part
 def locate_segments(pins: int, phases: Records, segments: Records) -> int:
-    """Number of the segments of a design; where they start is filled in, ascending."""
+    """Number of the segments of a design; where they start is filled in, ascending.
+
+    Those that are nothing but rounding are left out: no pairs could be told to drive there.
+    """
     for k in range(len(phases)):
         rank = k
         while rank > 0 and phases[rank - 1].ordered > phases[k].sector:
@@ -133,7 +139,14 @@ def locate_segments(pins: int, phases: Records, segments: Records) -> int:
                 rank -= 1
             segments[rank].start = start
             count += 1
-    return count
+    kept = 1
+    for index in range(1, count):
+        if segments[index].start - segments[kept - 1].start > SLIVER:
+            segments[kept].start = segments[index].start
+            kept += 1
+    if kept > 1 and segments[0].start + 1 / pins - segments[kept - 1].start <= SLIVER:
+        kept -= 1
+    return kept
 
 
 @part
