@@ -392,7 +392,8 @@ def random_request(r: Draw) -> Request:
         return Request("work-precision", {"calculation": study, "input": STUDIES[study](r)})
     endpoint = r.choice(list(DESIGNS))
     if r.chance(0.02):
-        designs = [DESIGNS[endpoint](r) for _ in range(r.randrange(1, 7))]
+        count = r.randrange(100, 300) if r.chance(0.03) else r.randrange(1, 7)
+        designs = [DESIGNS[endpoint](r) for _ in range(count)]
         requests = [mutated(r, each) if r.chance(0.3) else each for each in designs]
         calculation = endpoint.split("/")[-1].replace("-", "_")
         return Request("batch", {"calculation": calculation, "requests": requests})

@@ -5,13 +5,10 @@ from collections.abc import Iterator, Sequence
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.contact_force import FloatArray
 from core.driving_set import DrivingSet, Segment, cosine
 from core.results import ROUNDING
-
-IntArray = NDArray[np.intp]
 
 MANY = 24
 """Driving pairs above which arrays are faster than a loop."""
