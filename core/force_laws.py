@@ -113,8 +113,9 @@ class _Look(NamedTuple):
     force: float
     slope: float  # of the sign of the derivative of the force
     change: float  # derivative of that slope
-    total: float  # sum of u^(1 + v) over the driving pairs, convex in t
-    lead: float  # sum of sin(d)*u^v, which falls with t
+    total: float  # T, sum of u^(1 + v) over the driving pairs, convex in t
+    lead: float  # L, sum of sin(d)*u^v, which falls with t
+    balance: float  # T + (1 + v)*t*L, which rises up to t = 0 and falls from there
     falling: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u falls with t
     rising: float  # and over those whose u rises
 
@@ -188,24 +189,27 @@ class _Power(ForceLaw):
     def _most_summits(self, left: _Look, right: _Look, highest: float) -> int:
         """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
         start, stop, rise = left.tangent, right.tangent, 1 + self.exponent
+        apart = start * stop > 0
         largest = 1 + max(start * start, stop * stop)
-        smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
-        most, least = max(left.total, right.total), self._least_total(left, right)
-        slope_low = start * (most if start < 0 else least)
-        slope_low += rise * right.lead * (largest if right.lead < 0 else smallest)
-        slope_high = stop * (least if stop < 0 else most)
-        slope_high += rise * left.lead * (largest if left.lead > 0 else smallest)
-        if math.sqrt(largest) <= highest * least or slope_low > 0 or slope_high < 0:
+        smallest = 1 + min(start * start, stop * stop) if apart else 1.0
+        least = self._least_total(left, right)
+        if math.sqrt(largest) <= highest * least:
+            return 0
+        balances = [left.balance, right.balance]
+        if not apart:
+            balances.append(max(left.total, right.total))
+        parts = [tangent * balance for tangent in (start, stop) for balance in balances]
+        slope_low, slope_high = min(parts) + rise * right.lead, max(parts) + rise * left.lead
+        if slope_low > 0 or slope_high < 0:
             return 0
         # how far the logarithm of the force rises from either end
         length = (stop - start) / (smallest * least)
         for force, steepest in ((left.force, slope_high), (right.force, -slope_low)):
             if force * math.exp(min(length * steepest, 700.0)) <= highest:
                 return 0
-        lead = max(tangent * end.lead for tangent in (start, stop) for end in (left, right))
         ends = (right, left) if self.exponent > 1 else (left, right)
-        bend = self.exponent * (ends[0].falling + ends[1].rising)
-        return 1 if most + rise * (lead - smallest * bend) < 0 else 2  # 1: the slope only falls
+        bend = rise * smallest * self.exponent * (ends[0].falling + ends[1].rising)
+        return 1 if max(balances) < bend else 2  # 1: the slope only falls
 
     def _least_total(self, left: _Look, right: _Look) -> float:
         """Where the tangents of the convex total at the ends meet, or the lower end; at least 1,
@@ -263,14 +267,16 @@ class _Power(ForceLaw):
             total, lead = float((shares * ratios).sum()), float(leads.sum())
             falling = float(bends[sines > 0].sum())
             rising = float(bends.sum()) - falling
-        stretch = 1 + tangent * tangent
+        rise, stretch = 1 + power, 1 + tangent * tangent
+        balance = total + rise * tangent * lead
         return _Look(
             tangent=tangent,
             force=math.sqrt(stretch) / total,
-            slope=tangent * total + (1 + power) * stretch * lead,
-            change=total + (1 + power) * (tangent * lead - power * stretch * (falling + rising)),
+            slope=tangent * balance + rise * lead,
+            change=balance - rise * stretch * power * (falling + rising),
             total=total,
             lead=lead,
+            balance=balance,
             falling=falling,
             rising=rising,
         )

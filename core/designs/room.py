@@ -45,6 +45,7 @@ PLACE = np.dtype(
         ("change", float),  # derivative of that slope
         ("total", float),  # sum of u^(1 + v) over the driving pairs
         ("lead", float),  # sum of sin(d)*u^v
+        ("balance", float),  # total + (1 + v)*t*lead
         ("falling", float),  # sum of sin(d)^2*u^(v - 1) where u falls with t
         ("rising", float),  # and where it rises
         ("halvings", np.int64),  # of the stretch that ends here

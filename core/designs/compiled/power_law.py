@@ -66,11 +66,12 @@ def _look(
             rising += 0.0 if sines[pair] > 0 else bend
     stretch = 1 + tangent * tangent
     rise = 1 + exponent
+    balance = total + rise * tangent * lead
     place = places[row]
     place.tangent, place.force = tangent, math.sqrt(stretch) / total
-    place.slope = tangent * total + rise * stretch * lead
-    place.change = total + rise * (tangent * lead - exponent * stretch * (falling + rising))
-    place.total, place.lead = total, lead
+    place.slope = tangent * balance + rise * lead
+    place.change = balance - rise * stretch * exponent * (falling + rising)
+    place.total, place.lead, place.balance = total, lead, balance
     place.falling, place.rising = falling, rising
     return math.sqrt(stretch) / total
 
@@ -92,14 +93,17 @@ def _least_total(left: Any, right: Any, exponent: float) -> float:
 def _most_summits(left: Any, right: Any, exponent: float, highest: float) -> int:
     """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
     start, stop, rise = left.tangent, right.tangent, 1 + exponent
+    apart = start * stop > 0
     largest = 1 + max(start * start, stop * stop)
-    smallest = 1 + min(start * start, stop * stop) if start * stop > 0 else 1.0
-    most, least = max(left.total, right.total), _least_total(left, right, exponent)
-    slope_low = start * (most if start < 0 else least)
-    slope_low += rise * right.lead * (largest if right.lead < 0 else smallest)
-    slope_high = stop * (least if stop < 0 else most)
-    slope_high += rise * left.lead * (largest if left.lead > 0 else smallest)
-    if math.sqrt(largest) <= highest * least or slope_low > 0 or slope_high < 0:
+    smallest = 1 + min(start * start, stop * stop) if apart else 1.0
+    least = _least_total(left, right, exponent)
+    if math.sqrt(largest) <= highest * least:
+        return 0
+    low, high = min(left.balance, right.balance), max(left.balance, right.balance)
+    high = high if apart else max(high, left.total, right.total)
+    slope_low = min(start * low, start * high, stop * low, stop * high) + rise * right.lead
+    slope_high = max(start * low, start * high, stop * low, stop * high) + rise * left.lead
+    if slope_low > 0 or slope_high < 0:
         return 0
     # how far the logarithm of the force rises from either end
     length = (stop - start) / (smallest * least)
@@ -107,9 +111,8 @@ def _most_summits(left: Any, right: Any, exponent: float, highest: float) -> int
         return 0
     if right.force * math.exp(-length * slope_low) <= highest:
         return 0
-    lead = max(start * left.lead, start * right.lead, stop * left.lead, stop * right.lead)
     bend = right.falling + left.rising if exponent > 1 else left.falling + right.rising
-    return 1 if most + rise * (lead - exponent * smallest * bend) < 0 else 2
+    return 1 if high < rise * smallest * exponent * bend else 2  # 1: the slope only falls
 
 
 @part
