@@ -122,6 +122,14 @@ def _peak_cases() -> Iterator[Case]:
         (1e6, "peaks 1e-6 wide; powers of cosines underflow"),
     ):
         yield case(f"v = {exponent:g}", reason, Mechanism(5, angles, 20.0), exponent)
+    yield case(
+        "v = 4.09, one satellite", "the summit of three driving pairs has parted in two",
+        Mechanism(5, (0.3,), 20.0), 4.09,
+    )  # fmt: skip
+    yield case(
+        "v = 3e-8 beside a dead centre", "the slope is the difference of numbers 1e6 times larger",
+        Mechanism(2, (0.0, 2e-6), 20.0), 3e-8,
+    )  # fmt: skip
     for margin in (1e-3, 1e-8):
         yield case(
             f"gap of pi - {margin:g}", "the force grows as 1/margin",

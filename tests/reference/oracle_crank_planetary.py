@@ -122,8 +122,20 @@ def peak(
             slope = max(abs(s) for _, _, s in (left, right) if s is not None)
             if level + 2 * slope * to_ball(width) < best[0]:
                 continue
-            best = max(best, _summit(log_force, left[0], right[0]))
+            # and where a summit has parted in two, there are three changes of sign
+            best = max(
+                [best, *(_summit(log_force, *part) for part in _parts(log_force, left, right))]
+            )
     return Peak(ratio=from_ball(best[0].exp()), wave_angle=best[1])
+
+
+def _parts(log_force, left, right, pieces: int = 8) -> list[tuple[mpf, mpf]]:  # type: ignore[no-untyped-def]
+    """Parts of a bracket in which the derivative changes from plus to minus."""
+    start, end = left[0], right[0]
+    inner = [start + (end - start) * mpf(i) / pieces for i in range(1, pieces)]
+    slopes = [arb(1), *(log_force(p)[1] for p in inner), arb(-1)]
+    parts = zip(pairwise([start, *inner, end]), pairwise(slopes), strict=True)
+    return [part for part, (before, after) in parts if before > 0 and not after > 0]
 
 
 def _worth_searching(
