@@ -24,9 +24,11 @@ SLOW = {
     "ratio": 20.0,
     "crank_angles_deg": [angles.uniform(0, 360) for _ in range(100)],
     "force_exponent": 30.5,
+    "include": ["curves"],
+    "samples": 100,
     **LOAD,
 }
-"""A force whose peak takes seconds: 10,000 pairs, none like another."""
+"""A force that takes seconds: 10,000 pairs, none like another."""
 
 MANY = {"pins": 90, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
 """A cyclogram long enough for a process, and quick enough for a test."""

@@ -12,17 +12,14 @@ import pytest
 LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
 angles = random.Random(6)
 LONG = {
-    "pins": 40,
-    "satellites": 50,
+    "pins": 100,
+    "satellites": 100,
     "ratio": 20.0,
-    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(50)],
+    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(100)],
     "force_exponent": 30.5,
     **LOAD,
 }
-"""A force whose peak takes some tenths of a second, in a process of its own."""
-
-ENDLESS = [angles.uniform(0, 360) for _ in range(100)]
-"""Cranks of a mechanism of 10,000 pairs whose peak takes many seconds."""
+"""A force whose peak takes about a second, in a process of its own."""
 
 
 @pytest.mark.parametrize(("workers", "whole_group"), [(1, True), (2, False)])
@@ -52,16 +49,14 @@ def test_stopping_loses_no_request_in_flight(serve, workers, whole_group):
 
 
 def test_a_stopping_service_waits_only_so_long(serve):
-    endless = LONG | {"pins": 100, "satellites": 100, "crank_angles_deg": ENDLESS}
+    endless = {"calculation": "contact_force", "requests": [LONG] * 60}
     with serve(max_seconds=60, stop_seconds=1) as service:
         broken = []
 
         def ask():
             try:
                 broken.append(
-                    httpx.post(
-                        f"{service.url}/api/v1/contact-force", json=endless, timeout=60
-                    ).status_code
+                    httpx.post(f"{service.url}/api/v1/batch", json=endless, timeout=60).status_code
                 )
             except httpx.TransportError as error:
                 broken.append(error)
