@@ -23,6 +23,7 @@ mechanism           pins, satellites and cranks: phases of the pairs, dead centr
 cyclogram           which pin/hole pairs drive, when, how many together
 contact_force       force of each pair over the turn; the approximation of its peak
 driving_set         the pairs that drive together, segment by segment of the turn
+force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing
 peak_force          the exact peak of the contact force
 crank_planetary     forces, peak and approximations as one job

@@ -19,6 +19,7 @@ from core.mechanism import SAME_PHASE, Mechanism
 from core.results import ROUNDING, Notice
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
 
 MAX_FORCE_EXPONENT = 1e6
 """Largest exponent v for which forces are resolved to their stated error."""
@@ -265,7 +266,7 @@ def check_exponent(force_exponent: float) -> None:
 
 
 def refuse_dead_centre(crank_angle: float) -> NoReturn:
-    """Refuse a position at which no pair drives.
+    """Refuse a position at which no pair drives, or is sure to.
 
     Parameters
     ----------

@@ -2,28 +2,25 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
 from core.contact_force import FloatArray
 from core.driving_set import DrivingSet, Segment, cosine
+from core.force_bounds import (
+    HALVINGS,
+    NARROW,
+    RESOLUTION,
+    Look,
+    least_total,
+    most_summits,
+    next_place,
+)
 from core.results import ROUNDING
 
 MANY = 24
 """Driving pairs above which arrays are faster than a loop."""
-
-RESOLUTION = 1e-7
-"""Last step to a peak, over its distance from the ends of its bracket: its height is then right to
-rounding."""
-
-NARROW = 2.0**-12
-"""Width of a stretch, over its distance from the ends of the segment, in which all summits, if
-there are more than one, are equally high but for rounding: where two part from one, they differ
-with the fourth power of their distance."""
-
-TINY = 2.0**-50
-"""Share of a segment that is not halved any more."""
 
 
 Candidate = tuple[float, int, float]
@@ -104,27 +101,9 @@ class _Linear(ForceLaw):
         return rounding + 2 * math.pi * phase_error * slope
 
 
-class _Look(NamedTuple):
-    """What is known at a place; with t the tangent of the best placed pair's pressure angle and d
-    the phase of another pair against it, u = cos(d) - t*sin(d) is that one's cosine over its own.
-    """
-
-    tangent: float
-    force: float
-    slope: float  # of the sign of the derivative of the force
-    change: float  # derivative of that slope
-    total: float  # T, sum of u^(1 + v) over the driving pairs, convex in t
-    lead: float  # L, sum of sin(d)*u^v, which falls with t
-    balance: float  # T + (1 + v)*t*L, which rises up to t = 0 and falls from there
-    falling: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u falls with t
-    rising: float  # and over those whose u rises
-
-
 class _Power(ForceLaw):
-    """Any exponent: stretches are halved until they have no summit that may be the peak, or one.
-
-    Sums of powers of u, which is linear in t for every pair, are convex or monotone in t, so their
-    values at the ends of a stretch bound the force and its slope all along.
+    """Any exponent: stretches are halved until they have no summit that may be the peak, or one;
+    see `core.force_bounds`.
     """
 
     method = "segment-exact, bracketed roots"
@@ -135,10 +114,6 @@ class _Power(ForceLaw):
         self.directions = [
             (weights, np.cos(2 * np.pi * offsets), np.sin(2 * np.pi * offsets))
             for offsets, weights in self.phases
-        ]
-        self.pairs = [
-            list(zip(*(column.tolist() for column in columns), strict=True))
-            for columns in self.directions
         ]
 
     def candidates(self) -> list[Candidate]:
@@ -152,8 +127,8 @@ class _Power(ForceLaw):
             ends.append((low, high))
         highest = max(found)[0]
         # The most promising segments first: the higher the peak found, the less is left to search.
-        for index in sorted(range(len(ends)), key=lambda index: -max(found[2 * index :][:2])[0]):
-            low, high = ends[index]
+        order = sorted(enumerate(ends), key=lambda each: -max(look.force for look in each[1]))
+        for index, (low, high) in order:
             for tangent in self._summits(index, low, high, highest):
                 place = math.atan(tangent) / (2 * math.pi)
                 force = self._force(index, place)
@@ -167,13 +142,14 @@ class _Power(ForceLaw):
         ratios = _cosines(offset + offsets) / best
         return 1 / (best * float((weights * ratios ** (1 + self.exponent)).sum()))
 
-    def _summits(self, index: int, low: _Look, high: _Look, highest: float) -> Iterator[float]:
+    def _summits(self, index: int, low: Look, high: Look, highest: float) -> Iterator[float]:
         """Tangents at which the force of a segment may be the highest."""
-        tiny = TINY * (high.tangent - low.tangent)
+        tiny = 0.5**HALVINGS * (high.tangent - low.tangent)
         stretches = [(low, high)]
         while stretches:
             left, right = stretches.pop()
-            summits = self._most_summits(left, right, highest)
+            least = least_total(left, right, self.exponent)
+            summits = most_summits(left, right, self.exponent, highest, least)
             if not summits:
                 continue
             width = right.tangent - left.tangent
@@ -186,44 +162,7 @@ class _Power(ForceLaw):
                 highest = max(highest, middle.force)
                 stretches += [(middle, right), (left, middle)]
 
-    def _most_summits(self, left: _Look, right: _Look, highest: float) -> int:
-        """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
-        start, stop, rise = left.tangent, right.tangent, 1 + self.exponent
-        apart = start * stop > 0
-        largest = 1 + max(start * start, stop * stop)
-        smallest = 1 + min(start * start, stop * stop) if apart else 1.0
-        least = self._least_total(left, right)
-        if math.sqrt(largest) <= highest * least:
-            return 0
-        balances = [left.balance, right.balance]
-        if not apart:
-            balances.append(max(left.total, right.total))
-        parts = [tangent * balance for tangent in (start, stop) for balance in balances]
-        slope_low, slope_high = min(parts) + rise * right.lead, max(parts) + rise * left.lead
-        if slope_low > 0 or slope_high < 0:
-            return 0
-        # how far the logarithm of the force rises from either end
-        length = (stop - start) / (smallest * least)
-        for force, steepest in ((left.force, slope_high), (right.force, -slope_low)):
-            if force * math.exp(min(length * steepest, 700.0)) <= highest:
-                return 0
-        ends = (right, left) if self.exponent > 1 else (left, right)
-        bend = rise * smallest * self.exponent * (ends[0].falling + ends[1].rising)
-        return 1 if max(balances) < bend else 2  # 1: the slope only falls
-
-    def _least_total(self, left: _Look, right: _Look) -> float:
-        """Where the tangents of the convex total at the ends meet, or the lower end; at least 1,
-        the share of the best placed pair itself.
-        """
-        if left.lead <= 0:
-            return left.total
-        if right.lead >= 0:
-            return right.total
-        width = (1 + self.exponent) * (right.tangent - left.tangent)
-        meet = (left.total - right.total - width * right.lead) / (left.lead - right.lead)
-        return max(left.total - left.lead * min(max(meet, 0.0), width), 1.0)
-
-    def _summit(self, index: int, left: _Look, right: _Look) -> float:
+    def _summit(self, index: int, left: Look, right: Look) -> float:
         """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
         start, stop = left.tangent, right.tangent
         place = start + left.slope / (left.slope - right.slope) * (stop - start)
@@ -235,9 +174,7 @@ class _Power(ForceLaw):
                 start = place
             else:
                 stop = place
-            following = place - here.slope / here.change if here.change < 0 else start
-            if not start < following < stop:
-                following = (start + stop) / 2
+            following = next_place(here, start, stop)
             step = abs(following - place)
             place = following
             apart = min(place - left.tangent, right.tangent - place)
@@ -245,11 +182,13 @@ class _Power(ForceLaw):
                 break
         return place
 
-    def _look(self, index: int, tangent: float) -> _Look:
+    def _look(self, index: int, tangent: float) -> Look:
         total = lead = falling = rising = 0.0
         power = self.exponent
-        if len(self.pairs[index]) <= MANY:
-            for weight, along, across in self.pairs[index]:
+        weights, cosines, sines = self.directions[index]
+        if len(weights) <= MANY:
+            pairs = zip(weights.tolist(), cosines.tolist(), sines.tolist(), strict=True)
+            for weight, along, across in pairs:
                 ratio = along - tangent * across
                 if ratio > 0:
                     share = weight * ratio**power
@@ -259,7 +198,6 @@ class _Power(ForceLaw):
                     falling += bend if across > 0 else 0.0
                     rising += 0.0 if across > 0 else bend
         else:
-            weights, cosines, sines = self.directions[index]
             ratios = np.maximum(cosines - tangent * sines, 0.0)
             shares = weights * ratios**power
             leads = shares * sines
@@ -269,7 +207,7 @@ class _Power(ForceLaw):
             rising = float(bends.sum()) - falling
         rise, stretch = 1 + power, 1 + tangent * tangent
         balance = total + rise * tangent * lead
-        return _Look(
+        return Look(
             tangent=tangent,
             force=math.sqrt(stretch) / total,
             slope=tangent * balance + rise * lead,
@@ -292,7 +230,8 @@ class _Power(ForceLaw):
         # phases reaches the force. A pair within that error of its switching angle counts with
         # the cosine that it may have, and once more for one that may just not drive.
         angle_error = 2 * math.pi * phase_error
-        widened = weights * ((cosines + angle_error) / best_cosine) ** self.exponent
+        with np.errstate(over="ignore"):  # beside a dead centre: the error is unbounded
+            widened = weights * ((cosines + angle_error) / best_cosine) ** self.exponent
         widened *= 1 + (cosines <= angle_error)
         slope = self.exponent * abs(best_sine) / best_cosine + (1 + self.exponent) * float(
             (widened * np.abs(sines)).sum()

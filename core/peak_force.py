@@ -15,6 +15,9 @@ from core.force_laws import force_law
 from core.mechanism import SAME_PHASE, Mechanism, WavePhases
 from core.results import ROUNDING, Accuracy
 
+EQUAL = 1e-13
+"""Peaks closer than this, or than their errors, are one peak reached more than once."""
+
 
 @dataclass(frozen=True, slots=True)
 class PeakForce:
@@ -65,7 +68,8 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     InvalidInput
         If the exponent is negative or above `MAX_FORCE_EXPONENT`.
     ImpossibleMechanism
-        If the mechanism has a dead centre: there the force would be unbounded.
+        If the mechanism has a dead centre, or one within rounding: there the force would be
+        unbounded.
 
     Notes
     -----
@@ -102,8 +106,10 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     position = min(
         _first_repeat(place + 0.75 - parts[index].phase, repeat)
         for value, index, place in candidates
-        if value >= ratio * (1 - max(1e-13, error))
+        if value >= ratio * (1 - max(EQUAL, error))
     )
+    if not error < 1:  # a dead centre within the rounding of the phases
+        refuse_dead_centre(position * mechanism.crank_angle_per_wave)
     satellite, pin = _best_pair(phases, position)
     return PeakForce(
         peak_force_ratio=ratio,

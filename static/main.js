@@ -122,7 +122,8 @@ async function openCalculator(id) {
 }
 
 function failed(error) {
-  wanted = null;
+  open?.close();
+  wanted = open = build = null;
   panel.textContent = message("page.failed", { detail: error.message });
 }
 
@@ -133,8 +134,8 @@ function tool(sign, words, act) {
   return button;
 }
 
-const undo = tool("↶", message("page.undo"), () => open.undo());
-const redo = tool("↷", message("page.redo"), () => open.redo());
+const undo = tool("↶", message("page.undo"), () => open?.undo());
+const redo = tool("↷", message("page.redo"), () => open?.redo());
 document.addEventListener("keydown", (event) => {
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();

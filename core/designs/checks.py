@@ -22,8 +22,7 @@ def check_finite(**arrays: FloatArray) -> None:
     """
     for name, array in arrays.items():
         largest = np.abs(array).max(axis=tuple(range(1, array.ndim)), initial=0.0)
-        if (index := first_where(~np.isfinite(largest))) is not None:
-            raise InvalidInput(f"{name}[{index}]", array[index], "must be finite")
+        _refuse(name, array, ~np.isfinite(largest), "must be finite")
 
 
 def check_positive(**arrays: FloatArray) -> None:
@@ -35,5 +34,21 @@ def check_positive(**arrays: FloatArray) -> None:
         If there is one; array and index are named.
     """
     for name, array in arrays.items():
-        if (index := first_where(~(array > 0))) is not None:
-            raise InvalidInput(f"{name}[{index}]", array[index], "must be larger than 0")
+        _refuse(name, array, ~(array > 0), "must be larger than 0")
+
+
+def check_not_negative(**arrays: FloatArray) -> None:
+    """Refuse arrays with an entry that is below 0 or no number.
+
+    Raises
+    ------
+    InvalidInput
+        If there is one; array and index are named.
+    """
+    for name, array in arrays.items():
+        _refuse(name, array, ~(array >= 0), "must not be negative")
+
+
+def _refuse(name: str, array: FloatArray, wrong: NDArray[np.bool_], limit: str) -> None:
+    if (index := first_where(wrong)) is not None:
+        raise InvalidInput(f"{name}[{index}]", array[index], limit)

@@ -4,10 +4,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from core.contact_force import FloatArray
-from core.designs.checks import check_positive, first_where
+from core.contact_force import FloatArray, IntArray
+from core.designs.checks import check_not_negative, check_positive, first_where
 from core.errors import InvalidInput
 from core.hertz import (
     HERTZ_TOLERANCE,
@@ -19,8 +18,6 @@ from core.hertz import (
     rounding_error,
 )
 from core.results import ROUNDING
-
-IntArray = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,8 +131,7 @@ def hertz_contacts(
     >>> (contacts.max_pressure/1e6).round(3).tolist()
     [276.617]
     """
-    if (index := first_where(~(force >= 0))) is not None:
-        raise InvalidInput(f"force[{index}]", force[index], "must not be negative")
+    check_not_negative(force=force)
     check_positive(
         contact_length=contact_length,
         pin_radius=pin_radius,

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.contact_force import MAX_FORCE_EXPONENT, FloatArray
+from core.contact_force import MAX_FORCE_EXPONENT, FloatArray, IntArray
 from core.designs.checks import check_finite, check_positive, first_where
-from core.designs.room import IntArray, Peaks, room
+from core.designs.room import Peaks, room
 from core.errors import InvalidInput
 
 

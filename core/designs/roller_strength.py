@@ -4,15 +4,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from core.contact_force import FloatArray
-from core.designs.checks import check_finite, check_positive, first_where
-from core.errors import InvalidInput
+from core.contact_force import FloatArray, IntArray
+from core.designs.checks import check_finite, check_not_negative, check_positive
 from core.results import ROUNDING
 from core.roller_curves import relative_stiffness
-
-IntArray = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,10 +127,7 @@ def roller_strengths(
         modulus_ratio=modulus_ratio,
         stress_concentration=stress_concentration,
     )
-    if (index := first_where(~(friction_coefficient >= 0))) is not None:
-        raise InvalidInput(
-            f"friction_coefficient[{index}]", friction_coefficient[index], "must not be negative"
-        )
+    check_not_negative(friction_coefficient=friction_coefficient)
     check_finite(gaps=gaps)
     relative = relative_stiffness(
         relative_length=cylinder_length / diameter,

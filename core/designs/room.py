@@ -6,16 +6,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.contact_force import FloatArray
+from core.contact_force import FloatArray, IntArray
+from core.force_bounds import HALVINGS, Look
 
-IntArray = NDArray[np.int64]
 ComplexArray = NDArray[np.complex128]
 Records = np.recarray[Any, np.dtype[np.void]]
 
 TURN = 2 * math.pi
-
-SPLITS = 50
-"""Most halvings of a stretch in which a peak may hide."""
 
 PHASE = np.dtype(
     [
@@ -38,18 +35,8 @@ SEGMENT = np.dtype(
     ]
 )
 PLACE = np.dtype(
-    [
-        ("tangent", float),
-        ("force", float),
-        ("slope", float),  # of the sign of the force's
-        ("change", float),  # derivative of that slope
-        ("total", float),  # sum of u^(1 + v) over the driving pairs
-        ("lead", float),  # sum of sin(d)*u^v
-        ("balance", float),  # total + (1 + v)*t*lead
-        ("falling", float),  # sum of sin(d)^2*u^(v - 1) where u falls with t
-        ("rising", float),  # and where it rises
-        ("halvings", np.int64),  # of the stretch that ends here
-    ]
+    [(name, float) for name in Look._fields]
+    + [("halvings", np.int64)]  # of the stretch that ends here
 )
 CANDIDATE = np.dtype([("force", float), ("tangent", float), ("segment", np.int64)])
 
@@ -109,7 +96,7 @@ def room(*, pins: int, satellites: int, powers: bool) -> Room:
     """
     most = 3 * satellites
     driving = satellites * ((pins + 1) // 2) if powers else 0
-    places = 2 * most + SPLITS + 2
+    places = 2 * most + HALVINGS + 2
     return Room(
         order=np.empty(satellites, np.int64),
         phases=np.recarray(satellites, PHASE),

@@ -40,8 +40,14 @@ def methods(cls: type) -> list[FunctionType]:
     ]
 
 
-ORDERED = {"core.force_laws.depressed_cubic_roots"}
-"""Functions whose arguments have an order of their own: a polynomial's coefficients."""
+ORDERED = {
+    "core.force_laws.depressed_cubic_roots",
+    "core.force_bounds.least_total",
+    "core.force_bounds.most_summits",
+    "core.force_bounds.next_place",
+}
+"""Functions whose arguments have an order of their own (a polynomial's coefficients), or that are
+compiled, where keywords are not known."""
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]

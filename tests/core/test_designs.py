@@ -1,7 +1,9 @@
 """Arrays of designs against the same designs one by one."""
 
 import math
+import uuid
 from dataclasses import fields
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.contact_force import force_ratios
+from core.designs.compiled import compiling
 from core.designs.hertz import Solids, hertz_contacts
 from core.designs.peak_force import peak_forces
 from core.designs.roller_strength import roller_strengths
@@ -27,7 +30,7 @@ GENERATOR = np.random.default_rng
 EXPONENTS = (0.0, 0.06, 0.3, 1.0, 1.001, 1.02, 10 / 9, 1.5, 3.0, 4.01, 30.0)
 
 
-def mechanisms(seed: int, count: int = 60) -> dict[str, object]:
+def mechanisms(seed: int, count: int = 60) -> dict[str, Any]:
     """Random designs; some with cranks on a grid of 15 degrees, where phases coincide."""
     random = GENERATOR(seed)
     pins, satellites = int(random.integers(3, 13)), int(random.integers(1, 6))
@@ -43,18 +46,24 @@ def mechanisms(seed: int, count: int = 60) -> dict[str, object]:
     }
 
 
+def each_of(designs: dict[str, Any]) -> list[Mechanism]:
+    return [
+        Mechanism(
+            pins=designs["pins"],
+            crank_angles=tuple(angles.tolist()),
+            ratio=float(designs["ratio"][i]),
+            initial_crank_angle=float(designs["initial_crank_angle"][i]),
+        )
+        for i, angles in enumerate(designs["crank_angles"])
+    ]
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_peaks_of_arrays_are_those_of_each_design(seed: int) -> None:
     designs = mechanisms(seed)
-    found = peak_forces(**designs)  # type: ignore[arg-type]
-    for i, angles in enumerate(designs["crank_angles"]):  # type: ignore[arg-type, var-annotated]
-        mechanism = Mechanism(
-            pins=designs["pins"],  # type: ignore[arg-type]
-            crank_angles=tuple(angles.tolist()),
-            ratio=float(designs["ratio"][i]),  # type: ignore[index]
-            initial_crank_angle=float(designs["initial_crank_angle"][i]),  # type: ignore[index]
-        )
-        exponent = float(designs["force_exponent"][i])  # type: ignore[index]
+    found = peak_forces(**designs)
+    for i, mechanism in enumerate(each_of(designs)):
+        exponent = float(designs["force_exponent"][i])
         one = peak_force(mechanism=mechanism, force_exponent=exponent)
         error = found.relative_error[i] + one.accuracy.relative_error
         assert found.peak_force_ratio[i] == pytest.approx(one.peak_force_ratio, rel=error, abs=0)
@@ -67,19 +76,13 @@ def test_peaks_of_arrays_are_those_of_each_design(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(40, 50))
 def test_no_sampled_force_exceeds_the_peak(seed: int) -> None:
     designs = mechanisms(seed, count=20)
-    found = peak_forces(**designs)  # type: ignore[arg-type]
-    for i, angles in enumerate(designs["crank_angles"]):  # type: ignore[arg-type, var-annotated]
-        mechanism = Mechanism(
-            pins=designs["pins"],  # type: ignore[arg-type]
-            crank_angles=tuple(angles.tolist()),
-            ratio=float(designs["ratio"][i]),  # type: ignore[index]
-            initial_crank_angle=float(designs["initial_crank_angle"][i]),  # type: ignore[index]
-        )
+    found = peak_forces(**designs)
+    for i, mechanism in enumerate(each_of(designs)):
         period = mechanism.crank_angle_per_wave
         forces = force_ratios(
             mechanism=mechanism,
             crank_angles=np.linspace(0, period, 4001),
-            force_exponent=float(designs["force_exponent"][i]),  # type: ignore[index]
+            force_exponent=float(designs["force_exponent"][i]),
         )
         assert forces.max() <= found.peak_force_ratio[i] * (1 + 1e-12)
         assert forces.max() >= found.peak_force_ratio[i] * 0.95
@@ -231,3 +234,34 @@ def test_rollers_of_arrays_are_those_of_each_design(seed: int) -> None:
             room = 1e-14 * largest if field.name == "forces" else 0.0
             assert got == pytest.approx(expected, rel=1e-14, abs=room), field.name
         assert found.relative_error[i] == pytest.approx(one.accuracy.relative_error)
+
+
+def made_of(what: str) -> Any:
+    @compiling.whole
+    def one_more(number: float) -> float:
+        what  # noqa: B018
+        return number + 1
+
+    return one_more
+
+
+def test_what_is_compiled_is_kept_until_its_sources_change() -> None:
+    first, second = str(uuid.uuid4()), str(uuid.uuid4())
+    for what, hits in ((first, 0), (first, 1), (second, 0)):
+        function = made_of(what)
+        assert function(1.0) == 2.0
+        assert sum(function.stats.cache_hits.values()) == hits
+
+
+def test_without_a_place_on_disk_it_is_compiled_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    njit = compiling.numba.njit
+
+    def nowhere(*args: object, cache: bool = False, **options: object) -> object:
+        if cache:
+            raise RuntimeError("no locator available")
+        return njit(*args, **options)
+
+    monkeypatch.setattr(compiling.numba, "njit", nowhere)
+    assert made_of("anything")(1.0) == 2.0

@@ -17,9 +17,7 @@ from core.designs.compiled.segments import (
     relate,
 )
 from core.designs.room import TURN, Peaks, Records, Room
-
-EQUAL = 1e-13
-"""Peaks closer than this, or than their errors, are one peak reached more than once."""
+from core.peak_force import EQUAL
 
 
 @part

@@ -1,10 +1,7 @@
 """Peaks of any law of load sharing, compiled: stretches are halved until a summit stands alone.
 
-What is done for one design in `core.force_laws`, with the same bounds: with t = tan(pressure angle
-of the best placed pair) the cosine of a pair whose phase against that one is d, over the best
-one's, is ``u = cos(d) - t*sin(d)``, linear in t, and the force ratio is
-``f = sqrt(1 + t^2)/sum(u^(1 + v))``. It is continuous over the whole turn, for u is 0 where a pair
-begins to drive.
+What is done for one design in `core.force_laws`, with the bounds of `core.force_bounds`. The force
+is continuous over the whole turn, for a pair's share is 0 where it begins to drive.
 """
 
 import math
@@ -13,9 +10,20 @@ from typing import Any
 from core.contact_force import FloatArray
 from core.designs.compiled.compiling import part
 from core.designs.compiled.segments import driving, enter, join, remainder
-from core.designs.room import SPLITS, TURN, ComplexArray, Records
-from core.force_laws import NARROW, RESOLUTION
+from core.designs.room import TURN, ComplexArray, Records
+from core.force_bounds import (
+    HALVINGS,
+    NARROW,
+    RESOLUTION,
+    least_total,
+    most_summits,
+    next_place,
+)
 from core.results import ROUNDING
+
+_least_total = part(least_total)
+_most_summits = part(most_summits)
+_next_place = part(next_place)
 
 
 @part
@@ -77,45 +85,6 @@ def _look(
 
 
 @part
-def _least_total(left: Any, right: Any, exponent: float) -> float:
-    """Where the tangents of the convex total at the ends meet, or the lower end; at least 1."""
-    least: float = left.total
-    if right.lead >= 0:
-        least = right.total
-    elif left.lead > 0:
-        width = (right.tangent - left.tangent) * (1 + exponent)
-        meet = (left.total - right.total - width * right.lead) / (left.lead - right.lead)
-        least = max(left.total - left.lead * min(max(meet, 0.0), width), 1.0)
-    return least
-
-
-@part
-def _most_summits(left: Any, right: Any, exponent: float, highest: float) -> int:
-    """Most summits above the highest found that a stretch may have: 0, 1, or 2 for more."""
-    start, stop, rise = left.tangent, right.tangent, 1 + exponent
-    apart = start * stop > 0
-    largest = 1 + max(start * start, stop * stop)
-    smallest = 1 + min(start * start, stop * stop) if apart else 1.0
-    least = _least_total(left, right, exponent)
-    if math.sqrt(largest) <= highest * least:
-        return 0
-    low, high = min(left.balance, right.balance), max(left.balance, right.balance)
-    high = high if apart else max(high, left.total, right.total)
-    slope_low = min(start * low, start * high, stop * low, stop * high) + rise * right.lead
-    slope_high = max(start * low, start * high, stop * low, stop * high) + rise * left.lead
-    if slope_low > 0 or slope_high < 0:
-        return 0
-    # how far the logarithm of the force rises from either end
-    length = (stop - start) / (smallest * least)
-    if left.force * math.exp(length * slope_high) <= highest:
-        return 0
-    if right.force * math.exp(-length * slope_low) <= highest:
-        return 0
-    bend = right.falling + left.rising if exponent > 1 else left.falling + right.rising
-    return 1 if high < rise * smallest * exponent * bend else 2  # 1: the slope only falls
-
-
-@part
 def _summit(
     row: int,
     left: Any,
@@ -139,9 +108,7 @@ def _summit(
             start = place
         else:
             stop = place
-        following = place - here.slope / here.change if here.change < 0 else start
-        if not start < following < stop:
-            following = (start + stop) / 2
+        following = _next_place(here, start, stop)
         step = abs(following - place)
         place = following
         if step <= RESOLUTION * min(place - first, last - place):  # each step squares the error
@@ -190,13 +157,14 @@ def power_candidates(
         top = left + 1
         while top > left:
             start, stop = places[left], places[top]
-            summits = _most_summits(start, stop, exponent, highest)
+            least = _least_total(start, stop, exponent)
+            summits = _most_summits(start, stop, exponent, highest, least)
             if summits:
                 width = stop.tangent - start.tangent
                 apart = min(start.tangent - segment.left, segment.right - stop.tangent)
                 visible = start.slope >= 0 >= stop.slope and start.slope > stop.slope
                 alone = visible and (summits == 1 or width <= NARROW * apart)
-                if stop.halvings < SPLITS and not alone:
+                if stop.halvings < HALVINGS and not alone:
                     stop.halvings += 1
                     tangent = (start.tangent + stop.tangent) / 2
                     top += 1

@@ -8,9 +8,9 @@ import math
 
 import numpy as np
 
-from core.contact_force import FloatArray
+from core.contact_force import FloatArray, IntArray
 from core.designs.compiled.compiling import part
-from core.designs.room import TURN, ComplexArray, IntArray, Records
+from core.designs.room import TURN, ComplexArray, Records
 from core.mechanism import SAME_PHASE
 from core.results import ROUNDING
 
