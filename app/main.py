@@ -110,6 +110,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         lifespan=lifespan,
+        # What is seen from outside is in app.observability.
+        telemetry={"tracing": False, "metrics": False, "logs": False},
     )
     app.state.ready = False
     for calculation in CALCULATIONS:

@@ -126,8 +126,8 @@ def _completed(
     given: list[tuple[bytes, bytes]], scope: Scope, record: Record, now: float
 ) -> list[tuple[bytes, bytes]]:
     """Headers of an answer with those of every answer."""
-    names = {name for name, _ in given}
-    headers = [*given, *(each for each in HEADERS if each[0] not in names)]
+    names = [name for name, _ in given]
+    headers = [*given, *[each for each in HEADERS if each[0] not in names]]
     headers.append((b"x-request-id", record.request_id.encode()))
     if scope["path"].startswith("/api/"):
         parts = sum(record.calculations_us) / 1e3

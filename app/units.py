@@ -34,6 +34,13 @@ def core_name(field: str) -> str:
     return field if unit is None else field[: -len(unit) - 1]
 
 
+@cache
+def unit_size(field: str) -> float | None:
+    """Size of its unit in SI units; None for a plain name."""
+    unit = suffix(field)
+    return None if unit is None else UNITS[unit][1]
+
+
 def shown_unit(field: str) -> str:
     """Unit as shown to people; empty for a plain name."""
     unit = suffix(field)
@@ -56,23 +63,26 @@ def to_si(field: str, value: Any) -> Any:
 
 def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; lists and arrays element by element."""
-    unit = suffix(field)
-    if isinstance(value, np.ndarray):
-        return value if unit is None else _array_from_si(unit, value)
-    if unit is None or value is None:
-        return value
-    return _from_si(UNITS[unit][1], value)
+    size = unit_size(field)
+    return value if size is None or value is None else in_units(size, value)
 
 
-def _from_si(size: float, value: Any) -> Any:
+TRIFLE = 2.0**-51
+"""Relative change by which a number is made a short one: 60, not 59.99999999999999."""
+
+
+def in_units(size: float, value: Any) -> Any:
+    """Value in SI units in units of a size; lists and arrays element by element."""
     if isinstance(value, (list, tuple)):
-        return [_from_si(size, each) for each in value]
+        return [in_units(size, each) for each in value]
     if size >= 1:
         return value / size
-    # 60, not 59.99999999999999: the number of 9 decimals within reach of rounding errors.
     exact = value * (1 / size)
+    if isinstance(exact, np.ndarray):
+        rounded_off = np.rint(exact * 1e9) / 1e9
+        return np.where(np.abs(exact - rounded_off) <= TRIFLE * np.abs(exact), rounded_off, exact)
     short = round(exact, 9)
-    return short if short == exact or abs(exact - short) <= 2 * math.ulp(exact) else exact
+    return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
 
 
 def rounded(values: np.ndarray, digits: int) -> np.ndarray:
@@ -92,12 +102,3 @@ def api_value(name: str, value: float) -> tuple[str, float]:
     unit = QUANTITIES.get(name.rsplit("_", 1)[-1])
     field = name if unit is None else f"{name}_{unit}"
     return field, from_si(field, value)
-
-
-def _array_from_si(unit: str, value: np.ndarray) -> np.ndarray:
-    size = UNITS[unit][1]
-    if size >= 1:
-        return value / size
-    exact = value * (1 / size)
-    short = np.round(exact, 9)
-    return np.where(np.abs(exact - short) <= 2 * np.spacing(np.abs(exact)), short, exact)

@@ -246,7 +246,7 @@ def drawing_angles(*, mechanism: Mechanism, samples: int = 361) -> tuple[FloatAr
     period = mechanism.crank_angle_per_wave
     end = 2 * math.pi if period >= 2 * math.pi / 60 else 12 * period
     sector = period / mechanism.pins
-    first = period * np.array(mechanism.phases.switching())
+    first = period * np.array([position for position, _ in mechanism.phases.switching()])
     switching = np.add.outer(sector * np.arange(math.ceil(end / sector)), first).ravel()
     switching = switching[switching <= end]
     beside = 1e-9 * period

@@ -4,8 +4,10 @@ A pair drives through exactly half of each turn of the wave angle, at known angl
 `core.mechanism`): the cyclogram is closed form, without sampling or search.
 """
 
+import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+import operator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -132,113 +134,122 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         raise InvalidInput("revolutions", revolutions, "must be a positive number")
     phases = mechanism.phases
     per_wave = mechanism.crank_angle_per_wave
-    waves = revolutions * 2 * math.pi / per_wave
-    if waves <= SAME_PHASE:
+    shown = _Range(revolutions * 2 * math.pi, per_wave)
+    if shown.waves <= SAME_PHASE:
         raise InvalidInput("revolutions", revolutions, "must be larger: no phase is that short")
     pair_count = mechanism.pins * mechanism.satellites
-    if waves * pair_count > MAX_DRIVING_PHASES:
+    if shown.waves * pair_count > MAX_DRIVING_PHASES:
         raise InvalidInput(
             "revolutions",
             revolutions,
             f"must be smaller: {{revolutions}} * (1 + 1/{{ratio}}) * {{pins}} * {{satellites}} "
             f"must stay below {MAX_DRIVING_PHASES} driving phases",
         )
-    end = revolutions * 2 * math.pi
-
-    def crank_angle(position: float) -> float:
-        return end if position >= waves else position * per_wave
-
-    sector_counts = list(_sector_counts(phases))
-    zones = list(_repeated_zones(phases.dead_zones(), waves))
+    sector_counts = _sector_counts(phases)
+    numbers = [pairs for _, _, pairs in sector_counts]
+    counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
+    zones = list(_repeated_zones(phases.dead_zones(), shown))
     return Cyclogram(
         working_phase=per_wave / 2,
         period=per_wave,
         pattern_period=per_wave / (mechanism.pins * phases.symmetry),
-        pairs=tuple(_pairs(mechanism, waves, crank_angle)),
-        driving_count=tuple(
-            CountInterval(crank_angle(start), crank_angle(stop), pairs)
-            for start, stop, pairs in _counts(sector_counts, 1 / mechanism.pins, waves)
-        ),
-        min_driving=min(pairs for _, _, pairs in sector_counts),
-        max_driving=max(pairs for _, _, pairs in sector_counts),
+        pairs=_pairs(phases, shown),
+        driving_count=counts,
+        min_driving=min(numbers),
+        max_driving=max(numbers),
         mean_driving=pair_count / 2,
-        dead_centres=tuple(sorted({crank_angle(place) for zone in zones for place in zone})),
-        dead_zones=tuple(
-            (crank_angle(start), crank_angle(stop)) for start, stop in zones if stop > start
-        ),
+        dead_centres=tuple(sorted({place for zone in zones for place in zone})),
+        dead_zones=tuple([(start, stop) for start, stop in zones if stop > start]),
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING * (1.0 if waves >= 1 else 1 / waves)
-            + (phases.snapped + _dropped(sector_counts, 1 / mechanism.pins, waves)) / waves,
+            relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
+            + (phases.snapped + dropped) / shown.waves,
             evaluations=pair_count,
         ),
     )
 
 
-def _pairs(
-    mechanism: Mechanism, end: float, crank_angle: Callable[[float], float]
-) -> Iterator[DrivingPair]:
-    """All pairs with their driving phases over [0, end] of the wave; no slivers of rounding."""
-    sliver = SAME_PHASE * max(1.0, end)
-    for j, phase in enumerate(mechanism.phases.satellite_phase):
-        for n in range(mechanism.pins):
-            start = (0.5 - phase - n / mechanism.pins) % 1.0
-            stop = start + 0.5
+class _Range:
+    """The range [0, end] of the crank angle, which positions on the wave, in turns, are cut to."""
+
+    __slots__ = ("end", "per_wave", "sliver", "waves")
+
+    def __init__(self, end: float, per_wave: float) -> None:
+        self.end = end
+        self.per_wave = per_wave
+        self.waves = end / per_wave
+        self.sliver = SAME_PHASE * max(1.0, self.waves)  # of rounding, not shown
+
+    def crank_angle(self, position: float) -> float:
+        """Crank angle of a wave position, rad."""
+        return position * self.per_wave if position < self.waves else self.end
+
+
+def _pairs(phases: WavePhases, shown: _Range) -> tuple[DrivingPair, ...]:
+    """All pairs with their driving phases; no slivers of rounding."""
+    pins, waves, per_wave, sliver = phases.pins, shown.waves, shown.per_wave, shown.sliver
+    pairs = []
+    for j, phase in enumerate(phases.satellite_phase, 1):
+        for n in range(pins):
+            start = (0.5 - phase - n / pins) % 1.0
             driving = []
-            for turn in range(-1 if stop > 1 else 0, math.ceil(end - start)):
-                first = start + turn if turn >= 0 else 0.0
-                last = stop + turn if stop + turn < end else end
-                if last - first > sliver:
-                    driving.append((crank_angle(first), crank_angle(last)))
-            yield DrivingPair(j + 1, n + 1, tuple(driving))
+            if start - 0.5 > sliver:  # begun before the range
+                driving.append((0.0, shown.crank_angle(start - 0.5)))
+            for turn in range(math.ceil(waves - sliver - start)):
+                first = start + turn
+                last = first + 0.5
+                driving.append((first * per_wave, last * per_wave if last < waves else shown.end))
+            pairs.append(DrivingPair(j, n + 1, tuple(driving)))
+    return tuple(pairs)
 
 
 def _repeated_zones(
-    zones: Sequence[tuple[float, float]], end: float
+    zones: Sequence[tuple[float, float]], shown: _Range
 ) -> Iterator[tuple[float, float]]:
-    """Dead zones of one turn, repeated and cut to [0, end]; slivers of rounding dropped."""
-    sliver = SAME_PHASE * max(1.0, end)
-    for turn in range(-1, math.ceil(end) + 1):
+    """Dead zones of one turn, repeated and cut to the range, rad; slivers of rounding dropped."""
+    for turn in range(-1, math.ceil(shown.waves) + 1) if zones else ():
         for start, stop in zones:
-            first, last = max(start + turn, 0.0), min(stop + turn, end)
-            if last - first > sliver or (start == stop and first == last):
-                yield first, last
+            first, last = max(start + turn, 0.0), min(stop + turn, shown.waves)
+            if last - first > shown.sliver or (start == stop and first == last):
+                yield shown.crank_angle(first), shown.crank_angle(last)
 
 
-def _dropped(sector_counts: Sequence[tuple[float, float, int]], sector: float, end: float) -> float:
-    """Width of what is dropped as a sliver at the ends of [0, end], in turns."""
-    sliver = SAME_PHASE * max(1.0, end)
-    widths = (
-        min(width, sector - width)
-        for position, _, _ in sector_counts
-        for width in (position % sector, (end - position) % sector)
-    )
-    return max((width for width in widths if width <= sliver), default=0.0)
-
-
-def _sector_counts(phases: WavePhases) -> Iterator[tuple[float, float, int]]:
-    """Number of driving pairs between the switching angles of one sector, in turns."""
-    sector = 1 / phases.pins
-    positions = phases.switching()
-    for start, stop in zip(positions, [*positions[1:], positions[0] + sector], strict=True):
-        yield start, stop, phases.driving_at((start + stop) / 2)
+def _sector_counts(phases: WavePhases) -> list[tuple[float, float, int]]:
+    """Number of driving pairs over one sector, from and to in turns, where it changes."""
+    pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
+    changes = [(position, growth) for position, growth in phases.switching() if growth]
+    if not changes:
+        return [(0.0, 1 / pins, int(mean))]
+    starts, growths = zip(*changes, strict=True)
+    stops = (*starts[1:], starts[0] + 1 / pins)
+    # The number before the first change is the one with which the mean is half of all pairs.
+    first = round(mean + pins * sum(map(operator.mul, growths, starts)))
+    numbers = itertools.accumulate(growths, initial=first)
+    return list(zip(starts, stops, itertools.islice(numbers, 1, None), strict=True))
 
 
 def _counts(
-    sector_counts: Sequence[tuple[float, float, int]], sector: float, end: float
-) -> Iterator[tuple[float, float, int]]:
-    """Counts over [0, end], neighbours with the same count joined."""
-    sliver = SAME_PHASE * max(1.0, end)
-    begun, reached, count = 0.0, 0.0, -1  # of the interval that grows
-    for turn in range(-1, math.ceil(end / sector) + 1):
+    sector_counts: Sequence[tuple[float, float, int]], sector: float, shown: _Range
+) -> tuple[tuple[CountInterval, ...], float]:
+    """Counts over the range, neighbours with the same count joined; and the width of the largest
+    sliver dropped, in turns.
+    """
+    if len(sector_counts) == 1:
+        return (CountInterval(0.0, shown.end, sector_counts[0][2]),), 0.0
+    waves, sliver = shown.waves, shown.sliver
+    joined: list[CountInterval] = []
+    begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # of the interval that grows
+    for turn in range(-1, math.ceil(waves / sector) + 1):
         for start, stop, pairs in sector_counts:
             first, last = start + turn * sector, stop + turn * sector
-            if (last if last < end else end) - (first if first > 0 else 0.0) <= sliver:
+            width = (last if last < waves else waves) - (first if first > 0 else 0.0)
+            if width <= sliver:
+                dropped = max(dropped, width)
                 continue
             if pairs != count:
                 if count >= 0:
-                    yield begun, reached, count
-                begun, count = reached, pairs
+                    joined.append(CountInterval(begun, shown.crank_angle(reached), count))
+                    begun = joined[-1].end
+                count = pairs
             reached = last
-    if count >= 0:
-        yield begun, end, count
+    return (*joined, CountInterval(begun, shown.end, count)), dropped

@@ -175,82 +175,59 @@ class WavePhases:
             cell.append(whole)
             residue.append(scaled - whole)
         tolerance = SAME_PHASE * cells
+        per_sector = cells // pins
         order = sorted(range(len(residue)), key=residue.__getitem__)
         lowest = residue[order[0]]
-        snapped = 0.0
-        representative = -math.inf
+        snapped, representative = 0.0, -math.inf
+        satellite_phase = residue.copy()
+        counts: dict[float, int] = {}
         for j in order:
-            if residue[j] > 1 - tolerance and lowest <= tolerance:
-                snapped = max(snapped, 1 - residue[j] + lowest)
-                residue[j] = lowest
-                cell[j] += 1
-            elif residue[j] - representative <= tolerance:
-                snapped = max(snapped, residue[j] - representative)
-                residue[j] = representative
+            whole, part = cell[j], residue[j]
+            if part > 1 - tolerance and lowest <= tolerance:
+                snapped = max(snapped, 1 - part + lowest)
+                whole, part = whole + 1, lowest
+            elif part - representative <= tolerance:
+                snapped = max(snapped, part - representative)
+                part = representative
             else:
-                representative = residue[j]
-        per_sector = cells // pins
-        counts: dict[tuple[int, float], int] = {}
-        for whole, part in zip(cell, residue, strict=True):
-            key = whole % per_sector, part
-            counts[key] = counts.get(key, 0) + 1
-        distinct = sorted(counts)
-        sector_phases = tuple([(whole + part) / cells for whole, part in distinct])
-        multiplicity = tuple([counts[key] for key in distinct])
+                representative = part
+            satellite_phase[j] = (whole % cells + part) / cells
+            phase = (whole % per_sector + part) / cells
+            counts[phase] = counts.get(phase, 0) + 1
+        sector_phases = tuple(sorted(counts))
+        multiplicity = tuple([counts[phase] for phase in sector_phases])
         symmetry, off = _symmetry(sector_phases, multiplicity, 1 / pins)
         return cls(
             pins=pins,
-            satellite_phase=tuple(
-                [(whole % cells + part) / cells for whole, part in zip(cell, residue, strict=True)]
-            ),
+            satellite_phase=tuple(satellite_phase),
             sector_phases=sector_phases,
             multiplicity=multiplicity,
             symmetry=symmetry,
             snapped=snapped / cells + off,
         )
 
-    def all_phases(self) -> list[tuple[float, int]]:
-        """Every different phase of the turn with its multiplicity, ascending, in turns."""
-        return [
-            (sector / self.pins + phase, count)
-            for sector in range(self.pins)
-            for phase, count in zip(self.sector_phases, self.multiplicity, strict=True)
-        ]
-
-    def switching(self) -> list[float]:
-        """Wave positions in [0, 1/N) at which a pair starts or stops driving, ascending, turns."""
-        sector = 1 / self.pins
-        shifts = (0.0,) if self.pins % 2 == 0 else (0.0, sector / 2)
-        positions = {
-            -phase - shift + sector * (1 + (phase + shift > sector))
-            for phase in self.sector_phases
-            for shift in shifts
-        }
-        merged: list[float] = []
-        for position in sorted(value if value < sector else value - sector for value in positions):
-            if not merged or position - merged[-1] > SAME_PHASE:
-                merged.append(position)
-        if len(merged) > 1 and merged[0] + sector - merged[-1] <= SAME_PHASE:
-            merged.pop()
-        return merged
-
-    def driving_at(self, position: float) -> int:
-        """Number of driving pairs at a wave position between switching angles.
-
-        Parameters
-        ----------
-        position : float
-            Wave angle, in turns.
-
-        Returns
-        -------
-        int
+    def switching(self) -> list[tuple[float, int]]:
+        """Wave positions in [0, 1/N) at which pairs start or stop driving, ascending, in turns;
+        and by how much the number of driving pairs grows at each.
         """
-        total = 0
+        sector = 1 / self.pins
+        # Half a turn is a whole number of sectors for even N: as one pair starts another stops.
+        changes = ((0.0, 0),) if self.pins % 2 == 0 else ((0.0, -1), (sector / 2, 1))
+        switches = []
         for phase, count in zip(self.sector_phases, self.multiplicity, strict=True):
-            part = ((position + phase) * self.pins) % 1.0
-            total += count * (self.pins - 1 - math.floor(self.pins / 2 - part))
-        return total
+            for shift, sign in changes:
+                position = sector * (1 + (phase + shift > sector)) - phase - shift
+                switches.append((position if position < sector else 0.0, sign * count))
+        switches.sort()
+        merged: list[tuple[float, int]] = []
+        for position, growth in switches:
+            if merged and position - merged[-1][0] <= SAME_PHASE:
+                merged[-1] = merged[-1][0], merged[-1][1] + growth
+            else:
+                merged.append((position, growth))
+        if len(merged) > 1 and merged[0][0] + sector - merged[-1][0] <= SAME_PHASE:
+            merged[0] = merged[0][0], merged[0][1] + merged.pop()[1]
+        return merged
 
     def dead_zones(self) -> list[tuple[float, float]]:
         """Wave positions at which no pair drives, ``(from, to)`` in turns, from in [0, 1).
@@ -260,7 +237,8 @@ class WavePhases:
         """
         if self.pins > 2:
             return []
-        phases = [phase for phase, _ in self.all_phases()]
+        sectors = range(self.pins)
+        phases = [sector / self.pins + phase for sector in sectors for phase in self.sector_phases]
         zones = []
         for index, upper in enumerate(phases):
             gap = upper - phases[index - 1] if index else 1 - phases[-1] + upper
@@ -272,15 +250,13 @@ class WavePhases:
 
 
 def _symmetry(
-    phases: Sequence[float], multiplicity: Sequence[int], sector: float
+    phases: Sequence[float], multiplicity: tuple[int, ...], sector: float
 ) -> tuple[int, float]:
     """How many times the pattern of phases repeats within a sector, and how far it is off that."""
     size = len(phases)
     for repeats in range(size, 1, -1):
         step, remainder = divmod(size, repeats)
-        if remainder or any(
-            multiplicity[(i + step) % size] != multiplicity[i] for i in range(size)
-        ):
+        if remainder or (*multiplicity[step:], *multiplicity[:step]) != multiplicity:
             continue
         off = 0.0
         for i in range(size):

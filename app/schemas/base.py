@@ -3,14 +3,14 @@
 import re
 from collections.abc import Sequence
 from functools import cache
-from typing import Any, cast, get_args
+from typing import Any, NamedTuple, cast, get_args
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 from app.settings import Settings
-from app.units import core_name, from_si, shown_unit, to_si
+from app.units import core_name, from_si, in_units, shown_unit, to_si, unit_size
 from core.results import Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -153,21 +153,17 @@ class ResponseModel(BaseModel):
             Fields that are not read from the result; None for none.
         """
         values = {name: value for name, value in given.items() if value is not None}
-        for name, attribute, inner in _plan(cls):
-            if name in given:
+        plan = _plan(cls)
+        for name, attribute, size, inner in plan.read:
+            if name in given or (value := getattr(result, attribute)) is None:
                 continue
-            value = getattr(result, attribute)
-            if value is None:
-                continue
-            if inner is None:
-                values[name] = from_si(name, value)
-            elif isinstance(value, (list, tuple)):
-                values[name] = [inner.values(each) for each in value]
-            else:
-                values[name] = inner.values(value)
-        if "warnings" in cls.model_fields and result.notices:
+            if inner is not None:
+                several = isinstance(value, (list, tuple))
+                value = [*map(inner.values, value)] if several else inner.values(value)
+            values[name] = value if size is None else in_units(size, value)
+        if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
-        if "accuracy" in cls.model_fields:
+        if plan.states_accuracy:
             values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
         return values
 
@@ -222,14 +218,27 @@ def rows(
     return answers
 
 
+class _Plan(NamedTuple):
+    """How an answer is made of a core result."""
+
+    read: list[tuple[str, str, float | None, type[ResponseModel] | None]]
+    """What is read from it: name, core's name, size of the unit, the answer that it holds."""
+    warns: bool
+    states_accuracy: bool
+
+
 @cache
-def _plan(model: type[ResponseModel]) -> list[tuple[str, str, type[ResponseModel] | None]]:
-    """Fields that are read from a core result: name, core's name, and the answer that it holds."""
-    return [
-        (name, core_name(name), _inner_model(model.model_fields[name].annotation))
-        for name in model.model_fields
-        if name not in ("accuracy", "warnings")
-    ]
+def _plan(model: type[ResponseModel]) -> _Plan:
+    fields = model.model_fields
+    return _Plan(
+        [
+            (name, core_name(name), unit_size(name), _inner_model(field.annotation))
+            for name, field in fields.items()
+            if name not in ("accuracy", "warnings")
+        ],
+        "warnings" in fields,
+        "accuracy" in fields,
+    )
 
 
 def _inner_model(annotation: Any) -> type[ResponseModel] | None:

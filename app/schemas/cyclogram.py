@@ -1,5 +1,7 @@
 """Request and answer of the cyclogram."""
 
+from itertools import islice
+
 import numpy as np
 
 from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
@@ -95,16 +97,22 @@ class CyclogramResponse(ResponseModel):
         """Values of the core's result."""
         found, assembly = result
         # All angles at once: one by one they would cost more than the calculation.
-        angles = [each for pair in found.pairs for phase in pair.driving for each in phase]
-        ends = [each.end for each in found.driving_count]
-        degrees = iter(from_si("angle_deg", np.array(angles + ends)).tolist())
+        angles = [found.working_phase, found.period, found.pattern_period]
+        for pair in found.pairs:
+            for phase in pair.driving:
+                angles += phase
+        angles += [each.end for each in found.driving_count]
+        degrees = iter(from_si("angle_deg", np.array(angles)).tolist())
+        for name in ("working_phase_deg", "period_deg", "pattern_period_deg"):
+            given[name] = next(degrees)
+        phases = zip(degrees, degrees, strict=False)  # what follows them stays
         pairs = [
             {
-                "satellite": pair.satellite,
-                "pin": pair.pin,
-                "driving_deg": [[next(degrees), next(degrees)] for _ in pair.driving],
+                "satellite": satellite,
+                "pin": pin,
+                "driving_deg": list(islice(phases, len(driving))),
             }
-            for pair in found.pairs
+            for satellite, pin, driving in found.pairs
         ]
         counts, start = [], 0.0
         for each, end in zip(found.driving_count, degrees, strict=True):
