@@ -97,7 +97,8 @@ def _answering(endpoint: Callable[..., Any]) -> Callable[[Request], Awaitable[Re
         record = at_hand.get() or Record()
         with refusals_named(body):
             body.refuse_beyond(record.settings)
-        if body.cost_ms(drawn=drawn) <= processes.INLINE_MS:
+            cost_ms = body.cost_ms(drawn=drawn)
+        if cost_ms <= processes.INLINE_MS:
             content = _content(endpoint, given)
         else:
             content = await processes.in_process(_content, endpoint, given, record=record)

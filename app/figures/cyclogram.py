@@ -66,7 +66,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
         for place in answer["dead_centres_deg"][:1]
     ]
     turns = end / 360
-    step = 30 if turns <= 1 else 90 if turns <= 3 else None
+    steps = {"dtick": 30 if turns <= 1 else 90} if turns <= 3 else {}
     return {
         "data": data,
         "layout": layout(
@@ -75,7 +75,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             bargap=0.3,
             showlegend=satellites > 1,
             height=190 + 22 * len(rows),
-            xaxis=axis(theme, "Crank angle, °", range=[0, end], dtick=step, anchor="y2"),
+            xaxis=axis(theme, "Crank angle, °", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
                 theme,
                 "Satellite.pin",

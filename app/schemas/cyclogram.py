@@ -8,9 +8,13 @@ from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, q
 from app.schemas.mechanism import MechanismFields
 from app.units import from_si
 from core.cyclogram import Cyclogram, cyclogram
+from core.errors import InvalidInput
 from core.mechanism import AssemblyAngle, assembly_angles
 
 Range = tuple[float, float]
+
+MAX_DRAWN_PHASES = 2000
+"""Most driving phases that a figure shows."""
 
 
 class RangeFields(RequestModel):
@@ -32,9 +36,31 @@ class RangeFields(RequestModel):
 class CyclogramRequest(MechanismFields, RangeFields):
     """A mechanism and the range of its cyclogram."""
 
+    @property
+    def driving_phases(self) -> float:
+        """About how often pairs begin to drive in the range."""
+        return self.pairs * self.revolutions * (1 + 1 / self.ratio_given())
+
     def cost_ms(self, *, drawn: bool) -> float:
-        """About 0.02 ms a pair and revolution, thrice that drawn."""
-        return (0.07 if drawn else 0.02) * self.pairs * max(1.0, self.revolutions)
+        """About what the cyclogram costs, most of it for its driving phases."""
+        return (0.02 if drawn else 0.007) * max(self.pairs, self.driving_phases)
+
+    def refuse_undrawable(self) -> None:
+        """Refuse a figure of more pairs or driving phases than anyone can tell apart.
+
+        Raises
+        ------
+        InvalidInput
+            If there are.
+        """
+        super().refuse_undrawable()
+        if self.driving_phases > MAX_DRAWN_PHASES:
+            raise InvalidInput(
+                "revolutions",
+                self.revolutions,
+                f"must be at most {MAX_DRAWN_PHASES * self.revolutions / self.driving_phases:.3g} "
+                f"to be drawn ({MAX_DRAWN_PHASES} driving phases)",
+            )
 
     def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
         """Cyclogram, and the assembly angles where the numbers of teeth are given."""
@@ -97,7 +123,9 @@ class CyclogramResponse(ResponseModel):
         """Values of the core's result."""
         found, assembly = result
         # All angles at once: one by one they would cost more than the calculation.
-        angles = [found.working_phase, found.period, found.pattern_period]
+        angles = [found.working_phase, found.period, found.pattern_period, *found.dead_centres]
+        for zone in found.dead_zones:
+            angles += zone
         for pair in found.pairs:
             for phase in pair.driving:
                 angles += phase
@@ -105,12 +133,14 @@ class CyclogramResponse(ResponseModel):
         degrees = iter(from_si("angle_deg", np.array(angles)).tolist())
         for name in ("working_phase_deg", "period_deg", "pattern_period_deg"):
             given[name] = next(degrees)
-        phases = zip(degrees, degrees, strict=False)  # what follows them stays
+        dead_centres = list(islice(degrees, len(found.dead_centres)))
+        ranges = zip(degrees, degrees, strict=False)  # what follows them stays
+        dead_zones = list(islice(ranges, len(found.dead_zones)))
         pairs = [
             {
                 "satellite": satellite,
                 "pin": pin,
-                "driving_deg": list(islice(phases, len(driving))),
+                "driving_deg": list(islice(ranges, len(driving))),
             }
             for satellite, pin, driving in found.pairs
         ]
@@ -123,7 +153,8 @@ class CyclogramResponse(ResponseModel):
             run_time_us,
             pairs=pairs,
             driving_count=counts,
-            dead_zones_deg=from_si("dead_zones_deg", found.dead_zones) or None,
+            dead_centres_deg=dead_centres,
+            dead_zones_deg=dead_zones or None,
             assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
             **given,
         )

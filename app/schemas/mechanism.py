@@ -175,14 +175,22 @@ class MechanismFields(RequestModel):
                 f"satellites to be drawn ({MAX_DRAWN_PAIRS} pairs)",
             )
 
+    def ratio_given(self) -> float:
+        """Ratio u, as such or by the numbers of teeth.
+
+        Raises
+        ------
+        InvalidInput
+            If no ratio has such teeth.
+        """
+        if self.ratio is not None:
+            return self.ratio
+        assert self.satellite_teeth is not None and self.ring_teeth is not None
+        return ratio_from_teeth(satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth)
+
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        ratio = self.ratio
-        if self.satellite_teeth is not None and self.ring_teeth is not None:
-            ratio = ratio_from_teeth(
-                satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth
-            )
-        assert ratio is not None
+        ratio = self.ratio_given()
         start = to_si("initial_crank_angle_deg", self.initial_crank_angle_deg)
         if self.crank_angles_deg is not None:
             return Mechanism(

@@ -760,6 +760,7 @@ export default {
       ["must be at least {1}", "должно быть не меньше {1}"],
       ["must be at most {1} for {2} satellites ({3} pairs)", "должно быть не больше {1} для {2} сателлитов (пар: {3})"],
       ["must be at most {1} for {2} satellites to be drawn ({3} pairs)", "для рисунка должно быть не больше {1} при {2} сателлитах (пар: {3})"],
+      ["must be at most {1} to be drawn ({2} driving phases)", "для рисунка должно быть не больше {1} (рабочих фаз: {2})"],
       ["must be at most {1} for a study", "для измерения должно быть не больше {1}"],
       ["must be at most {1} for {2} pairs", "должно быть не больше {1} для {2} пар"],
       ["must be at most {1} for {2} rollers", "должно быть не больше {1} для {2} роликов"],

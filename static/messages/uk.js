@@ -760,6 +760,7 @@ export default {
       ["must be at least {1}", "має бути не менше ніж {1}"],
       ["must be at most {1} for {2} satellites ({3} pairs)", "має бути не більше ніж {1} для {2} сателітів (пар: {3})"],
       ["must be at most {1} for {2} satellites to be drawn ({3} pairs)", "для рисунка має бути не більше ніж {1} за {2} сателітів (пар: {3})"],
+      ["must be at most {1} to be drawn ({2} driving phases)", "для рисунка має бути не більше ніж {1} (робочих фаз: {2})"],
       ["must be at most {1} for a study", "для вимірювання має бути не більше ніж {1}"],
       ["must be at most {1} for {2} pairs", "має бути не більше ніж {1} для {2} пар"],
       ["must be at most {1} for {2} rollers", "має бути не більше ніж {1} для {2} роликів"],

@@ -1,5 +1,6 @@
 """Every chart is a figure that Plotly accepts, and shows the numbers of its answer."""
 
+import re
 from itertools import pairwise
 
 import plotly.graph_objects as go
@@ -110,6 +111,24 @@ async def test_too_many_pairs_to_draw_are_refused_by_field(api):
     response = await api.post("cyclogram/chart", json={"pins": 1000, "ratio": 20})
     assert response.status_code == 422
     assert response.json()["errors"][0]["pointer"] == "/pins"
+
+
+@pytest.mark.parametrize("revolutions", [0.1, 1, 3, 3.5, 40])
+async def test_a_cyclogram_of_any_length_is_drawn(api, revolutions):
+    response = await api.post("cyclogram/chart", json=MECHANISM | {"revolutions": revolutions})
+    assert response.status_code == 200
+    axes = response.json()["layout"]["xaxis"]
+    assert axes["range"] == pytest.approx([0, 360 * revolutions])
+
+
+@pytest.mark.parametrize("job", [{"revolutions": 1000}, {"ratio": 1e-3}])
+async def test_too_many_driving_phases_to_draw_are_refused_by_field(api, job):
+    response = await api.post("cyclogram/chart", json={"pins": 3, "ratio": 20} | job)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["pointer"] == "/revolutions"
+    largest = float(re.search(r"at most (\S+)", response.json()["detail"])[1])
+    shorter = {"pins": 3, "ratio": 20} | job | {"revolutions": 0.99 * largest}
+    assert (await api.post("cyclogram/chart", json=shorter)).status_code == 200
 
 
 async def test_the_design_lies_on_its_own_curves(api):

@@ -30,7 +30,7 @@ SLOW = {
 }
 """A force that takes seconds: 10,000 pairs, none like another."""
 
-MANY = {"pins": 90, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
+MANY = {"pins": 270, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
 """A cyclogram long enough for a process, and quick enough for a test."""
 
 
