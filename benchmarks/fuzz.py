@@ -131,6 +131,10 @@ class Fuzz:
             for each in answer["errors"]:
                 if request.json is not None and not each["pointer"].startswith("/query/"):
                     _resolve(each["pointer"], request.json)
+            numbers, _, chart = request.endpoint.rpartition("/")
+            if chart == "chart" and request.json and "range of numbers" in answer["detail"]:
+                shown = await self.ask(numbers, request.json)
+                assert shown is None, f"a figure of numbers that there are: {answer['detail']}"
 
     async def run(self, requests: int, seed: int) -> Report:
         """Send random requests."""
