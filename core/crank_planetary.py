@@ -250,7 +250,7 @@ def drawing_angles(*, mechanism: Mechanism, samples: int = 361) -> tuple[FloatAr
     switching = np.add.outer(sector * np.arange(math.ceil(end / sector)), first).ravel()
     switching = switching[switching <= end]
     beside = 1e-9 * period
-    angles = np.concatenate(
-        (np.linspace(0.0, end, samples), switching - beside, switching + beside)
-    )
-    return np.unique(np.clip(angles, 0.0, end)), switching
+    before, after = np.maximum(switching - beside, 0.0), np.minimum(switching + beside, end)
+    angles = np.concatenate((np.linspace(0.0, end, samples), before, after))
+    angles.sort()
+    return angles, switching

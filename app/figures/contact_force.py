@@ -25,7 +25,7 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         ``{data, layout}``.
     """
     curves, peak_pair = answer["curves"], answer["peak_pair"]
-    angles = drawn(curves["crank_angle_deg"])  # once, for all curves
+    angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
     data = [
         curve(
             f"{pair['satellite']}.{pair['pin']}",
@@ -36,7 +36,7 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
             f"satellite {pair['satellite']}, pin {pair['pin']}<br>%{{y:.5g}} N at %{{x:.2f}}°",
             colour=pair["satellite"] - 1,
         )
-        for pair, force in zip(curves["pairs"], curves["force_N"], strict=True)
+        for pair, force in zip(curves["pairs"], forces, strict=True)
     ]
     peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
     data.append(
