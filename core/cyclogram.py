@@ -7,7 +7,7 @@ A pair drives through exactly half of each turn of the wave angle, at known angl
 import itertools
 import math
 import operator
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -148,7 +148,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     sector_counts = _sector_counts(phases)
     numbers = [pairs for _, _, pairs in sector_counts]
     counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
-    zones = list(_repeated_zones(phases.dead_zones(), shown))
+    dead_centres, dead_zones = _dead(phases.dead_zones(), shown)
     return Cyclogram(
         working_phase=per_wave / 2,
         period=per_wave,
@@ -158,8 +158,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         min_driving=min(numbers),
         max_driving=max(numbers),
         mean_driving=pair_count / 2,
-        dead_centres=tuple(sorted({place for zone in zones for place in zone})),
-        dead_zones=tuple([(start, stop) for start, stop in zones if stop > start]),
+        dead_centres=dead_centres,
+        dead_zones=dead_zones,
         accuracy=Accuracy(
             method="closed form",
             relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
@@ -203,15 +203,22 @@ def _pairs(phases: WavePhases, shown: _Range) -> tuple[DrivingPair, ...]:
     return tuple(pairs)
 
 
-def _repeated_zones(
+def _dead(
     zones: Sequence[tuple[float, float]], shown: _Range
-) -> Iterator[tuple[float, float]]:
-    """Dead zones of one turn, repeated and cut to the range, rad; slivers of rounding dropped."""
-    for turn in range(-1, math.ceil(shown.waves) + 1) if zones else ():
+) -> tuple[tuple[float, ...], tuple[tuple[float, float], ...]]:
+    """Dead centres and dead zones of one turn, repeated and cut to the range, rad; slivers of
+    rounding dropped.
+    """
+    if not zones:
+        return (), ()
+    cut = []
+    for turn in range(-1, math.ceil(shown.waves) + 1):
         for start, stop in zones:
             first, last = max(start + turn, 0.0), min(stop + turn, shown.waves)
             if last - first > shown.sliver or (start == stop and first == last):
-                yield shown.crank_angle(first), shown.crank_angle(last)
+                cut.append((shown.crank_angle(first), shown.crank_angle(last)))
+    centres = sorted({place for zone in cut for place in zone})
+    return tuple(centres), tuple([(start, stop) for start, stop in cut if stop > start])
 
 
 def _sector_counts(phases: WavePhases) -> list[tuple[float, float, int]]:

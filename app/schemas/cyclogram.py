@@ -1,17 +1,20 @@
 """Request and answer of the cyclogram."""
 
-from itertools import islice
-
-import numpy as np
+import math
 
 from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
 from app.schemas.mechanism import MechanismFields
-from app.units import from_si
+from app.units import UNITS
 from core.cyclogram import Cyclogram, cyclogram
 from core.errors import InvalidInput
 from core.mechanism import AssemblyAngle, assembly_angles
 
 Range = tuple[float, float]
+
+ANGLE_DIGITS = 16
+"""Digits of the end of the range to which angles are rounded: a part of their own error."""
+
+_, ANGLE_UNIT = UNITS["deg"]
 
 MAX_DRAWN_PHASES = 2000
 """Most driving phases that a figure shows."""
@@ -122,39 +125,30 @@ class CyclogramResponse(ResponseModel):
     ) -> Values:
         """Values of the core's result."""
         found, assembly = result
-        # All angles at once: one by one they would cost more than the calculation.
-        angles = [found.working_phase, found.period, found.pattern_period, *found.dead_centres]
-        for zone in found.dead_zones:
-            angles += zone
-        for pair in found.pairs:
-            for phase in pair.driving:
-                angles += phase
-        angles += [each.end for each in found.driving_count]
-        degrees = iter(from_si("angle_deg", np.array(angles)).tolist())
-        for name in ("working_phase_deg", "period_deg", "pattern_period_deg"):
-            given[name] = next(degrees)
-        dead_centres = list(islice(degrees, len(found.dead_centres)))
-        ranges = zip(degrees, degrees, strict=False)  # what follows them stays
-        dead_zones = list(islice(ranges, len(found.dead_zones)))
-        pairs = [
-            {
-                "satellite": satellite,
-                "pin": pin,
-                "driving_deg": list(islice(ranges, len(driving))),
-            }
-            for satellite, pin, driving in found.pairs
-        ]
-        counts, start = [], 0.0
-        for each, end in zip(found.driving_count, degrees, strict=True):
-            counts.append({"from_deg": start, "to_deg": end, "pairs": each.pairs})
-            start = end
+        end = found.driving_count[-1].end / ANGLE_UNIT
+        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(end)))
+
+        def degrees(angle: float) -> float:
+            return int(angle / ANGLE_UNIT * place + 0.5) / place
+
         return super().values(
             found,
             run_time_us,
-            pairs=pairs,
-            driving_count=counts,
-            dead_centres_deg=dead_centres,
-            dead_zones_deg=dead_zones or None,
+            pairs=[
+                {
+                    "satellite": satellite,
+                    "pin": pin,
+                    "driving_deg": [(degrees(start), degrees(stop)) for start, stop in driving],
+                }
+                for satellite, pin, driving in found.pairs
+            ],
+            driving_count=[
+                {"from_deg": degrees(start), "to_deg": degrees(stop), "pairs": pairs}
+                for start, stop, pairs in found.driving_count
+            ],
+            dead_centres_deg=[*map(degrees, found.dead_centres)],
+            dead_zones_deg=[(degrees(start), degrees(stop)) for start, stop in found.dead_zones]
+            or None,
             assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
             **given,
         )
