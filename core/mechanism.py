@@ -98,7 +98,7 @@ class Mechanism:
         spacing = 2 * math.pi / satellites if crank_spacing is None else crank_spacing
         return cls(
             pins=pins,
-            crank_angles=tuple(j * spacing for j in range(satellites)),
+            crank_angles=tuple([j * spacing for j in range(satellites)]),
             ratio=ratio,
             initial_crank_angle=initial_crank_angle,
         )
@@ -168,21 +168,19 @@ class WavePhases:
         # grid makes coincident starts and ends coincide exactly.
         cells = pins if pins % 2 == 0 else 2 * pins
         start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
-        cell, residue = [], []
-        for angle in mechanism.crank_angles:
+        places = []
+        for j, angle in enumerate(mechanism.crank_angles):
             scaled = (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
             whole = math.floor(scaled)
-            cell.append(whole)
-            residue.append(scaled - whole)
+            places.append((scaled - whole, j, whole))
+        places.sort()
         tolerance = SAME_PHASE * cells
         per_sector = cells // pins
-        order = sorted(range(len(residue)), key=residue.__getitem__)
-        lowest = residue[order[0]]
+        lowest = places[0][0]
         snapped, representative = 0.0, -math.inf
-        satellite_phase = residue.copy()
+        satellite_phase = [0.0] * len(places)
         counts: dict[float, int] = {}
-        for j in order:
-            whole, part = cell[j], residue[j]
+        for part, j, whole in places:
             if part > 1 - tolerance and lowest <= tolerance:
                 snapped = max(snapped, 1 - part + lowest)
                 whole, part = whole + 1, lowest
