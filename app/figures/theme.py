@@ -33,6 +33,11 @@ INK: dict[Theme, dict[str, str]] = {
 """Colours of text, of thin lines, of the grid, and of what must not be overlooked."""
 
 
+TICKS = ".8~g"
+"""Numbers at ticks: plain, or with an e where they are very large or small. (Plotly's own powers
+of ten are raised by inline styles, which the page does not allow.)"""
+
+
 def series_style(index: int, theme: Theme) -> tuple[str, str, str]:
     """Colour, dash and hatch of the series of an index, repeating after the last."""
     size = len(DASHES)
@@ -49,6 +54,7 @@ def axis(theme: Theme, title: str, **more: Any) -> Figure:
         "zerolinecolor": ink["muted"],
         "ticks": "outside",
         "tickcolor": ink["muted"],
+        "tickformat": TICKS,
         "automargin": True,
         **more,
     }

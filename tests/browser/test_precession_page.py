@@ -145,3 +145,10 @@ def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     boxes = page.locator(".records .box").evaluate_all("all => all.map(one => one.offsetWidth)")
     assert len(boxes) == 4 * 5 and min(boxes) >= 44  # five boxes side by side, still wide
     expect(page.locator(".notes")).to_contain_text("reciprocity")
+
+
+def test_figures_of_extreme_sizes_need_no_inline_styles(page: Page, service: str) -> None:
+    show(page, service, "precession")
+    box(page, "overhang_mm").fill("1e9")
+    ticks = page.locator('[data-figure="shaft"] .xtick text')
+    expect(ticks.filter(has_text="e+").first).to_be_attached()
