@@ -163,7 +163,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         accuracy=Accuracy(
             method="closed form",
             relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
-            + (phases.snapped + dropped) / shown.waves,
+            + (phases.error + dropped) / shown.waves,
             evaluations=pair_count,
         ),
     )

@@ -138,8 +138,9 @@ class WavePhases:
         How many satellites share each of them.
     symmetry : int
         How many times the pattern repeats within a sector.
-    snapped : float
-        Largest distance by which merging or symmetry takes a phase to be elsewhere, in turns.
+    error : float
+        Largest distance by which merging, symmetry or the rounding of angles beyond a turn takes a
+        phase to be elsewhere, in turns.
     """
 
     pins: int
@@ -147,7 +148,7 @@ class WavePhases:
     sector_phases: tuple[float, ...]
     multiplicity: tuple[int, ...]
     symmetry: int
-    snapped: float
+    error: float
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> "WavePhases":
@@ -168,6 +169,7 @@ class WavePhases:
         # grid makes coincident starts and ends coincide exactly.
         cells = pins if pins % 2 == 0 else 2 * pins
         start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
+        furthest = abs(mechanism.initial_crank_angle) + max(map(abs, mechanism.crank_angles))
         places = []
         for j, angle in enumerate(mechanism.crank_angles):
             scaled = (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
@@ -201,7 +203,7 @@ class WavePhases:
             sector_phases=sector_phases,
             multiplicity=multiplicity,
             symmetry=symmetry,
-            snapped=snapped / cells + off,
+            error=snapped / cells + off + far_angle_error(furthest),
         )
 
     def switching(self) -> list[tuple[float, int]]:
@@ -263,6 +265,22 @@ def _symmetry(
         if off <= SAME_PHASE:
             return repeats, off * repeats
     return 1, 0.0
+
+
+def far_angle_error(angle: float) -> float:
+    """Error of the phase of an angle beyond a turn: that much coarser is its last digit.
+
+    Parameters
+    ----------
+    angle : float
+        Size of the angle, rad, or sum of sizes.
+
+    Returns
+    -------
+    float
+        In turns; 0 up to a turn.
+    """
+    return 2 * ROUNDING * max(angle / (2 * math.pi) - 1, 0.0)
 
 
 @dataclass(frozen=True, slots=True)

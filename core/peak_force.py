@@ -100,7 +100,7 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     law = force_law(parts=parts, exponent=force_exponent)
     candidates = law.candidates()
     ratio, winner, offset = max(candidates)
-    error = law.relative_error(winner, offset, 2 * ROUNDING + phases.snapped)
+    error = law.relative_error(winner, offset, 2 * ROUNDING + phases.error)
     # Of equal peaks (mirror images, repeats) the first after crank angle 0 is the one to name.
     repeat = 1 / (phases.pins * phases.symmetry)
     position = min(
@@ -133,7 +133,7 @@ def _evenly_spaced_peak(mechanism: Mechanism) -> PeakForce:
         peak_pin=pin,
         accuracy=Accuracy(
             method="closed form: evenly spaced pairs",
-            relative_error=ROUNDING + 4 * math.pi * phases.snapped,
+            relative_error=ROUNDING + 4 * math.pi * phases.error,
             evaluations=1,
         ),
     )

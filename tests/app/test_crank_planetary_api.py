@@ -2,9 +2,11 @@
 
 import json
 import math
+import random
 from unittest.mock import patch
 
 import pytest
+from mpmath import mp, mpf
 
 MECHANISM = {"pins": 3, "ratio": 20}
 LOAD = {"output_torque_Nm": 500, "pin_circle_radius_mm": 50}
@@ -289,3 +291,26 @@ async def test_sizes_beyond_any_machine_are_refused_by_field(api, size):
     response = await api.post("hertz", json={**CONTACT, "contact_length_mm": size, "force_N": 1})
     assert response.status_code == 422
     assert response.json()["errors"][0]["pointer"] == "/contact_length_mm"
+
+
+@pytest.mark.parametrize("seed", range(30))
+async def test_angles_of_a_cyclogram_are_within_their_error(api, seed):
+    """Against 40 digits: cranks many turns on, ranges short and long, digits as they are sent."""
+    r = random.Random(seed)
+    angles = [r.choice([r.uniform(-3600, 3600), 15.0 * r.randint(-240, 240)]) for _ in range(3)]
+    start = r.choice([0.0, 180.0, r.uniform(-3600, 3600)])
+    ratio, turns = 10 ** r.uniform(-1, 4), r.choice([1.0, 10 ** r.uniform(-3, 2)])
+    body = {"pins": r.randint(1, 9), "ratio": ratio, "crank_angles_deg": angles}
+    body |= {"revolutions": turns, "initial_crank_angle_deg": start}
+    answer = (await api.post("cyclogram", json=body)).json()
+    with mp.workdps(40):
+        allowed = answer["accuracy"]["relative_error"] * 360 * turns
+        period = 360 * mpf(ratio) / (1 + mpf(ratio))
+        for pair in answer["pairs"]:
+            angle = mpf(angles[pair["satellite"] - 1]) + mpf(start)
+            phase = angle / 360 + mpf(pair["pin"] - 1) / body["pins"]
+            for start_deg, stop_deg in pair["driving_deg"]:
+                for shown, switch in ((start_deg, mpf(1) / 2), (stop_deg, mpf(0))):
+                    if 0 < shown < 360 * turns * (1 - 1e-15):
+                        wave = shown / period + phase - switch
+                        assert abs(wave - mp.nint(wave)) * period <= allowed

@@ -11,8 +11,10 @@ import numpy as np
 from core.contact_force import FloatArray, IntArray
 from core.designs.compiled.compiling import part
 from core.designs.room import TURN, ComplexArray, Records
-from core.mechanism import SAME_PHASE
+from core.mechanism import SAME_PHASE, far_angle_error
 from core.results import ROUNDING
+
+_far_angle_error = part(far_angle_error)
 
 SLIVER = 4 * ROUNDING
 """Width below which a segment is nothing but rounding, in turns."""
@@ -54,8 +56,9 @@ def locate_phases(
     one; compare `core.mechanism.WavePhases`.
     """
     cells = pins if pins % 2 == 0 else 2 * pins
-    shift = _turns(initial)
+    shift, furthest = _turns(initial), 0.0
     for k in range(len(cranks)):
+        furthest = max(furthest, abs(cranks[k]))
         scaled = (_turns(cranks[k]) + shift) * cells
         cell = np.floor(scaled)
         phases[k].satellite, phases[k].sector = cell, scaled - cell
@@ -84,7 +87,7 @@ def locate_phases(
         cell, residue = phases[k].satellite, phases[k].sector
         phases[k].satellite = (remainder(cell, cells) + residue) / cells
         phases[k].sector = (remainder(cell, cells // pins) + residue) / cells
-    return 2 * ROUNDING + snapped / cells
+    return 2 * ROUNDING + snapped / cells + _far_angle_error(abs(initial) + furthest)
 
 
 @part
