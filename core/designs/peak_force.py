@@ -1,6 +1,8 @@
 """Exact peak of the contact force for arrays of mechanisms with the same numbers of pairs."""
 
 import math
+import os
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +11,9 @@ from core.contact_force import MAX_FORCE_EXPONENT, FloatArray, IntArray
 from core.designs.checks import check_finite, check_positive, first_where
 from core.designs.room import Peaks, room
 from core.errors import InvalidInput
+
+FEWEST_A_THREAD = 20_000
+"""Designs that are worth one more thread."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +79,7 @@ def peak_forces(
     -----
     Source of the force: Yanchevskiy and Niekhoroshykh 2021, eq. (10), as in `core.peak_force`.
     How it is found, and compiled at the first call, is told in `core.designs.compiled.peak_search`.
+    Large arrays are shared out to the processors.
 
     Examples
     --------
@@ -95,29 +101,40 @@ def peak_forces(
         raise InvalidInput(f"force_exponent[{index}]", force_exponent[index], limit)
     from core.designs.compiled.peak_search import find_peaks  # with a compiler, which takes a while
 
-    count, satellites = crank_angles.shape
-    peaks = Peaks(
-        ratio=np.empty(count),
-        place=np.empty(count),
-        satellite=np.empty(count, np.int64),
-        pin=np.empty(count, np.int64),
-        error=np.empty(count),
-        evaluations=np.empty(count, np.int64),
-    )
-    powers = bool((force_exponent != 1).any())
-    find_peaks(
-        pins,
-        np.ascontiguousarray(crank_angles, float),
-        np.ascontiguousarray(force_exponent, float),
-        np.ascontiguousarray(initial_crank_angle, float),
-        room(pins=pins, satellites=satellites, powers=powers),
-        peaks,
-    )
+    cranks = np.ascontiguousarray(crank_angles, float)
+    exponents = np.ascontiguousarray(force_exponent, float)
+    initials = np.ascontiguousarray(initial_crank_angle, float)
+    designs, satellites = cranks.shape
+    powers = bool((exponents != 1).any())
+    threads = min(os.cpu_count() or 1, designs // FEWEST_A_THREAD + 1)
+    share = designs // threads + 1
+
+    def search(first: int) -> Peaks:
+        part = slice(first, first + share)
+        count = len(exponents[part])
+        peaks = Peaks(
+            ratio=np.empty(count),
+            place=np.empty(count),
+            satellite=np.empty(count, np.int64),
+            pin=np.empty(count, np.int64),
+            error=np.empty(count),
+            evaluations=np.empty(count, np.int64),
+        )
+        own_room = room(pins=pins, satellites=satellites, powers=powers)
+        find_peaks(pins, cranks[part], exponents[part], initials[part], own_room, peaks)
+        return peaks
+
+    if threads == 1:
+        parts = [search(0)]
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            parts = list(pool.map(search, range(0, designs + 1, share)))
+    found = Peaks(*map(np.concatenate, zip(*parts, strict=True)))
     return PeakForces(
-        peak_force_ratio=peaks.ratio,
-        peak_crank_angle=peaks.place * 2 * math.pi * ratio / (1 + ratio),
-        peak_satellite=peaks.satellite,
-        peak_pin=peaks.pin,
-        relative_error=peaks.error,
-        evaluations=peaks.evaluations,
+        peak_force_ratio=found.ratio,
+        peak_crank_angle=found.place * 2 * math.pi * ratio / (1 + ratio),
+        peak_satellite=found.satellite,
+        peak_pin=found.pin,
+        relative_error=found.error,
+        evaluations=found.evaluations,
     )

@@ -122,6 +122,17 @@ def test_arrays_of_two_pins_and_wrong_exponents_are_refused() -> None:
             peak_forces(pins=3, force_exponent=np.ones(1), **wrong)
 
 
+@pytest.mark.parametrize("fewest", [1, 7, 30, 60])
+def test_shared_out_designs_are_the_same(monkeypatch: pytest.MonkeyPatch, fewest: int) -> None:
+    designs = mechanisms(3)
+    alone = peak_forces(**designs)
+    monkeypatch.setattr("core.designs.peak_force.FEWEST_A_THREAD", fewest)
+    monkeypatch.setattr("os.cpu_count", lambda: 5)
+    shared = peak_forces(**designs)
+    for field in fields(alone):
+        assert (getattr(shared, field.name) == getattr(alone, field.name)).all()
+
+
 def test_no_designs_are_no_answers() -> None:
     none = np.zeros(0)
     found = peak_forces(
