@@ -169,12 +169,13 @@ class WavePhases:
         # grid makes coincident starts and ends coincide exactly.
         cells = pins if pins % 2 == 0 else 2 * pins
         start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
-        furthest = abs(mechanism.initial_crank_angle) + max(map(abs, mechanism.crank_angles))
+        furthest = 0.0
         places = []
         for j, angle in enumerate(mechanism.crank_angles):
             scaled = (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
             whole = math.floor(scaled)
             places.append((scaled - whole, j, whole))
+            furthest = max(furthest, abs(angle))
         places.sort()
         tolerance = SAME_PHASE * cells
         per_sector = cells // pins
@@ -203,7 +204,9 @@ class WavePhases:
             sector_phases=sector_phases,
             multiplicity=multiplicity,
             symmetry=symmetry,
-            error=snapped / cells + off + far_angle_error(furthest),
+            error=snapped / cells
+            + off
+            + far_angle_error(furthest + abs(mechanism.initial_crank_angle)),
         )
 
     def switching(self) -> list[tuple[float, int]]:

@@ -12,7 +12,8 @@ from core.mechanism import AssemblyAngle, assembly_angles
 Range = tuple[float, float]
 
 ANGLE_DIGITS = 16
-"""Digits of the end of the range to which angles are rounded: a part of their own error."""
+"""Digits of a period, or of a range shorter than that, to which angles are rounded: a part of their
+own error."""
 
 _, ANGLE_UNIT = UNITS["deg"]
 
@@ -41,12 +42,12 @@ class CyclogramRequest(MechanismFields, RangeFields):
 
     @property
     def driving_phases(self) -> float:
-        """About how often pairs begin to drive in the range."""
-        return self.pairs * self.revolutions * (1 + 1 / self.ratio_given())
+        """About how often pairs drive in the range, at least once each."""
+        return self.pairs * max(1.0, self.revolutions * (1 + 1 / self.ratio_given()))
 
     def cost_ms(self, *, drawn: bool) -> float:
         """About what the cyclogram costs, most of it for its driving phases."""
-        return (0.02 if drawn else 0.007) * max(self.pairs, self.driving_phases)
+        return (0.02 if drawn else 0.007) * self.driving_phases
 
     def refuse_undrawable(self) -> None:
         """Refuse a figure of more pairs or driving phases than anyone can tell apart.
@@ -125,8 +126,8 @@ class CyclogramResponse(ResponseModel):
     ) -> Values:
         """Values of the core's result."""
         found, assembly = result
-        end = found.driving_count[-1].end / ANGLE_UNIT
-        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(end)))
+        finest = min(found.driving_count[-1].end, found.period) / ANGLE_UNIT
+        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(finest)))
 
         def degrees(angle: float) -> float:
             return int(angle / ANGLE_UNIT * place + 0.5) / place
@@ -134,6 +135,9 @@ class CyclogramResponse(ResponseModel):
         return super().values(
             found,
             run_time_us,
+            working_phase_deg=degrees(found.working_phase),
+            period_deg=degrees(found.period),
+            pattern_period_deg=degrees(found.pattern_period),
             pairs=[
                 {
                     "satellite": satellite,
