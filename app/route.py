@@ -119,9 +119,9 @@ def body_of(request: Request, model: TypeAdapter[RequestModel], content: bytes) 
     RequestValidationError
         If it is no JSON, or not what the model says.
     """
-    given = dict(request.scope["headers"]).get(b"content-type", b"")
-    media_type = given.partition(b";")[0].strip().lower()
-    if media_type != b"application/json" and not media_type.endswith(b"+json"):
+    content_type = dict(request.scope["headers"]).get(b"content-type", b"")
+    media_type = content_type.partition(b";")[0].strip().lower()
+    if media_type != JSON.encode() and not media_type.endswith(b"+json"):
         raise invalid_input([ErrorItem("", f"must be an object, sent as {JSON}")])
     try:
         return model.validate_json(content)

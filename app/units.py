@@ -90,8 +90,7 @@ def rounded(values: np.ndarray, digits: int) -> np.ndarray:
     largest = float(np.abs(values).max())
     if not 0 < largest < math.inf:
         return values
-    place = 10.0 ** (digits - 1 - math.floor(math.log10(largest)))
-    return np.rint(values * place) / place
+    return np.round(values, digits - 1 - math.floor(math.log10(largest)))
 
 
 QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N"}

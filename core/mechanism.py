@@ -271,7 +271,8 @@ def _symmetry(
 
 
 def far_angle_error(angle: float) -> float:
-    """Error of the phase of an angle beyond a turn: that much coarser is its last digit.
+    """Error of the phase of an angle beyond a turn: that much coarser is its last digit, once where
+    it was made of degrees and once here.
 
     Parameters
     ----------
