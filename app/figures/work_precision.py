@@ -59,8 +59,9 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
         "layout": layout(
             theme,
             height=600,
-            xaxis=axis(theme, "Run time, µs", type="log"),
-            yaxis=axis(theme, "Relative error", type="log"),
+            # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
+            xaxis=axis(theme, "Run time, µs", type="log", exponentformat="e", tickformat=""),
+            yaxis=axis(theme, "Relative error", type="log", exponentformat="e", tickformat=""),
             legend={"orientation": "h", "y": -0.18, "yanchor": "top", "x": 0, "font": {"size": 11}},
         ),
     }
