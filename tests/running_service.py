@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 import httpx
@@ -57,6 +57,15 @@ class Service:
         self.process.wait(30)
         self.reader.join()
         self.process.stdout.close()
+
+
+def eventually(holds: Callable[[], bool]) -> bool:
+    """Whether it holds within 10 s."""
+    for _ in range(100):
+        if holds():
+            return True
+        time.sleep(0.1)
+    return False
 
 
 @contextmanager

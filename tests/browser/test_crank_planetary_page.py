@@ -1,7 +1,6 @@
 """The crank-planetary calculator as its user sees it: effects, not presence."""
 
 import re
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
@@ -250,11 +249,9 @@ def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: 
     fresh = page.evaluate(shade)
     box(page, "mechanism.pins").fill("9")
     settled(page, "computing")
-    deadline = time.monotonic() + 5
-    while not release and time.monotonic() < deadline:
+    page.wait_for_function(f"(fresh) => ({shade})() !== fresh", arg=fresh)
+    while not release:
         page.wait_for_timeout(20)
-    page.wait_for_timeout(150)
-    assert page.evaluate(shade) != fresh
     change(page, lambda: box(page, "mechanism.pins").fill("4"))
     with suppress(Error):  # The browser may have given the request up already.
         release[0].continue_()
@@ -271,25 +268,16 @@ def test_typing_quickly_asks_once(page: Page, service: str, watch: Any) -> None:
     assert watch.paths().count("/api/v1/crank-planetary") == before + 1
 
 
-def test_enter_does_not_wait(page: Page, service: str) -> None:
+def test_enter_does_not_wait(page: Page, service: str, watch: Any) -> None:
     show(page, service, ZYL)
+    before = watch.paths().count("/api/v1/crank-planetary")
+    page.evaluate("() => { globalThis.setTimeout = () => 0; }")  # no pause comes to its end
+    page.evaluate(TYPE, ["mechanism.pins", ["8"]])
+    page.wait_for_timeout(300)
+    assert watch.paths().count("/api/v1/crank-planetary") == before
     with page.expect_request("**/api/v1/crank-planetary") as asked:
-        page.evaluate(
-            """() => {
-              const box = document.querySelector('[data-path="mechanism.pins"] .box');
-              box.value = "8";
-              box.dispatchEvent(new Event("input", { bubbles: true }));
-              globalThis.typedAt = performance.now();
-              box.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
-            }"""
-        )
+        box(page, "mechanism.pins").press("Enter")
     assert asked.value.post_data_json["mechanism"]["pins"] == 8
-    settled(page)
-    started = page.evaluate(
-        """() => performance.getEntriesByType("resource")
-          .filter((entry) => entry.name.endsWith("/crank-planetary")).at(-1).startTime - typedAt"""
-    )
-    assert started < 60
 
 
 def test_only_what_is_shown_is_asked(page: Page, service: str) -> None:

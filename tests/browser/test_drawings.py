@@ -136,25 +136,6 @@ def test_the_slider_runs_as_far_as_the_cyclogram(page: Page, service: str) -> No
     assert page.evaluate(CURSOR, "force") is None, "its axis ends at one turn"
 
 
-def test_frames_are_cheap(page: Page, service: str) -> None:
-    open_mechanism(page, service, **{"mechanism.satellites": "4"})
-    mean = slider(page).evaluate("""(slider) => new Promise((done) => {
-      const spent = [];
-      function frame() {
-        const before = performance.now();
-        slider.value = (spent.length * 7) % 360;
-        slider.dispatchEvent(new Event("input", { bubbles: true }));
-        document.querySelector(".drawing svg").getBoundingClientRect(); // layout is part of it
-        spent.push(performance.now() - before);
-        if (spent.length < 120) requestAnimationFrame(frame);
-        else done(spent.reduce((a, b) => a + b) / spent.length);
-      }
-      requestAnimationFrame(frame);
-    })""")
-    print(f"mean of a frame: {mean:.2f} ms")
-    assert mean < 16.7
-
-
 def test_a_bar_selects_its_pair_everywhere(page: Page, service: str) -> None:
     open_mechanism(page, service)
     bar = page.locator('[data-figure="cyclogram"] .barlayer path').first

@@ -4,10 +4,11 @@ import os
 import random
 import signal
 import threading
-import time
 
 import httpx
 import pytest
+
+from tests.running_service import eventually
 
 LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
 angles = random.Random(6)
@@ -86,12 +87,7 @@ def test_no_process_outlives_the_service(serve):
         assert len(started) >= 5
         service.process.send_signal(signal.SIGTERM)
         service.process.wait(30)
-        for _ in range(50):
-            left = [pid for pid in started if lives(pid)]
-            if not left:
-                break
-            time.sleep(0.1)
-        assert not left
+        assert eventually(lambda: not any(map(lives, started)))
 
 
 def lives(pid):
