@@ -14,9 +14,9 @@ from fastapi.staticfiles import StaticFiles
 
 from app import VERSION, observability, problems
 from app.examples import REQUESTS
-from app.middleware import BodyLimit, CompressGet, Requests
+from app.middleware import CompressGet, Requests
 from app.processes import prepared
-from app.route import API, RESPONSES
+from app.route import API
 from app.routers import (
     batch,
     contact_force,
@@ -40,6 +40,7 @@ CALCULATIONS = (
     crank_planetary,
     precession,
     work_precision,
+    batch,
 )
 """In the order in which a request is matched: the shortest first."""
 
@@ -117,16 +118,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for calculation in CALCULATIONS:
         # As if they were its own: FastAPI matches those of included routers twice, and slowly.
         app.router.routes += calculation.router.routes
-    for other in (batch, service):
-        app.include_router(other.router, prefix=API, responses=RESPONSES)
+    app.include_router(service.router, prefix=API)
     problems.install(app)
     complete_description(app)
     app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
-    app.add_middleware(
-        BodyLimit,
-        limit=settings.max_body_bytes,
-        larger={f"{API}/batch": settings.max_batch_bytes},
-    )
     if settings.cors_origins:
         app.add_middleware(
             CORSMiddleware,

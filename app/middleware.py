@@ -1,5 +1,6 @@
-"""What happens around every request: its record, the limit of its body, headers of its answer."""
+"""What happens around every request: its record, and the headers of its answer."""
 
+import itertools
 import os
 import re
 import time
@@ -9,7 +10,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import observability
-from app.problems import TooLarge, failure, http_problem
+from app.problems import failure
 from app.record import Record, at_hand
 from app.settings import Settings
 
@@ -27,10 +28,16 @@ HEADERS = [
     (b"cross-origin-resource-policy", b"same-origin"),
     (b"cache-control", b"no-cache"),
 ]
-"""Headers of every answer that does not set them itself."""
+"""Headers of every answer."""
 
 REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
 """Request ids of clients that are taken over: nothing that could break a log line or a header."""
+
+PROCESS_ID = os.urandom(8).hex()
+"""How the request ids of this process begin."""
+
+REQUEST_NUMBER = itertools.count(1)
+"""How they go on."""
 
 
 class Requests:
@@ -79,59 +86,21 @@ class CompressGet(GZipMiddleware):
         await (super().__call__ if reads else self.app)(scope, receive, send)
 
 
-class BodyLimit:
-    """Refuses a body above the limit of its path, whether it says its length or not; notes when it
-    is whole.
-    """
-
-    def __init__(self, app: ASGIApp, limit: int, larger: dict[str, int]) -> None:
-        self.app = app
-        self.limit = limit
-        self.larger = larger
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer one request."""
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
-        limit = self.larger.get(scope["path"], self.limit)
-        announced = dict(scope["headers"]).get(b"content-length", b"0")
-        if announced.isdigit() and int(announced) > limit:
-            await http_problem(TooLarge(limit)).response()(scope, receive, send)
-            return
-        received = 0
-        record = at_hand.get()
-
-        async def limited() -> Message:
-            nonlocal received
-            message = await receive()
-            received += len(message.get("body", b""))
-            if received > limit:
-                raise TooLarge(limit)
-            if record and not message.get("more_body") and not record.received:
-                record.received = time.perf_counter()
-            return message
-
-        await self.app(scope, limited, send)
-
-
 def _request_id(scope: Scope) -> str:
     for name, value in scope["headers"]:
         if name == b"x-request-id" and REQUEST_ID.fullmatch(value):
             return str(value, "ascii")
-    return os.urandom(12).hex()
+    return f"{PROCESS_ID}{next(REQUEST_NUMBER):08x}"
 
 
 def _completed(
     given: list[tuple[bytes, bytes]], scope: Scope, record: Record, now: float
 ) -> list[tuple[bytes, bytes]]:
     """Headers of an answer with those of every answer."""
-    names = [name for name, _ in given]
-    headers = [*given, *[each for each in HEADERS if each[0] not in names]]
-    headers.append((b"x-request-id", record.request_id.encode()))
+    headers = [*given, *HEADERS, (b"x-request-id", record.request_id.encode())]
     if scope["path"].startswith("/api/"):
-        parts = sum(record.calculations_us) / 1e3
-        calculation = f"calculation;dur={parts:.3f}, " if record.calculations_us else ""
-        total = (now - record.started) * 1e3
-        headers.append((b"server-timing", f"{calculation}total;dur={total:.3f}".encode()))
+        timing = b"total;dur=%.3f" % ((now - record.started) * 1e3)
+        if record.calculations_us:
+            timing = b"calculation;dur=%.3f, %b" % (sum(record.calculations_us) / 1e3, timing)
+        headers.append((b"server-timing", timing))
     return headers

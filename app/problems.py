@@ -98,18 +98,14 @@ def invalid_input(errors: list[ErrorItem]) -> Problem:
     return Problem(422, "invalid-input", "The input is wrong", detail, errors)
 
 
-class TooLarge(HTTPException):
-    """A body above the limit; an HTTP exception, as FastAPI lets no other out of reading a body."""
-
-    def __init__(self, limit: int) -> None:
-        super().__init__(413, f"The body exceeds {limit} bytes")
+def too_large(limit: int) -> Problem:
+    """Problem of a body above the limit."""
+    return Problem(413, "too-large", "Too large", f"The body exceeds {limit} bytes")
 
 
 def http_problem(error: HTTPException) -> Problem:
-    """Problem of an HTTP error: no such path, wrong method, body too large or unreadable."""
-    if error.status_code == 400:  # FastAPI's word for bytes that are no text, or nest too deeply
-        return invalid_input([ErrorItem("", "is not valid JSON: it cannot be read")])
-    title = "Too large" if error.status_code == 413 else HTTPStatus(error.status_code).phrase
+    """Problem of an HTTP error: no such path, wrong method."""
+    title = HTTPStatus(error.status_code).phrase
     return Problem(
         error.status_code,
         title.lower().replace(" ", "-"),

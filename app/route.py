@@ -6,7 +6,9 @@ most of the calculations; here pydantic reads the bytes, and the answer is writt
 """
 
 import gzip
+import time
 from collections.abc import Awaitable, Callable, Iterator
+from inspect import iscoroutinefunction
 from typing import Any, get_args, get_type_hints
 
 import numpy as np
@@ -15,7 +17,7 @@ from fastapi import APIRouter
 from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from pydantic import TypeAdapter, ValidationError
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
 from starlette.routing import Match
 from starlette.types import Receive, Scope, Send
@@ -23,7 +25,7 @@ from starlette.types import Receive, Scope, Send
 from app import processes
 from app.calculation import refusals_named
 from app.figures.theme import Theme
-from app.problems import MEDIA_TYPE, ErrorItem, invalid_input
+from app.problems import MEDIA_TYPE, ErrorItem, invalid_input, too_large
 from app.record import Record, at_hand
 from app.schemas.base import RequestModel
 from core.errors import ImpossibleMechanism
@@ -65,7 +67,8 @@ def calculations(prefix: str, *, tag: str) -> APIRouter:
 class Calculation(APIRoute):
     """Route whose endpoint is a plain function of the request `body`, or of it and a `theme`.
 
-    It runs at once or, where that would hold up others, in a process.
+    It runs at once or, where that would hold up others, in a process. An endpoint that is a
+    coroutine function of a batch, as `body`, and the `request` answers for itself.
     """
 
     def __init__(self, *args: Any, **settings: Any) -> None:
@@ -80,24 +83,33 @@ class Calculation(APIRoute):
 
     def matches(self, scope: Scope) -> tuple[Match, Scope]:
         """Whether a request is for this route; comparing is enough, its path has no parameters."""
-        return super().matches(scope) if scope["path"].endswith(self.path) else (Match.NONE, {})
+        if scope["path"].removeprefix(scope.get("root_path", "")) != self.path:
+            return Match.NONE, {}
+        match = Match.FULL if scope["method"] in (self.methods or ()) else Match.PARTIAL
+        return match, {"endpoint": self.endpoint, "path_params": {}, "route": self}
 
 
 def _answering(endpoint: Callable[..., Any]) -> Callable[[Request], Awaitable[Response]]:
     """What answers a request to an endpoint."""
     hints = get_type_hints(endpoint, include_extras=True)
-    drawn = "theme" in hints
+    drawn, batched = "theme" in hints, iscoroutinefunction(endpoint)
     model: TypeAdapter[RequestModel] = TypeAdapter(hints["body"])
 
     async def answer(request: Request) -> Response:
-        body = body_of(request, model, await request.body())
+        record = at_hand.get() or Record()
+        settings = record.settings
+        limit = settings.max_batch_bytes if batched else settings.max_body_bytes
+        body = await _body_of(request, model, limit)
+        record.received = time.perf_counter()
+        with refusals_named(body):
+            body.refuse_beyond(settings)
+            cost_ms = body.cost_ms(drawn=drawn)
+        if batched:
+            answered: Response = await endpoint(body=body, request=request)
+            return answered
         given: dict[str, Any] = {"body": body}
         if drawn:
             given["theme"] = _theme(request)
-        record = at_hand.get() or Record()
-        with refusals_named(body):
-            body.refuse_beyond(record.settings)
-            cost_ms = body.cost_ms(drawn=drawn)
         if cost_ms <= processes.INLINE_MS:
             content = _content(endpoint, given)
         else:
@@ -111,22 +123,43 @@ def _content(endpoint: Callable[..., Any], given: dict[str, Any]) -> bytes:
     return encoded(endpoint(**given))
 
 
-def body_of(request: Request, model: TypeAdapter[RequestModel], content: bytes) -> RequestModel:
-    """The body of a request.
+async def _body_of(request: Request, model: TypeAdapter[RequestModel], limit: int) -> RequestModel:
+    """The body of a request, of at most so many bytes.
 
     Raises
     ------
+    Problem
+        If it is larger, or not sent as JSON.
     RequestValidationError
         If it is no JSON, or not what the model says.
     """
-    content_type = dict(request.scope["headers"]).get(b"content-type", b"")
-    media_type = content_type.partition(b";")[0].strip().lower()
+    headers = dict(request.scope["headers"])
+    announced = headers.get(b"content-length", b"")
+    if announced.isdigit() and int(announced) > limit:
+        raise too_large(limit)
+    content = await _received(request.receive, limit)
+    media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
     if media_type != JSON.encode() and not media_type.endswith(b"+json"):
         raise invalid_input([ErrorItem("", f"must be an object, sent as {JSON}")])
     try:
         return model.validate_json(content)
     except ValidationError as error:
         raise RequestValidationError(error.errors(include_url=False)) from error
+
+
+async def _received(receive: Receive, limit: int) -> bytes:
+    """All that a client sends; what Starlette reads has no limit, and takes three times as long."""
+    parts, size = [], 0
+    while True:
+        message = await receive()
+        if message["type"] == "http.disconnect":
+            raise ClientDisconnect
+        parts.append(message.get("body", b""))
+        size += len(parts[-1])
+        if size > limit:
+            raise too_large(limit)
+        if not message.get("more_body"):
+            return b"".join(parts)
 
 
 def _theme(request: Request) -> str:

@@ -1,15 +1,11 @@
 """POST /batch: many requests of one calculation, as one answer or line by line as they are done."""
 
-from typing import Annotated
-
-from fastapi import APIRouter, Header
 from fastapi.responses import Response, StreamingResponse
 from starlette.requests import Request
 
 from app.batches import Batched, answers
-from app.calculation import refusals_named
 from app.record import Record, at_hand
-from app.route import json_response
+from app.route import calculations, json_response
 from app.routers import contact_force, crank_planetary, cyclogram, hertz, precession
 from app.routers import roller_strength as rollers
 from app.schemas.batch import BatchRequest, BatchResponse
@@ -22,7 +18,7 @@ from app.schemas.precession.meshing_load import MeshingLoadRequest
 from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
 from app.schemas.roller_strength import RollerStrengthRequest, solve_rollers
 
-router = APIRouter(prefix="/batch", tags=["batch"])
+router = calculations("/batch", tag="batch")
 
 LINES = "application/x-ndjson"
 
@@ -45,18 +41,14 @@ CALCULATIONS = {
     response_model=BatchResponse,
     responses={200: {"content": {LINES: {"schema": {"type": "string"}}}}},
 )
-async def batch(
-    request: Request, body: BatchRequest, accept: Annotated[str, Header()] = ""
-) -> Response:
+async def batch(body: BatchRequest, request: Request) -> Response:
     """Answers in the order of the requests, each with its result or its problem.
 
     With `Accept: application/x-ndjson` a line for each request, sent as it is done.
     """
     record = at_hand.get() or Record()
-    with refusals_named(body):
-        body.refuse_beyond(record.settings)
     lines = answers(CALCULATIONS[body.calculation], body.requests, record)
-    if LINES in accept:
+    if LINES in request.headers.get("accept", ""):
         return StreamingResponse((line + b"\n" async for line in lines), media_type=LINES)
     results = b",".join([line async for line in lines])
     return json_response(request, b'{"results":[' + results + b"]}")
