@@ -5,6 +5,7 @@ after the other on one connection, in rounds; what counts is the processor time 
 """
 
 import json
+import os
 import socket
 import statistics
 import subprocess
@@ -21,6 +22,7 @@ from pydantic import TypeAdapter
 from starlette.types import Receive, Scope, Send
 
 from app.examples import REQUESTS
+from app.figures.contact_force import contact_force_figure
 from app.route import encoded
 from app.routers.contact_force import contact_force_chart
 from app.schemas.base import RequestModel, ResponseModel
@@ -30,6 +32,9 @@ from app.schemas.hertz import HertzRequest, HertzResponse
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 
 ROUNDS, REPEATS = 100, 25
+
+CLIENT, SERVERS = min(os.sched_getaffinity(0)), max(os.sched_getaffinity(0))
+"""Processors: one is never as fast as another, and each request wakes its server up."""
 
 MODELS: dict[str, tuple[type[RequestModel], type[ResponseModel]]] = {
     "hertz": (HertzRequest, HertzResponse),
@@ -96,6 +101,7 @@ class Server:
         self.process = subprocess.Popen(
             [sys.executable, "-m", *command, "--port", str(self.port)], stdout=subprocess.DEVNULL
         )
+        os.sched_setaffinity(self.process.pid, {SERVERS})
         while True:
             try:
                 self.connection = socket.create_connection(("127.0.0.1", self.port))
@@ -150,9 +156,7 @@ def post(path: str, body: object) -> bytes:
     return f"{head}content-length: {len(content)}\r\n\r\n".encode() + content
 
 
-def compared(
-    first: Server, one: bytes, second: Server, other: bytes
-) -> tuple[float, float, float]:
+def compared(first: Server, one: bytes, second: Server, other: bytes) -> tuple[float, float, float]:
     """Processor times of two requests to two servers, microseconds, and second over first: medians
     of rounds, as the machine's speed changes between them.
     """
@@ -171,6 +175,7 @@ def start_up() -> float:
 
 def main() -> None:
     """Print the table, the times of the parts, and how long the service takes to start."""
+    os.sched_setaffinity(0, {CLIENT})
     warm = [start_up() for _ in range(4)][1:]
     with (
         running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
@@ -196,23 +201,37 @@ def main() -> None:
     print("\nparts of a request, microseconds")
     print(f"{'request':24s} {'read':>6s} {'solve':>6s} {'values':>6s} {'encode':>6s}")
     for name, (given, answered) in MODELS.items():
-        print(f"{name:24s} " + " ".join(f"{us:6.1f}" for us in parts(name, given, answered)))
+        print_parts(name, given, BODIES[name], lambda body: body.solve(), answered.values)
+    given, answered = MODELS["contact-force"]
+    print_parts("curves", given, CURVES, lambda body: body.solve(), answered.values)
+    print_parts(
+        "chart",
+        given,
+        FORCE,
+        lambda body: body.solve_for_drawing(body.mechanism()),
+        lambda found: contact_force_figure(answered.values(found[0]), found[1], "light"),
+    )
 
 
-def parts(
-    name: str, given: type[RequestModel], answered: type[ResponseModel]
-) -> tuple[float, float, float, float]:
-    """Times of what the service does for a request beside HTTP, microseconds."""
-    model, content = TypeAdapter[Any](given), json.dumps(BODIES[name])
-    solve = model.validate_json(content).solve
-    result = solve()
-    values = answered.values(result)
-    return (
+def print_parts(
+    name: str,
+    given: type[RequestModel],
+    request: dict[str, Any],
+    solve: Callable[[Any], Any],
+    answer: Callable[[Any], Any],
+) -> None:
+    """Print the times of what the service does for a request beside HTTP."""
+    model, content = TypeAdapter[Any](given), json.dumps(request)
+    body = model.validate_json(content)
+    found = solve(body)
+    values = answer(found)
+    times = (
         timed(lambda: model.validate_json(content)),
-        timed(solve),
-        timed(lambda: answered.values(result)),
+        timed(lambda: solve(body)),
+        timed(lambda: answer(found)),
         timed(lambda: encoded(values)),
     )
+    print(f"{name:24s} " + " ".join(f"{us:6.1f}" for us in times))
 
 
 def timed(call: Callable[[], object]) -> float:
