@@ -14,15 +14,32 @@ function refusalAt(field, pointer, words) {
   };
 }
 
+/** What is wrong with something that has a title, as part of a sentence. */
+export function ofTitle(title, words) {
+  return message("verdict.field", { title, words: words.charAt(0).toLowerCase() + words.slice(1) });
+}
+
+/** What the service says of a field that is not on the screen. */
+function ofPointer(pointer, words, titles) {
+  const name = pointer.split("/").filter((part) => !/^\d*$/.test(part)).pop();
+  return name === undefined ? words : ofTitle(titles.get(name) ?? name, words);
+}
+
 /** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
 export function placed(refusal, shown, titles) {
   const refused = {};
   const elsewhere = [];
   for (const { pointer = "", detail } of refusal?.errors ?? []) {
     const field = fieldAtPointer(shown, pointer);
-    if (field) refused[field.path] ??= refusalAt(field, pointer, inWords(detail, titles));
-    else elsewhere.push(inWords(`${pointer.split("/").pop()} ${detail}`.trim(), titles));
+    const words = inWords(detail, titles);
+    if (field) refused[field.path] ??= refusalAt(field, pointer, words);
+    else elsewhere.push(ofPointer(pointer, words, titles));
   }
   if (refusal && refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
   return { refused, elsewhere };
+}
+
+/** What went wrong, in words: a refusal wherever its fields are, or any other error. */
+export function inSentence(problem, titles) {
+  return problem.errors ? placed(problem, [], titles).elsewhere.join("; ") : problem.message;
 }

@@ -9,7 +9,7 @@ import { askSections, postingOnce } from "./asking.js";
 import { createHistory } from "./history.js";
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { placed } from "./refusals.js";
+import { ofTitle, placed } from "./refusals.js";
 import { readState, shownFields, stateFromInput, stepped, textIn } from "./schema_form.js";
 import { query } from "./url_state.js";
 import { createCompare } from "./views/compare.js";
@@ -85,6 +85,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const figures = calculator.figures.map((figure) => createFigure({
     figure,
     client,
+    words,
     on: {
       tabled(id, shown) {
         if (shown) tables.add(id);
@@ -205,10 +206,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   function fieldWords(wrong) {
     return Object.entries(wrong)
-      .map(([path, said]) => message("verdict.field", {
-        title: model.fields.get(path).title,
-        words: said.charAt(0).toLowerCase() + said.slice(1),
-      }))
+      .map(([path, said]) => ofTitle(model.fields.get(path).title, said))
       .join("; ");
   }
 

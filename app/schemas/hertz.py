@@ -177,7 +177,7 @@ class HertzRequest(ContactFields):
         symbol="F",
         group="contact",
         ge=0,
-        le=1e15,
+        le=1e30,
         step=100,
         help="Force between pin and hole.",
     )

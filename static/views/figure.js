@@ -4,6 +4,7 @@ import { curveTables, inLanguage, inShownUnits, overlaid } from "../chart.js";
 import { csvOfTables } from "../csv.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { inSentence } from "../refusals.js";
 import { download } from "./download.js";
 import { loadPlotly } from "./plotly.js";
 import { tableMarkup } from "./table.js";
@@ -21,11 +22,12 @@ const CONFIG = {
 };
 
 /**
- * `on.tabled(id, shown)` reports whether the table is wanted, `on.tables(figure)` gives the tables
- * of a figure that has its own, to be saved; `on.charted(id, chart)` tells of what was drawn, and
- * `on.picked(pair)` of a click on a pair in a figure that follows the drawing.
+ * `words` are the titles of API names. `on.tabled(id, shown)` reports whether the table is wanted,
+ * `on.tables(figure)` gives the tables of a figure that has its own, to be saved;
+ * `on.charted(id, chart)` tells of what was drawn, and `on.picked(pair)` of a click on a pair in a
+ * figure that follows the drawing.
  */
-export function createFigure({ figure, client, on }) {
+export function createFigure({ figure, client, words, on }) {
   const title = message(`figure.${figure.id}`);
   const saver = (kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
     aria-label="${message("figure.save", { title, kind })}">${kind}</button>`;
@@ -117,7 +119,9 @@ export function createFigure({ figure, client, on }) {
     ]);
     if (superseded || !root.isConnected) return;
     if (problem || !Plotly) {
-      complain(message("figure.failed", { detail: problem?.message ?? message("figure.noPlotly") }));
+      complain(message("figure.failed", {
+        detail: problem ? inSentence(problem, words) : message("figure.noPlotly"),
+      }));
       return;
     }
     complain("");
@@ -201,7 +205,7 @@ export function createFigure({ figure, client, on }) {
         download(`${figure.id}.${kind}`, await picture(kind));
       }
     } catch (problem) {
-      complain(message("figure.failed", { detail: problem.message }));
+      complain(message("figure.failed", { detail: inSentence(problem, words) }));
     }
   });
   if (measure) tools.hidden = true;

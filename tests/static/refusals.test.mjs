@@ -1,0 +1,45 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Problem } from "../../static/api.js";
+import { useLanguage } from "../../static/messages/index.js";
+import { inSentence, placed } from "../../static/refusals.js";
+
+const TITLES = new Map([["pins", "Number of pins"], ["crank_angles_deg", "Crank angles"]]);
+const refusalOf = (...errors) => new Problem({ status: 422, detail: "as a program reads it", errors });
+
+test("a refusal of a field on the screen goes to its box", () => {
+  const shown = [{ path: "mechanism.pins", kind: "integer" }];
+  const { refused, elsewhere } = placed(
+    refusalOf({ pointer: "/mechanism/pins", detail: "must be at least 1" }), shown, TITLES,
+  );
+  assert.deepEqual(refused, { "mechanism.pins": { words: "Must be at least 1" } });
+  assert.deepEqual(elsewhere, []);
+});
+
+test("a refusal of other fields is a sentence with their titles", () => {
+  const refusal = refusalOf(
+    { pointer: "/mechanism/pins", detail: "must be at most 80 for 3 satellites to be drawn (240 pairs)" },
+    { pointer: "/crank_angles_deg/3", detail: "must be a finite number" },
+    { pointer: "/unknown", detail: "is not a known field" },
+    { pointer: "", detail: "must be an object" },
+  );
+  assert.equal(inSentence(refusal, TITLES), [
+    "Number of pins: must be at most 80 for 3 satellites to be drawn (240 pairs)",
+    "Crank angles: must be a finite number",
+    "unknown: is not a known field",
+    "Must be an object",
+  ].join("; "));
+});
+
+test("its words are those of the language in use", async () => {
+  await useLanguage("uk");
+  const refusal = refusalOf({ pointer: "/pins", detail: "must be at most 80 for 3 satellites to be drawn (240 pairs)" });
+  assert.equal(inSentence(refusal, TITLES), "Number of pins: для рисунка має бути не більше ніж 80 за 3 сателітів (пар: 240)");
+  await useLanguage("en");
+});
+
+test("what is no refusal of a field says what it says", () => {
+  assert.equal(inSentence(new Error("Plotly failed"), TITLES), "Plotly failed");
+  assert.equal(inSentence(new Problem({ detail: "no answer" }), TITLES), "No answer");
+});
