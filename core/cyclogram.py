@@ -146,7 +146,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
             f"must stay below {MAX_DRIVING_PHASES} driving phases",
         )
     sector_counts = _sector_counts(phases)
-    numbers = [pairs for _, _, pairs in sector_counts]
+    numbers = [pairs for _, pairs in sector_counts]
     counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
     dead_centres, dead_zones = _dead(phases.dead_zones(), shown)
     return Cyclogram(
@@ -221,35 +221,37 @@ def _dead(
     return tuple(centres), tuple([(start, stop) for start, stop in cut if stop > start])
 
 
-def _sector_counts(phases: WavePhases) -> list[tuple[float, float, int]]:
-    """Number of driving pairs over one sector, from and to in turns, where it changes."""
+def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
+    """Number of driving pairs over one sector, from its first change on: up to where, in turns, and
+    how many.
+    """
     pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
     changes = [(position, growth) for position, growth in phases.switching() if growth]
     if not changes:
-        return [(0.0, 1 / pins, int(mean))]
+        return [(1 / pins, int(mean))]
     starts, growths = zip(*changes, strict=True)
     stops = (*starts[1:], starts[0] + 1 / pins)
     # The number before the first change is the one with which the mean is half of all pairs.
     first = round(mean + pins * sum(map(operator.mul, growths, starts)))
     numbers = itertools.accumulate(growths, initial=first)
-    return list(zip(starts, stops, itertools.islice(numbers, 1, None), strict=True))
+    return list(zip(stops, itertools.islice(numbers, 1, None), strict=True))
 
 
 def _counts(
-    sector_counts: Sequence[tuple[float, float, int]], sector: float, shown: _Range
+    sector_counts: Sequence[tuple[float, int]], sector: float, shown: _Range
 ) -> tuple[tuple[CountInterval, ...], float]:
     """Counts over the range, neighbours with the same count joined; and the width of the largest
     sliver dropped, in turns.
     """
     if len(sector_counts) == 1:
-        return (CountInterval(0.0, shown.end, sector_counts[0][2]),), 0.0
+        return (CountInterval(0.0, shown.end, sector_counts[0][1]),), 0.0
     waves, sliver = shown.waves, shown.sliver
     joined: list[CountInterval] = []
     begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # of the interval that grows
     for turn in range(-1, math.ceil(waves / sector) + 1):
-        for start, stop, pairs in sector_counts:
-            first, last = start + turn * sector, stop + turn * sector
-            width = (last if last < waves else waves) - (first if first > 0 else 0.0)
+        for stop, pairs in sector_counts:
+            last = stop + turn * sector
+            width = (last if last < waves else waves) - reached
             if width <= sliver:
                 dropped = max(dropped, width)
                 continue

@@ -103,6 +103,25 @@ def test_counts_cover_the_range_without_slivers(mechanism: Mechanism, turns: flo
         assert before.pairs != after.pairs
 
 
+@given(st.integers(1, 5), st.integers(2, 60), st.floats(0.1, 4.0), st.floats(0.3, 30.0))
+def test_many_phases_next_to_each_other_lose_no_more_than_is_stated(
+    pins: int, satellites: int, apart: float, ratio: float
+) -> None:
+    """However many slivers follow each other, each is within rounding."""
+    mechanism = Mechanism.evenly_spaced(
+        pins=pins,
+        satellites=satellites,
+        ratio=ratio,
+        crank_spacing=apart * 2e-12 * math.pi,
+        initial_crank_angle=1.0,
+    )
+    found = cyclogram(mechanism=mechanism)
+    driven = math.fsum(stop - start for pair in found.pairs for start, stop in pair.driving)
+    counted = math.fsum((each.end - each.start) * each.pairs for each in found.driving_count)
+    of_all = 2 * math.pi * pins * satellites
+    assert abs(driven - counted) <= found.accuracy.relative_error * of_all
+
+
 @given(mechanisms(), revolutions, st.floats(0.001, 0.999))
 def test_count_anywhere_is_the_number_of_positive_cosines(
     mechanism: Mechanism, turns: float, part: float
