@@ -16,7 +16,7 @@ from app import VERSION, observability, problems
 from app.examples import REQUESTS
 from app.middleware import CompressGet, Requests
 from app.processes import prepared
-from app.route import API
+from app.route import API, RESPONSES
 from app.routers import (
     batch,
     contact_force,
@@ -118,7 +118,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for calculation in CALCULATIONS:
         # As if they were its own: FastAPI matches those of included routers twice, and slowly.
         app.router.routes += calculation.router.routes
-    app.include_router(service.router, prefix=API)
+    app.include_router(service.router, prefix=API, responses={503: RESPONSES[503]})
     problems.install(app)
     complete_description(app)
     app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)

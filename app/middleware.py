@@ -1,7 +1,6 @@
 """What happens around every request: its record, and the headers of its answer."""
 
-import itertools
-import os
+import random
 import re
 import time
 
@@ -32,12 +31,6 @@ HEADERS = [
 
 REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
 """Request ids of clients that are taken over: nothing that could break a log line or a header."""
-
-PROCESS_ID = os.urandom(8).hex()
-"""How the request ids of this process begin."""
-
-REQUEST_NUMBER = itertools.count(1)
-"""How they go on."""
 
 
 class Requests:
@@ -90,7 +83,7 @@ def _request_id(scope: Scope) -> str:
     for name, value in scope["headers"]:
         if name == b"x-request-id" and REQUEST_ID.fullmatch(value):
             return str(value, "ascii")
-    return f"{PROCESS_ID}{next(REQUEST_NUMBER):08x}"
+    return f"{random.getrandbits(96):024x}"
 
 
 def _completed(

@@ -134,6 +134,7 @@ def end(
         line["read_ms"] = round((record.received - record.started) * 1e3, 3)
     if record.calculated:
         line["calculation_ms"] = round(calculation_s * 1e3, 3)
+    if 0 < record.calculated <= answered:  # not so of batches that are sent as they are done
         line["encode_ms"] = round((answered - record.calculated) * 1e3, 3)
     LOG.handle(_Line(level, line, error))
 

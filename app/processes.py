@@ -14,6 +14,7 @@ from typing import Any
 
 import anyio
 from anyio.to_process import current_default_process_limiter, run_sync
+from starlette.requests import ClientDisconnect
 
 from app.problems import Problem, impossible, unavailable
 from app.record import Record, at_hand
@@ -52,6 +53,8 @@ async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> b
     ------
     Problem
         The job's own; if the time is over: 503, and when to try again.
+    ClientDisconnect
+        If the client goes before.
     """
     settings = record.settings
     limiter = current_default_process_limiter()
@@ -61,9 +64,10 @@ async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> b
         f"The calculation was not done within {settings.max_seconds:g} s: it is too long, or "
         "too many are under way"
     )
+    gone = anyio.Event()
     with anyio.move_on_after(settings.max_seconds):
         async with anyio.create_task_group() as group:
-            group.start_soon(_stop_when_gone, record, group.cancel_scope)
+            group.start_soon(_stop_when_gone, record, gone, group.cancel_scope)
             for _ in range(2):
                 try:
                     outcome = await run_sync(_done, job, args, cancellable=True, limiter=limiter)
@@ -75,6 +79,8 @@ async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> b
                     LOG.warning("a process for calculations was stopped", exc_info=broken)
                     outcome = unavailable("The process of the calculation was stopped")
             group.cancel_scope.cancel()
+    if gone.is_set():
+        raise ClientDisconnect
     if isinstance(outcome, Exception):
         raise outcome
     content, calculations_us = outcome
@@ -95,9 +101,10 @@ async def prepared(job: Callable[[], None]) -> None:
         await run_sync(_prepare, job, cancellable=True)
 
 
-async def _stop_when_gone(record: Record, scope: anyio.CancelScope) -> None:
+async def _stop_when_gone(record: Record, gone: anyio.Event, scope: anyio.CancelScope) -> None:
     while (await record.receive())["type"] != "http.disconnect":
         pass
+    gone.set()
     scope.cancel()
 
 

@@ -48,7 +48,7 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
         (503, "Too much is asked now, or it takes too long; `Retry-After` says when to ask again"),
     )
 }
-"""Refusals of every endpoint, as its description shows them."""
+"""Refusals of every calculation, as its description shows them."""
 
 
 def calculations(prefix: str, *, tag: str) -> APIRouter:
@@ -67,8 +67,8 @@ def calculations(prefix: str, *, tag: str) -> APIRouter:
 class Calculation(APIRoute):
     """Route whose endpoint is a plain function of the request `body`, or of it and a `theme`.
 
-    It runs at once or, where that would hold up others, in a process. An endpoint that is a
-    coroutine function of a batch, as `body`, and the `request` answers for itself.
+    It runs at once or, where that would hold up others, in a process. A coroutine function takes a
+    batch as its `body`, and the `request`, and makes the answer itself.
     """
 
     def __init__(self, *args: Any, **settings: Any) -> None:
@@ -83,7 +83,8 @@ class Calculation(APIRoute):
 
     def matches(self, scope: Scope) -> tuple[Match, Scope]:
         """Whether a request is for this route; comparing is enough, its path has no parameters."""
-        if scope["path"].removeprefix(scope.get("root_path", "")) != self.path:
+        ours = self.path, scope.get("root_path", "") + self.path
+        if scope["type"] != "http" or scope["path"] not in ours:
             return Match.NONE, {}
         match = Match.FULL if scope["method"] in (self.methods or ()) else Match.PARTIAL
         return match, {"endpoint": self.endpoint, "path_params": {}, "route": self}
@@ -99,17 +100,19 @@ def _answering(endpoint: Callable[..., Any]) -> Callable[[Request], Awaitable[Re
         record = at_hand.get() or Record()
         settings = record.settings
         limit = settings.max_batch_bytes if batched else settings.max_body_bytes
-        body = await _body_of(request, model, limit)
+        sent = await _received(request, limit)
         record.received = time.perf_counter()
+        body = _body_of(request, model, sent)
         with refusals_named(body):
             body.refuse_beyond(settings)
-            cost_ms = body.cost_ms(drawn=drawn)
         if batched:
-            answered: Response = await endpoint(body=body, request=request)
+            answered: Response = await endpoint(body, request)
             return answered
         given: dict[str, Any] = {"body": body}
         if drawn:
             given["theme"] = _theme(request)
+        with refusals_named(body):
+            cost_ms = body.cost_ms(drawn=drawn)
         if cost_ms <= processes.INLINE_MS:
             content = _content(endpoint, given)
         else:
@@ -123,35 +126,22 @@ def _content(endpoint: Callable[..., Any], given: dict[str, Any]) -> bytes:
     return encoded(endpoint(**given))
 
 
-async def _body_of(request: Request, model: TypeAdapter[RequestModel], limit: int) -> RequestModel:
-    """The body of a request, of at most so many bytes.
+async def _received(request: Request, limit: int) -> bytes:
+    """All that a client sends. (Starlette reads it in twice the time.)
 
     Raises
     ------
     Problem
-        If it is larger, or not sent as JSON.
-    RequestValidationError
-        If it is no JSON, or not what the model says.
+        If that is more than so many bytes, or announced as more.
+    ClientDisconnect
+        If the client goes before.
     """
-    headers = dict(request.scope["headers"])
-    announced = headers.get(b"content-length", b"")
+    announced = dict(request.scope["headers"]).get(b"content-length", b"")
     if announced.isdigit() and int(announced) > limit:
         raise too_large(limit)
-    content = await _received(request.receive, limit)
-    media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
-    if media_type != JSON.encode() and not media_type.endswith(b"+json"):
-        raise invalid_input([ErrorItem("", f"must be an object, sent as {JSON}")])
-    try:
-        return model.validate_json(content)
-    except ValidationError as error:
-        raise RequestValidationError(error.errors(include_url=False)) from error
-
-
-async def _received(receive: Receive, limit: int) -> bytes:
-    """All that a client sends; what Starlette reads has no limit, and takes three times as long."""
     parts, size = [], 0
     while True:
-        message = await receive()
+        message = await request.receive()
         if message["type"] == "http.disconnect":
             raise ClientDisconnect
         parts.append(message.get("body", b""))
@@ -160,6 +150,26 @@ async def _received(receive: Receive, limit: int) -> bytes:
             raise too_large(limit)
         if not message.get("more_body"):
             return b"".join(parts)
+
+
+def _body_of(request: Request, model: TypeAdapter[RequestModel], content: bytes) -> RequestModel:
+    """The body of a request.
+
+    Raises
+    ------
+    Problem
+        If it is not sent as JSON.
+    RequestValidationError
+        If it is no JSON, or not what the model says.
+    """
+    content_type = dict(request.scope["headers"]).get(b"content-type", b"")
+    media_type = content_type.partition(b";")[0].strip().lower()
+    if media_type != JSON.encode() and not media_type.endswith(b"+json"):
+        raise invalid_input([ErrorItem("", f"must be an object, sent as {JSON}")])
+    try:
+        return model.validate_json(content)
+    except ValidationError as error:
+        raise RequestValidationError(error.errors(include_url=False)) from error
 
 
 def _theme(request: Request) -> str:

@@ -30,11 +30,12 @@ from app.schemas.contact_force import ContactForceRequest, ContactForceResponse
 from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
+from app.units import from_si
 
 ROUNDS, REPEATS = 100, 25
 
 CLIENT, SERVERS = min(os.sched_getaffinity(0)), max(os.sched_getaffinity(0))
-"""Processors: one is never as fast as another, and each request wakes its server up."""
+"""Processors of the client and of all servers, which are compared on the same one."""
 
 MODELS: dict[str, tuple[type[RequestModel], type[ResponseModel]]] = {
     "hertz": (HertzRequest, HertzResponse),
@@ -157,8 +158,8 @@ def post(path: str, body: object) -> bytes:
 
 
 def compared(first: Server, one: bytes, second: Server, other: bytes) -> tuple[float, float, float]:
-    """Processor times of two requests to two servers, microseconds, and second over first: medians
-    of rounds, as the machine's speed changes between them.
+    """Processor times of two requests, microseconds, and their ratio, second over first: each the
+    median of rounds.
     """
     costs = [(first.cost(one), second.cost(other)) for _ in range(ROUNDS + 1)][1:]
     ones, others = zip(*costs, strict=True)
@@ -209,7 +210,9 @@ def main() -> None:
         given,
         FORCE,
         lambda body: body.solve_for_drawing(body.mechanism()),
-        lambda found: contact_force_figure(answered.values(found[0]), found[1], "light"),
+        lambda found: contact_force_figure(
+            answered.values(found[0]), from_si("switching_deg", found[1]), "light"
+        ),
     )
 
 

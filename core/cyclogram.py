@@ -222,8 +222,8 @@ def _dead(
 
 
 def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
-    """Number of driving pairs over one sector, from its first change on: up to where, in turns, and
-    how many.
+    """Where each number of driving pairs ends, in turns, over one sector from its first change on;
+    and the number.
     """
     pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
     changes = [(position, growth) for position, growth in phases.switching() if growth]

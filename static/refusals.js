@@ -1,6 +1,6 @@
 /** Refusals of the service, sorted by the boxes on the screen that they are about. */
 import { message } from "./messages/index.js";
-import { fieldAtPointer } from "./schema_form.js";
+import { fieldAtPointer, keysOf } from "./schema_form.js";
 import { inWords } from "./wording.js";
 
 /** What the service says of a field: its words, and the box of a list of records they are about. */
@@ -21,8 +21,12 @@ export function ofTitle(title, words) {
 
 /** What the service says of a field that is not on the screen. */
 function ofPointer(pointer, words, titles) {
-  const name = pointer.split("/").filter((part) => !/^\d*$/.test(part)).pop();
-  return name === undefined ? words : ofTitle(titles.get(name) ?? name, words);
+  const keys = keysOf(pointer);
+  const at = keys.findLastIndex((key) => !/^\d*$/.test(key));
+  if (at < 0) return words;
+  const title = titles.get(keys[at]) ?? keys[at];
+  const row = keys[at - 1];
+  return /^\d+$/.test(row) ? message("rows.problem", { row: Number(row) + 1, title, words }) : ofTitle(title, words);
 }
 
 /** Part a refusal into what belongs to boxes on the screen, by path, and what does not. */
@@ -41,5 +45,6 @@ export function placed(refusal, shown, titles) {
 
 /** What went wrong, in words: a refusal wherever its fields are, or any other error. */
 export function inSentence(problem, titles) {
+  if (problem.status === 0) return message("page.unreachable");
   return problem.errors ? placed(problem, [], titles).elsewhere.join("; ") : problem.message;
 }

@@ -323,10 +323,14 @@ export function readState(model, state) {
   return { input, readings, wrong };
 }
 
+/** Names and indices of a JSON pointer. */
+export function keysOf(pointer) {
+  return pointer.replace(/^#?\//, "").split("/").map((key) => key.replace(/~1/g, "/").replace(/~0/g, "~"));
+}
+
 /** The shown field that a JSON pointer means: itself, or the one that it lies in. */
 export function fieldAtPointer(shown, pointer) {
-  const path = pointer.replace(/^#?\//, "").split("/")
-    .map((key) => key.replace(/~1/g, "/").replace(/~0/g, "~")).join(".");
+  const path = keysOf(pointer).join(".");
   return shown.find((field) => field.path === path)
     ?? shown.find((field) => path.startsWith(`${field.path}.`))
     ?? null;

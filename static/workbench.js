@@ -9,7 +9,7 @@ import { askSections, postingOnce } from "./asking.js";
 import { createHistory } from "./history.js";
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { ofTitle, placed } from "./refusals.js";
+import { inSentence, ofTitle, placed } from "./refusals.js";
 import { readState, shownFields, stateFromInput, stepped, textIn } from "./schema_form.js";
 import { query } from "./url_state.js";
 import { createCompare } from "./views/compare.js";
@@ -146,11 +146,11 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   outputs.append(verdict.root, mechanism.root, ...figures.map(({ root }) => root), plain.root, results.root, worked.root, compare.root);
   host.replaceChildren(inputs, outputs);
   const report = createReport({
-    calculator, model, catalogues, version, outputs, figures, words: plain.root, worked,
+    calculator, model, catalogues, version, outputs, figures, plain: plain.root, worked,
     shown: () => drawn && { input: drawn.filled, state: drawn.state },
     light: async () => currentTheme() === "dark" && redraw(await keptDesigns(), "light"),
     back: () => currentTheme() === "dark" && compareAnew(),
-    say: on.say,
+    failed: (problem) => on.say(message("report.failed", { detail: inSentence(problem, words) })),
   });
 
   /** The same design in the fields of an option that is still empty, where it can be said so. */
@@ -275,7 +275,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     if (superseded) return;
     if (problem) {
       show("offline");
-      const text = problem.status === 0 ? message("page.unreachable") : problem.message;
+      const text = inSentence(problem, words);
       verdict.setMessage("bad", text);
       on.say(text);
       return;

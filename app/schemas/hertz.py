@@ -169,6 +169,10 @@ class ContactFields(RequestModel):
         )
 
 
+MAX_FORCE_N = 1e50
+"""More than the peak force of any mechanism that is not refused."""
+
+
 class HertzRequest(ContactFields):
     """Pin, hole and the force between them."""
 
@@ -177,7 +181,7 @@ class HertzRequest(ContactFields):
         symbol="F",
         group="contact",
         ge=0,
-        le=1e30,
+        le=MAX_FORCE_N,
         step=100,
         help="Force between pin and hole.",
     )

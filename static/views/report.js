@@ -66,15 +66,16 @@ function svgOf(url) {
 }
 
 /**
- * On paper the verdict in words follows the numbers. `shown()` gives `{ input, state }` of the results on the screen, null where there are none;
- * `light()` draws the figures for paper, `back()` as they were.
+ * On paper `plain`, the verdict in words, follows the numbers. `shown()` gives `{ input, state }` of
+ * the results on the screen, null where there are none; `light()` draws the figures for paper,
+ * `back()` as they were; `failed(problem)` says that no file could be made.
  */
-export function createReport({ calculator, model, catalogues, version, outputs, figures, words, worked, shown, light, back, say }) {
+export function createReport({ calculator, model, catalogues, version, outputs, figures, plain, worked, shown, light, back, failed }) {
   const head = element(html`<header class="report-head"></header>`);
   outputs.prepend(head);
   const title = message("report.title", { calculator: message(`calculator.${calculator.id}`) });
   const listening = new AbortController();
-  const place = words.nextSibling;
+  const place = plain.nextSibling;
   let prepared = false;
 
   function prepare() {
@@ -86,7 +87,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made">${location.href}</p>
       <h2>${message("report.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.state, now.input), catalogues)}</div>`);
-    outputs.querySelector(".verdict").after(words);
+    outputs.querySelector(".verdict").after(plain);
     worked.unfold();
     for (const figure of figures) figure.toPaper(PAPER_WIDTH);
   }
@@ -94,7 +95,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
   function restore() {
     if (!prepared) return;
     prepared = false;
-    outputs.insertBefore(words, place);
+    outputs.insertBefore(plain, place);
     worked.fold();
     for (const figure of figures) figure.fromPaper();
     fill(head, html``);
@@ -147,7 +148,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       try {
         download(`${calculator.id}.html`, await file(), "text/html");
       } catch (problem) {
-        say(message("report.failed", { detail: problem.message }));
+        failed(problem);
       }
     },
     close: () => listening.abort(),

@@ -286,6 +286,17 @@ async def test_a_contact_wider_than_the_pin_gets_no_safety_factor_unless_a_theor
     assert answer["safety_factor"] == pytest.approx(4000 / answer["conformal_pressure_MPa"])
 
 
+async def test_any_peak_force_has_its_pressure_and_its_figure(api):
+    """A nearly dead mechanism of extreme size."""
+    mechanism = {"pins": 1, "crank_angles_deg": [0, 180 - 1e-9, 180 + 1e-9], "ratio": 1e9}
+    load = {"input_torque_Nm": 1e12, "efficiency": 1.0, "pin_circle_radius_mm": 1e-12}
+    force = (await api.post("contact-force", json=mechanism | load)).json()["peak_force_N"]
+    assert force > 1e45
+    contact = {**CONTACT, "force_N": force}
+    assert (await api.post("hertz", json=contact)).json()["max_pressure_MPa"] > 1e15
+    assert (await api.post("hertz/chart", json=contact)).status_code == 200
+
+
 @pytest.mark.parametrize("size", [1e-300, 1e300])
 async def test_sizes_beyond_any_machine_are_refused_by_field(api, size):
     response = await api.post("hertz", json={**CONTACT, "contact_length_mm": size, "force_N": 1})

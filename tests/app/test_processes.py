@@ -1,6 +1,7 @@
 """Long calculations: they hold nobody up, end in time, and end when their client has gone."""
 
 import asyncio
+import json
 import os
 import random
 import signal
@@ -71,11 +72,19 @@ async def test_what_takes_too_long_is_stopped_and_refused_for_now():
     assert not set(before) & set(descendants())
 
 
-async def test_a_calculation_stops_when_its_client_has_gone():
+@pytest.mark.parametrize(
+    ("path", "body"),
+    [
+        ("contact-force", SLOW),
+        ("batch", {"calculation": "contact_force", "requests": [SLOW] * 5}),
+    ],
+)
+async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     """Told by the ASGI message alone: the process is killed long before its time is over."""
     app = create_app(Settings(max_seconds=60))
-    body = ContactForceRequest(**SLOW).model_dump_json(exclude_none=True).encode()
-    messages = iter([{"type": "http.request", "body": body, "more_body": False}])
+    content = json.dumps(body).encode()
+    messages = iter([{"type": "http.request", "body": content, "more_body": False}])
+    sent = []
 
     async def receive():
         for message in messages:
@@ -84,17 +93,18 @@ async def test_a_calculation_stops_when_its_client_has_gone():
         return {"type": "http.disconnect"}
 
     async def send(message):
-        pass
+        sent.append(message)
 
     scope = {
         "type": "http",
         "method": "POST",
-        "path": "/api/v1/contact-force",
-        "raw_path": b"/api/v1/contact-force",
+        "path": f"/api/v1/{path}",
+        "raw_path": f"/api/v1/{path}".encode(),
         "query_string": b"",
         "headers": [(b"content-type", b"application/json")],
     }
     await app(scope, receive, send)
+    assert not sent
     assert not descendants()  # what has finished its work stays for the next
 
 

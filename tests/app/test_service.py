@@ -44,6 +44,23 @@ async def test_modules_are_revalidated_so_that_an_update_reaches_the_page(api):
     assert again.status_code == 304
 
 
+@pytest.mark.parametrize(
+    ("root", "path", "status"),
+    [
+        ("", "/api/v1/cyclogram", 200),
+        ("/reducers", "/reducers/api/v1/cyclogram", 200),
+        ("/reducers", "/api/v1/cyclogram", 200),
+        ("", "/reducers/api/v1/cyclogram", 404),
+        ("", "/api/v1/cyclogram/", 307),
+        ("", "/api/v1/cyclogram/x", 404),
+    ],
+)
+async def test_calculations_are_found_below_the_root_of_the_service(root, path, status):
+    transport = httpx.ASGITransport(create_app(Settings()), root_path=root)
+    async with httpx.AsyncClient(transport=transport, base_url=SITE) as client:
+        assert (await client.post(path, json=JOB)).status_code == status
+
+
 async def test_nothing_outside_static_is_served(api):
     for path in ("/static/..%2fapp/main.py", "/static/../pyproject.toml"):
         assert (await api.get(SITE + path)).status_code == 404

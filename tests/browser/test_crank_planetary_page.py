@@ -247,11 +247,10 @@ def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: 
     page.route("**/api/v1/crank-planetary", hold)
     shade = "() => getComputedStyle(document.querySelector('.results .value')).color"
     fresh = page.evaluate(shade)
-    box(page, "mechanism.pins").fill("9")
+    with page.expect_request(lambda request: '"pins":9' in (request.post_data or "")):
+        box(page, "mechanism.pins").fill("9")
     settled(page, "computing")
     page.wait_for_function(f"(fresh) => ({shade})() !== fresh", arg=fresh)
-    while not release:
-        page.wait_for_timeout(20)
     change(page, lambda: box(page, "mechanism.pins").fill("4"))
     with suppress(Error):  # The browser may have given the request up already.
         release[0].continue_()

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Problem } from "../../static/api.js";
-import { useLanguage } from "../../static/messages/index.js";
+import { message, useLanguage } from "../../static/messages/index.js";
 import { inSentence, placed } from "../../static/refusals.js";
 
 const TITLES = new Map([["pins", "Number of pins"], ["crank_angles_deg", "Crank angles"]]);
@@ -21,13 +21,15 @@ test("a refusal of other fields is a sentence with their titles", () => {
   const refusal = refusalOf(
     { pointer: "/mechanism/pins", detail: "must be at most 80 for 3 satellites to be drawn (240 pairs)" },
     { pointer: "/crank_angles_deg/3", detail: "must be a finite number" },
-    { pointer: "/unknown", detail: "is not a known field" },
+    { pointer: "/rollers/1/pins", detail: "must be a number" },
+    { pointer: "/a~0b~1c", detail: "is not a known field" },
     { pointer: "", detail: "must be an object" },
   );
   assert.equal(inSentence(refusal, TITLES), [
     "Number of pins: must be at most 80 for 3 satellites to be drawn (240 pairs)",
     "Crank angles: must be a finite number",
-    "unknown: is not a known field",
+    "Row 2, Number of pins: Must be a number",
+    "a~b/c: is not a known field",
     "Must be an object",
   ].join("; "));
 });
@@ -41,5 +43,6 @@ test("its words are those of the language in use", async () => {
 
 test("what is no refusal of a field says what it says", () => {
   assert.equal(inSentence(new Error("Plotly failed"), TITLES), "Plotly failed");
-  assert.equal(inSentence(new Problem({ detail: "no answer" }), TITLES), "No answer");
+  assert.equal(inSentence(new Problem({ status: 500, title: "failed" }), TITLES), "Failed");
+  assert.equal(inSentence(new Problem({ title: "unreachable" }), TITLES), message("page.unreachable"));
 });
