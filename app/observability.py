@@ -104,7 +104,7 @@ def end(
     status : int
         HTTP status of the answer; 499 is logged where there is none, as its client has gone.
     answered : float
-        When the answer started, seconds of `time.perf_counter`.
+        When the answer started, seconds of `time.perf_counter`; 0 where there is none.
     error : Exception or None
         What failed, for the log alone.
     """
@@ -113,7 +113,7 @@ def end(
     if method not in METHODS:
         method = "other"
     status = status or 499
-    total_s = max(0.0, answered - record.started)
+    total_s = (answered or time.perf_counter()) - record.started
     calculation_s = sum(record.calculations_us) / 1e6
     requests, duration, calculation = _meters(method, route, status)
     requests.inc()
