@@ -5,7 +5,7 @@ import { inWords } from "./wording.js";
 
 /** What the service says of a field: its words, and the box of a list of records they are about. */
 function refusalAt(field, pointer, words) {
-  const [row, column] = pointer.split("/").slice(-2);
+  const [row, column] = keysOf(pointer).slice(-2);
   const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
   if (!about) return { words };
   return {

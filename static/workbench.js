@@ -201,7 +201,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   function show(status, stale = status !== "fresh") {
     host.dataset.state = status;
     host.dataset.stale = String(stale);
-    verdict.setState(status, stale);
+    const current = status === "fresh" ? "fresh" : "part";
+    verdict.setState(status, !stale ? current : drawn ? "older" : "none");
   }
 
   function fieldWords(wrong) {

@@ -308,8 +308,7 @@ class ForceCurvesOut(ResponseModel):
     def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the core's curves."""
         forces = rounded(from_si("force_N", result.force), FORCE_DIGITS)
-        pairs = [{"satellite": each.satellite, "pin": each.pin} for each in result.pairs]
-        return super().values(result, run_time_us, force_N=forces, pairs=pairs, **given)
+        return super().values(result, run_time_us, force_N=forces, **given)
 
 
 class ContactForceResponse(ResponseModel):

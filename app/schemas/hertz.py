@@ -170,7 +170,8 @@ class ContactFields(RequestModel):
 
 
 MAX_FORCE_N = 1e50
-"""More than the peak force of any mechanism that is not refused."""
+"""More than any peak force: 1e12 N*m at a ratio of 1e9 and 1e-12 mm make 1e36 N, and peaks above
+some 1e12 times that are refused as dead centres."""
 
 
 class HertzRequest(ContactFields):

@@ -87,10 +87,8 @@ export default {
     offline: "No connection",
     freshNote: "numbers match the inputs",
     partNote: "shown as far as possible",
-    computingNote: "numbers are of older inputs",
-    wrongNote: "numbers are of older inputs",
-    refusedNote: "numbers are of older inputs",
-    offlineNote: "numbers are of older inputs",
+    olderNote: "numbers are of older inputs",
+    noneNote: "nothing computed yet",
   },
   verdict: {
     label: "Verdict",

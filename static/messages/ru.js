@@ -87,10 +87,8 @@ export default {
     offline: "Нет связи",
     freshNote: "числа отвечают исходным данным",
     partNote: "показано, насколько возможно",
-    computingNote: "числа прежних данных",
-    wrongNote: "числа прежних данных",
-    refusedNote: "числа прежних данных",
-    offlineNote: "числа прежних данных",
+    olderNote: "числа прежних данных",
+    noneNote: "ещё ничего не вычислено",
   },
   verdict: {
     label: "Заключение",

@@ -58,6 +58,12 @@ export function createFigure({ figure, client, words, on }) {
   let chart = null; // of `latest`, in the language of the page
   let drawnBy = null;
 
+  /** Have another input to draw, or none: then there is nothing to list or to save either. */
+  function take(next) {
+    latest = next;
+    for (const tool of tools.children) tool.disabled = latest === null;
+  }
+
   function complain(text) {
     trouble.hidden = text === "";
     trouble.textContent = text;
@@ -196,7 +202,7 @@ export function createFigure({ figure, client, words, on }) {
 
   tools.addEventListener("click", async (event) => {
     const kind = event.target.closest("[data-kind]")?.dataset.kind.toLowerCase();
-    if (!kind || !latest) return;
+    if (!kind) return;
     try {
       if (kind === "csv") {
         const tables = figure.tables ? await on.tables(figure) : curveTables(chart ?? await post(latest, "light"));
@@ -209,6 +215,7 @@ export function createFigure({ figure, client, words, on }) {
     }
   });
   if (measure) tools.hidden = true;
+  take(null);
 
   return {
     root,
@@ -239,7 +246,7 @@ export function createFigure({ figure, client, words, on }) {
     /** Keep the room that the figure of this input will take. */
     reserve(input) {
       if (measure) {
-        latest = null;
+        take(null);
         fold();
       }
       reserve(input, !measure);
@@ -252,7 +259,7 @@ export function createFigure({ figure, client, words, on }) {
      * an older request that is still under way is given up.
      */
     async draw(input, answer, theme, others = []) {
-      latest = { input, answer, theme, others };
+      take({ input, answer, theme, others });
       chart = null;
       if (measure) {
         fold();
@@ -269,7 +276,7 @@ export function createFigure({ figure, client, words, on }) {
     /** Say in the figure's place why there is none. */
     clear(detail) {
       newest.cancel();
-      latest = null;
+      take(null);
       complain(message("figure.failed", { detail }));
     },
   };

@@ -20,7 +20,7 @@ export function createMechanism({ calculator, on }) {
   const root = element(html`
     <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
       <div class="head"><h2 id="mechanism-title">${title}</h2><span class="figure-tools">
-        ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}" disabled
+        ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
           aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}</span></div>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
@@ -33,7 +33,7 @@ export function createMechanism({ calculator, on }) {
       <p class="scale"></p>
     </section>`);
   const views = root.querySelector(".drawing");
-  const savers = root.querySelectorAll(".save");
+  const controls = root.querySelectorAll(".save, .motion button, .motion input, .motion select");
   const scale = root.querySelector(".scale");
   const slider = root.querySelector("input");
   const shown = root.querySelector("output");
@@ -95,7 +95,7 @@ export function createMechanism({ calculator, on }) {
     if (!createDrawing || !latest || size.width === 0) return;
     drawing = createDrawing({ ...latest, ...size });
     fill(views, drawing?.markup ?? html``);
-    for (const saver of savers) saver.disabled = !drawing;
+    enable(drawing !== null);
     scale.textContent = drawing ? drawing.caption : message("drawing.none");
     light(lit);
     if (!moving) return;
@@ -110,6 +110,12 @@ export function createMechanism({ calculator, on }) {
     move(angle);
   }
 
+  /** Controls wait for a drawing: there is nothing to move or to save. */
+  function enable(enabled) {
+    for (const control of controls) control.disabled = !enabled;
+    if (!enabled) stop();
+  }
+
   function light(path) {
     lit = path;
     for (const part of views.querySelectorAll(".lit")) part.classList.remove("lit");
@@ -117,6 +123,7 @@ export function createMechanism({ calculator, on }) {
     for (const part of views.querySelectorAll(`[data-field~="${CSS.escape(path)}"]`)) part.classList.add("lit");
   }
 
+  enable(false);
   const sizes = new ResizeObserver(() => {
     if (views.clientWidth !== size.width && !PAPER.matches) draw();
   });

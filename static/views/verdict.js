@@ -15,14 +15,13 @@ function cellMarkup({ label, value, unit, note, level }) {
     </div>`;
 }
 
-function stateMarkup(state, stale) {
-  const note = message(stale ? `state.${state}Note` : state === "fresh" ? "state.freshNote" : "state.partNote");
+function stateMarkup(state, note) {
   return html`
     <div class="cell state ${state}">
       <dt>${message("state.label")}</dt>
       <dd><span class="figures"><span class="sign ${state === "fresh" ? "good" : state === "computing" ? "" : "bad"}"
         aria-hidden="true">${STATE_SIGNS[state]}</span>${message(`state.${state}`)}</span>
-        <span class="note">${note}</span></dd>
+        <span class="note">${message(`state.${note}Note`)}</span></dd>
     </div>`;
 }
 
@@ -38,7 +37,8 @@ export function createVerdict() {
   return {
     root,
     setCells: (cells) => fill(numbers, html`${cells.map(cellMarkup)}`),
-    setState: (state, stale) => fill(now, stateMarkup(state, stale)),
+    /** How it stands, and what the numbers are of: these inputs, a part, older ones, none yet. */
+    setState: (state, note) => fill(now, stateMarkup(state, note)),
     /** One line that is always there: the problem, the first warning, or that there is none. */
     setMessage(level, text) {
       say.dataset.level = level;

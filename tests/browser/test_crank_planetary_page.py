@@ -258,6 +258,26 @@ def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: 
     assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
 
 
+def test_controls_wait_for_the_first_answer(page: Page, service: str) -> None:
+    show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
+    controls = page.locator(
+        ".motion button, .motion input, .motion select, .mechanism .save, "
+        '[data-figure="force"] .figure-tools button'
+    )
+    assert controls.count() == 9
+    for control in controls.all():
+        expect(control).to_be_disabled()
+    expect(page.locator(".verdict .state")).to_contain_text("nothing computed yet")
+    change(page, lambda: box(page, "mechanism.pins").fill("6"))
+    for control in controls.all():
+        expect(control).to_be_enabled()
+    box(page, "mechanism.pins").fill("0")
+    settled(page, "wrong")
+    expect(page.locator(".verdict .state")).to_contain_text("numbers are of older inputs")
+    for control in controls.all():
+        expect(control).to_be_enabled()
+
+
 def test_typing_quickly_asks_once(page: Page, service: str, watch: Any) -> None:
     show(page, service, ZYL)
     before = watch.paths().count("/api/v1/crank-planetary")
