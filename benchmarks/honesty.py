@@ -18,10 +18,12 @@ from pathlib import Path
 import numpy as np
 from mpmath import mp, mpf
 
+from core.cyclogram import cyclogram
 from core.designs.peak_force import peak_forces
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
+from core.mechanism import Mechanism
 from core.peak_force import peak_force
 from core.precession.contact_line import contact_lines
 from core.precession.meshing_load import meshing_load
@@ -32,6 +34,7 @@ from core.roller_strength import roller_strength
 from tests.reference.oracle_crank_planetary import peak
 from tests.reference.oracle_precession import length_by_z, load_integrals
 from tests.reference.test_contact_force import random_case as random_mechanism
+from tests.reference.test_contact_force import random_crank_angles
 from tests.reference.test_hertz import exact_pressure, exact_tangent
 from tests.reference.test_precession import (
     curve_scale,
@@ -59,6 +62,43 @@ def _blurred(r: random.Random, value: float) -> mpf:
 
 def _relative(value: float, exact: mpf) -> float:
     return float(abs(mpf(value) - exact) / abs(exact))
+
+
+def _cyclogram(seed: int) -> Pair:
+    """The worst of all angles at which pairs or their number change, dead centres included."""
+    r = random.Random(seed)
+    pins = r.randint(1, 12)
+    mechanism = Mechanism(
+        pins=pins,
+        crank_angles=random_crank_angles(r, r.randint(1, 6), pins),
+        ratio=r.choice([20.0, 10 ** r.uniform(-1, 4)]),
+        initial_crank_angle=r.choice([0.0, math.pi, r.uniform(-60, 60)]),
+    )
+    turns = r.choice([1.0, 10 ** r.uniform(-3, 1)])
+    found = cyclogram(mechanism=mechanism, revolutions=turns)
+    end, ratio = 2 * mp.pi * mpf(turns), _blurred(r, mechanism.ratio)
+    period = 2 * mp.pi * ratio / (1 + ratio)
+    start = _blurred(r, mechanism.initial_crank_angle)
+    phases = [(_blurred(r, each) + start) / (2 * mp.pi) for each in mechanism.crank_angles]
+    shifts = [mpf(pin) / pins for pin in range(pins)]
+
+    def off(angle: float, phase: mpf) -> mpf:
+        """How far a pair of this phase is from starting or stopping to drive, over the range."""
+        position = 2 * (angle / period + phase)
+        return abs(position - mp.nint(position)) / 2 * period / end
+
+    def inside(angle: float) -> bool:
+        return 0 < angle < end * (1 - mpf(10) ** -15)
+
+    changes = [*(each.start for each in found.driving_count), *found.dead_centres]
+    errors = [
+        min(off(angle, phase + shift) for phase in phases for shift in shifts)
+        for angle in filter(inside, changes)
+    ]
+    for pair in found.pairs:
+        phase = phases[pair.satellite - 1] + shifts[pair.pin - 1]
+        errors += [off(angle, phase) for angle in filter(inside, sum(pair.driving, ()))]
+    return found.accuracy.relative_error, float(max(errors, default=mpf(0)))
 
 
 def _peak_force(seed: int) -> Pair:
@@ -93,7 +133,8 @@ def _hertz(seed: int) -> Pair:
     )
     radius = 10 ** r.uniform(-4, 0)
     hole = radius * (1 + 10 ** r.uniform(-12, 6))
-    force, length = 10 ** r.uniform(-12, 12), 10 ** r.uniform(-4, 0)
+    # The page asks for the pressure of any peak force, those beside dead centres included.
+    force, length = 10 ** r.uniform(-12, r.choice([12, 12, 50])), 10 ** r.uniform(-4, 0)
     found = hertz(
         force=force,
         contact_length=length,
@@ -207,6 +248,7 @@ def _shaft_deflection(seed: int) -> Pair:
 
 
 CALCULATIONS: dict[str, Callable[[int], Pair]] = {
+    "cyclogram": _cyclogram,
     "peak force": _peak_force,
     "peak force, arrays of designs": _peak_of_array,
     "Hertz and conformal pressure": _hertz,
