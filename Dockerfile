@@ -8,8 +8,7 @@ RUN python -m venv /packages \
     && /packages/bin/pip uninstall --yes --quiet pip setuptools
 
 FROM ${BASE_IMAGE}
-ENV PATH=/packages/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 WORKERS=1 \
-    NUMBA_CACHE_DIR=/tmp/compiled
+ENV PATH=/packages/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 WORKERS=1
 WORKDIR /service
 COPY --from=packages /packages /packages
 COPY core core

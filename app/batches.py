@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from app.calculation import refusals_named
 from app.problems import Problem, impossible, wrong_fields
-from app.processes import in_process, prepared
+from app.processes import in_process
 from app.record import Record
 from app.route import encoded
 from app.schemas.base import RequestModel, Values
@@ -19,9 +19,6 @@ from core.errors import ImpossibleMechanism
 
 SLICE = 1000
 """Most requests that are handed to a process at once."""
-
-FEWEST_TOGETHER = 100
-"""Fewer requests are calculated each for itself: arrays do not pay, nor what has to be loaded."""
 
 SLICE_S = 0.25
 """Time after which a process hands back what it has done, so that answers begin to flow."""
@@ -37,22 +34,14 @@ class Batched:
         Its request.
     endpoint : callable
         Its endpoint, a function of a module.
-    together : callable, optional
-        What answers many requests at once, as arrays; None for one that it leaves to the endpoint.
-    prepare : callable, optional
-        What a process has to do once before that, however long it takes.
     """
 
     model: type[RequestModel]
     endpoint: Callable[..., Values]
-    together: Callable[[list[Any]], list[Values | None]] | None = None
-    prepare: Callable[[], None] | None = None
 
 
 async def answers(batched: Batched, requests: list[Any], record: Record) -> AsyncIterator[bytes]:
     """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``."""
-    if batched.prepare is not None and len(requests) >= FEWEST_TOGETHER:
-        await prepared(batched.prepare)
     waiting = requests
     alone = 0  # so many are calculated each for itself, as one of them takes longer than is allowed
     while waiting:
@@ -74,11 +63,9 @@ async def answers(batched: Batched, requests: list[Any], record: Record) -> Asyn
 def _some(batched: Batched, requests: list[Any], settings: Settings) -> bytes:
     """The answers to the first requests, a line each: to as many as there is time for."""
     end = time.monotonic() + SLICE_S
-    bodies = [_body(batched.model, request, settings) for request in requests]
-    together = _together(batched, bodies)
     lines = []
-    for index, body in enumerate(bodies):
-        lines.append(_line(batched, body, together.get(index)))
+    for request in requests:
+        lines.append(_line(batched, _body(batched.model, request, settings)))
         if time.monotonic() > end:
             break
     return b"\n".join(lines)
@@ -97,22 +84,11 @@ def _body(model: type[RequestModel], request: Any, settings: Settings) -> Reques
     return body
 
 
-def _together(batched: Batched, bodies: list[RequestModel | Problem]) -> dict[int, Values]:
-    """Answers to the requests that can be calculated as arrays, by their index."""
-    indices = [index for index, body in enumerate(bodies) if isinstance(body, RequestModel)]
-    if batched.together is None or len(indices) < FEWEST_TOGETHER:
-        return {}
-    found = batched.together([bodies[index] for index in indices])
-    return {
-        index: answer for index, answer in zip(indices, found, strict=True) if answer is not None
-    }
-
-
-def _line(batched: Batched, body: RequestModel | Problem, values: Values | None) -> bytes:
-    """One answer as JSON; `values` where they are known already."""
+def _line(batched: Batched, body: RequestModel | Problem) -> bytes:
+    """One answer as JSON."""
     if isinstance(body, RequestModel):
         try:
-            result = encoded(batched.endpoint(body) if values is None else values)
+            result = encoded(batched.endpoint(body))
         except ImpossibleMechanism as error:
             body = impossible(error)
         except Problem as refusal:

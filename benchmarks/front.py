@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Callable
 
 from benchmarks.stability import REPORT
-from core.mechanism import Mechanism
+from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
 from core.results import ROUNDING

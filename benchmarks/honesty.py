@@ -15,22 +15,20 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from mpmath import mp, mpf
 
-from core.cyclogram import cyclogram
-from core.designs.peak_force import peak_forces
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
+from core.output.cyclogram import cyclogram
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
 from core.precession.contact_line import contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precession.shaft_deflection import shaft_deflection
-from core.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_strength
 from tests.reference.oracle_crank_planetary import peak
 from tests.reference.oracle_precession import length_by_z, load_integrals
 from tests.reference.test_contact_force import random_case as random_mechanism
@@ -106,23 +104,6 @@ def _peak_force(seed: int) -> Pair:
     found = peak_force(mechanism=mechanism, force_exponent=exponent)
     exact = peak(mechanism.pins, mechanism.crank_angles, exponent, screened=True).ratio
     return found.accuracy.relative_error, _relative(found.peak_force_ratio, exact)
-
-
-def _peak_of_array(seed: int) -> Pair:
-    r = random.Random(seed)
-    while True:
-        mechanism, exponent = random_mechanism(r.randrange(10**9), largest_pins=6)
-        if mechanism.pins >= 3:
-            break
-    found = peak_forces(
-        pins=mechanism.pins,
-        crank_angles=np.array([mechanism.crank_angles]),
-        ratio=np.array([mechanism.ratio]),
-        force_exponent=np.array([exponent]),
-        initial_crank_angle=np.array([mechanism.initial_crank_angle]),
-    )
-    exact = peak(mechanism.pins, mechanism.crank_angles, exponent, screened=True).ratio
-    return float(found.relative_error[0]), _relative(float(found.peak_force_ratio[0]), exact)
 
 
 def _hertz(seed: int) -> Pair:
@@ -250,7 +231,6 @@ def _shaft_deflection(seed: int) -> Pair:
 CALCULATIONS: dict[str, Callable[[int], Pair]] = {
     "cyclogram": _cyclogram,
     "peak force": _peak_force,
-    "peak force, arrays of designs": _peak_of_array,
     "Hertz and conformal pressure": _hertz,
     "roller strength": _roller_strength,
     "contact-line length": _contact_line,

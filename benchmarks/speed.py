@@ -1,7 +1,6 @@
 """What the calculations cost, as ratios in one run: machines differ, ratios much less.
 
-The unit is one call of `hertz`, plain arithmetic of a dozen operations; for arrays of designs the
-ratio is how many times faster than sampling 361 angles they are, a design.
+The unit is one call of `hertz`, plain arithmetic of a dozen operations.
 """
 
 import math
@@ -9,20 +8,16 @@ import timeit
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from core.crank_planetary import contact_force
-from core.cyclogram import cyclogram
-from core.designs.hertz import Solids, hertz_contacts
-from core.designs.peak_force import peak_forces
-from core.designs.roller_strength import roller_strengths
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
+from core.output.contact_force import contact_force
+from core.output.cyclogram import cyclogram
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
 from core.precession.contact_line import contact_lines
 from core.precession.rollers import RollerByLength
-from core.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_strength
 
 STEEL = ElasticMaterial(210e9, 0.3)
 
@@ -67,53 +62,6 @@ CALLS: dict[str, Callable[[], object]] = {
 }
 
 
-DESIGNS = 100_000
-
-
-def _arrays() -> dict[str, Callable[[], object]]:
-    """Calls for arrays of designs: random cranks of K = 2, N = 3; contacts; four rollers."""
-    random = np.random.default_rng(1)
-    one = np.ones(DESIGNS)
-    cranks = random.uniform(0, 2 * math.pi, (DESIGNS, 2))
-    steel = Solids(210e9 * one, 0.3 * one, 1.5e9 * one)
-
-    def peaks(exponent: float) -> Callable[[], object]:
-        return lambda: peak_forces(
-            pins=3, crank_angles=cranks, ratio=20 * one, force_exponent=exponent * one,
-            initial_crank_angle=0 * one,
-        )  # fmt: skip
-
-    return {
-        "peaks by 361 samples": lambda: _sampled(cranks),
-        "peaks, v = 1": peaks(1.0),
-        "peaks, v = 1.1": peaks(1.1),
-        "contacts": lambda: hertz_contacts(
-            force=random.uniform(1, 1e4, DESIGNS), contact_length=0.02 * one,
-            pin_radius=0.008 * one, hole_radius=0.01 * one, pin_material=steel,
-            hole_material=steel, dynamic_factor=one, distribution_factor=one,
-        ),
-        "rollers": lambda: roller_strengths(
-            output_torque=210.0 * one, hole_circle_radius=0.03 * one, cylinder_length=0.02 * one,
-            sphere_width=0.008 * one, sphere_diameter=0.015 * one, diameter=0.01 * one,
-            friction_coefficient=0.16 * one, youngs_modulus=210e9 * one, modulus_ratio=2.6 * one,
-            stress_concentration=one, gaps=random.uniform(0, 1e-5, (DESIGNS, 4)),
-        ),
-    }  # fmt: skip
-
-
-def _sampled(cranks: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Peaks for v = 1 on 361 angles, as fast as sampling is: pressure angles, no names."""
-    wave = np.linspace(0, 2 * math.pi, 361) * 1.05
-    pins = 2 * math.pi * np.arange(3) / 3
-    peaks = np.empty(len(cranks))
-    for first in range(0, len(cranks), 20):
-        phase = (cranks[first : first + 20, :, None] + pins).reshape(-1, 6, 1)
-        cosines = np.maximum(-np.sin(wave + phase), 0.0)
-        sums = (cosines * cosines).sum(axis=1)
-        peaks[first : first + 20] = (cosines.max(axis=1) / sums).max(axis=1)
-    return peaks
-
-
 def main() -> None:
     """Print the tables."""
     times = {}
@@ -125,14 +73,6 @@ def main() -> None:
     print(f"{'calculation':24s} {'ratio':>8s} {'us':>8s}")
     for name, each in times.items():
         print(f"{name:24s} {each / unit:8.1f} {each * 1e6:8.1f}")
-    print(f"\n{'arrays of designs':24s} {'ratio':>8s} {'us each':>8s}")
-    arrays = {
-        name: min(timeit.repeat(call, number=1, repeat=3)) / DESIGNS
-        for name, call in _arrays().items()
-    }
-    for name, each in arrays.items():
-        ratio = arrays["peaks by 361 samples"] / each
-        print(f"{name:24s} {ratio:8.1f} {each * 1e6:8.3f}")
 
 
 if __name__ == "__main__":

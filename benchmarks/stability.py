@@ -15,20 +15,20 @@ from pathlib import Path
 
 import numpy as np
 from mpmath import mp, mpf
-from numpy.typing import NDArray
 
+from core.arrays import FloatArray
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
-from core.pin_geometry import pin_geometry
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_geometry import pin_geometry
 from core.precession.contact_line import contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precession.shaft_deflection import shaft_deflection
-from core.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_strength
 from tests.reference.oracle_crank_planetary import peak
 from tests.reference.oracle_precession import (
     length_by_angle,
@@ -41,7 +41,6 @@ from tests.reference.test_roller_strength import exact_compliance, exact_forces
 
 REPORT = Path(__file__).parent.parent / "docs" / "numerics.md"
 
-FloatArray = NDArray[np.float64]
 Answer = tuple[float, float]
 """A number and its stated relative error."""
 

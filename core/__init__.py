@@ -12,26 +12,20 @@ the pins turn the other way, ``ratio`` times slower.
 
 Precessional gear: z along the axis of the central wheel, measured from the precession centre.
 
+Start with `core.output.contact_force`, the forces and their peak, and `core.hertz`, what they do to
+pin and hole; everything else is beside or below them.
+
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 errors              what a calculation refuses, and why
+arrays              one function for a number and for arrays of designs; types
 results             accuracy and validity notices that every result carries
 materials           elastic materials, effective modulus, a small table with sources
 quadrature          integration rules with honest error estimates
 load_sharing        one displacement shared by many unilateral contacts
-mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
-cyclogram           which pin/hole pairs drive, when, how many together
-contact_force       force of each pair over the turn; the approximation of its peak
-driving_set         the pairs that drive together, segment by segment of the turn
-force_bounds        bounds of the force over a stretch, from what is known at its ends
-force_laws          the force of the best placed pair under each law of load sharing
-peak_force          the exact peak of the contact force
-crank_planetary     forces, peak and approximations as one job
-pin_geometry        pin and hole centres, contact points, clearance
+output              the output mechanism: pins in the holes of satellites on cranks
 hertz               line contact of pin and hole, and where Hertz stops being valid
-roller_curves       roller stiffness, non-uniformity and stress as curves
-roller_strength     stiffness, load non-uniformity and stress of swinging rollers
+rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 work_precision      error against run time of the methods above
-designs             the peak force, Hertz and rollers for arrays of designs
 """

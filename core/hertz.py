@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus, lower_allowable_pressure
 from core.results import ROUNDING, Accuracy, Notice
 
-Number = TypeVar("Number", float, NDArray[np.float64])
+Either = TypeVar("Either", float, FloatArray)
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""
@@ -193,8 +193,8 @@ def hertz(
 
 
 def narrow_contact(
-    *, line_load: Number, reduced_radius: Number, modulus: Number
-) -> tuple[Number, Number]:
+    *, line_load: Either, reduced_radius: Either, modulus: Either
+) -> tuple[Either, Either]:
     """Largest pressure and half-width of a Hertz line contact.
 
     Parameters
@@ -218,7 +218,7 @@ def narrow_contact(
     )
 
 
-def rounding_error(*, pin_radius: Number, hole_radius: Number) -> Number:
+def rounding_error(*, pin_radius: Either, hole_radius: Either) -> Either:
     """Relative error of the pressures.
 
     Parameters
@@ -315,7 +315,7 @@ def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
     return math.sqrt(y), iterations
 
 
-def newton_step(*, square: Number, load_parameter: Number) -> Number:
+def newton_step(*, square: Either, load_parameter: Either) -> Either:
     """Newton's step of the equation of `conformal_half_angle_tangent` in ``y = b^2``.
 
     Parameters
@@ -334,7 +334,7 @@ def newton_step(*, square: Number, load_parameter: Number) -> Number:
     logarithm = _functions(y).log1p(y)
     value = 2 - logarithm - 2 * y * y - load_parameter * math.pi * y * (1 + y)
     slope = -1 / (1 + y) - 4 * y - load_parameter * math.pi * (1 + 2 * y)
-    step: Number = value / slope
+    step: Either = value / slope
     return step
 
 
@@ -369,7 +369,7 @@ def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, in
     return middle_over_hertz(half_angle_tangent=b, load_parameter=load_parameter), b, iterations
 
 
-def middle_over_hertz(*, half_angle_tangent: Number, load_parameter: Number) -> Number:
+def middle_over_hertz(*, half_angle_tangent: Either, load_parameter: Either) -> Either:
     """Pressure in the middle of a conformal contact over the Hertz pressure of the same load.
 
     Parameters
@@ -388,11 +388,11 @@ def middle_over_hertz(*, half_angle_tangent: Number, load_parameter: Number) -> 
     middle = conformal_pressure(
         position=0.0 * half_angle_tangent, half_angle_tangent=half_angle_tangent
     )
-    ratio: Number = middle / sqrt(load_parameter / (2 * math.pi))
+    ratio: Either = middle / sqrt(load_parameter / (2 * math.pi))
     return ratio
 
 
-def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Number:
+def conformal_pressure(*, position: Either, half_angle_tangent: Either) -> Either:
     """Pressure of a conformal contact, over Q/R.
 
     Parameters
@@ -416,15 +416,13 @@ def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Numbe
     inner = functions.sqrt((b - y) * (b + y))
     outer = functions.hypot(b, 1.0)
     logarithm = 2 * functions.atanh(inner / outer)
-    pressure: Number = 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
+    pressure: Either = 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
         2 * math.pi * b * b * outer * outer
     )
     return pressure
 
 
-def pressure_profile(
-    *, contact: HertzContact, samples: int = 81
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
     """Hertz pressure over the width of the contact: ``p0*sqrt(1 - (x/a)^2)``.
 
     Parameters
@@ -432,7 +430,7 @@ def pressure_profile(
     contact : HertzContact
         The contact.
     samples : int
-        Number of places, at least 2.
+        Either of places, at least 2.
 
     Returns
     -------
@@ -443,9 +441,7 @@ def pressure_profile(
     return contact.half_width * np.sin(angle), contact.max_pressure * np.cos(angle)
 
 
-def conformal_profile(
-    *, contact: HertzContact, samples: int = 81
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
     """Pressure of the conformal contact over the arc of the pin.
 
     Parameters
@@ -453,7 +449,7 @@ def conformal_profile(
     contact : HertzContact
         A contact to which the conformal pressure applies.
     samples : int
-        Number of places, at least 2.
+        Either of places, at least 2.
 
     Returns
     -------

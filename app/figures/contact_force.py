@@ -4,7 +4,7 @@ import numpy as np
 
 from app.figures.theme import Figure, Theme, axis, curve, drawn, layout, marker, note, vertical_line
 from app.schemas.base import Values
-from core.contact_force import FloatArray
+from core.arrays import FloatArray
 
 
 def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme) -> Figure:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from app.figures.theme import INK, Figure, Theme, axis, curve, layout
-from core.contact_force import FloatArray
+from core.arrays import FloatArray
 
 
 @dataclass(frozen=True, slots=True)

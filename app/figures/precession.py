@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from app.figures.theme import INK, Figure, Theme, axis, curve, layout, series_style, vertical_line
 from app.schemas.base import Values
-from app.schemas.precession.meshing_load import FloatArray
 from app.units import from_si
+from core.arrays import FloatArray
 from core.precession.shaft import ShaftDiagram
 
 MOST_NAMED = 12

@@ -9,14 +9,14 @@ from app.route import calculations, json_response
 from app.routers import contact_force, crank_planetary, cyclogram, hertz, precession
 from app.routers import roller_strength as rollers
 from app.schemas.batch import BatchRequest, BatchResponse
-from app.schemas.contact_force import ContactForceRequest, compile_search, solve_peaks
+from app.schemas.contact_force import ContactForceRequest
 from app.schemas.crank_planetary import CrankPlanetaryRequest
 from app.schemas.cyclogram import CyclogramRequest
-from app.schemas.hertz import HertzRequest, solve_contacts
+from app.schemas.hertz import HertzRequest
 from app.schemas.precession.contact_line import ContactLineRequest
 from app.schemas.precession.meshing_load import MeshingLoadRequest
 from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
-from app.schemas.roller_strength import RollerStrengthRequest, solve_rollers
+from app.schemas.roller_strength import RollerStrengthRequest
 
 router = calculations("/batch", tag="batch")
 
@@ -24,12 +24,10 @@ LINES = "application/x-ndjson"
 
 CALCULATIONS = {
     "cyclogram": Batched(CyclogramRequest, cyclogram.cyclogram),
-    "contact_force": Batched(
-        ContactForceRequest, contact_force.contact_force, solve_peaks, compile_search
-    ),
-    "hertz": Batched(HertzRequest, hertz.hertz, solve_contacts),
+    "contact_force": Batched(ContactForceRequest, contact_force.contact_force),
+    "hertz": Batched(HertzRequest, hertz.hertz),
     "crank_planetary": Batched(CrankPlanetaryRequest, crank_planetary.crank_planetary),
-    "roller_strength": Batched(RollerStrengthRequest, rollers.roller_strength, solve_rollers),
+    "roller_strength": Batched(RollerStrengthRequest, rollers.roller_strength),
     "contact_line": Batched(ContactLineRequest, precession.contact_line),
     "meshing_load": Batched(MeshingLoadRequest, precession.meshing_load),
     "shaft_deflection": Batched(ShaftDeflectionRequest, precession.shaft_deflection),

@@ -1,16 +1,14 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import re
-from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple, cast, get_args
 
-import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 from app.settings import Settings
-from app.units import core_name, from_si, in_units, shown_unit, to_si, unit_size
+from app.units import core_name, in_units, shown_unit, to_si, unit_size
 from core.results import Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -166,56 +164,6 @@ class ResponseModel(BaseModel):
         if plan.states_accuracy:
             values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
         return values
-
-
-def placed(answers: list[Values], indices: Sequence[int], count: int) -> list[Values | None]:
-    """Answers at their indices among others that have none."""
-    found: list[Values | None] = [None] * count
-    for index, answer in zip(indices, answers, strict=True):
-        found[index] = answer
-    return found
-
-
-def rows(
-    columns: dict[str, np.ndarray],
-    *,
-    method: str | Sequence[str],
-    relative_error: np.ndarray,
-    evaluations: np.ndarray,
-    run_time_us: float,
-) -> list[Values]:
-    """Values of the answers to an array of designs.
-
-    Parameters
-    ----------
-    columns : dict of str to array, shape (n, ...)
-        Numbers in SI units by their names in the answer; NaN for what is not there.
-    method : str or sequence of str
-        How they were got, all or each.
-    relative_error, evaluations : array, shape (n,)
-        Their accuracy.
-    run_time_us : float
-        What all of them cost; each answer states its share.
-    """
-    names = [*columns]
-    numbers = [from_si(name, column).tolist() for name, column in columns.items()]
-    answers: list[Values] = [
-        dict(zip(names, row, strict=True)) for row in zip(*numbers, strict=True)
-    ]
-    for name, column in columns.items():
-        for index in np.flatnonzero(np.isnan(column)) if column.ndim == 1 else ():
-            del answers[index][name]
-    share = round(run_time_us / max(len(answers), 1), 1)
-    methods = [method] * len(answers) if isinstance(method, str) else method
-    accuracies = zip(methods, relative_error.tolist(), evaluations.tolist(), strict=True)
-    for answer, (how, error, places) in zip(answers, accuracies, strict=True):
-        answer["accuracy"] = {
-            "method": how,
-            "relative_error": error,
-            "evaluations": places,
-            "run_time_us": share,
-        }
-    return answers
 
 
 class _Plan(NamedTuple):

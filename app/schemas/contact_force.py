@@ -1,8 +1,5 @@
 """Request and answer of the contact force."""
 
-import time
-from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import replace
 from typing import Any, Literal, Self
 
@@ -18,33 +15,29 @@ from app.schemas.base import (
     WarningOut,
     field_error,
     quantity,
-    rows,
 )
 from app.schemas.mechanism import MechanismFields
 from app.settings import Settings
 from app.units import from_si, rounded, to_si
-from core.contact_force import (
-    FloatArray,
-    force_ratios,
-    output_torque_from_input,
-    reference_force,
-)
-from core.crank_planetary import (
+from core.arrays import FloatArray
+from core.errors import InvalidInput
+from core.output.contact_force import (
     ContactForce,
     ForceCurves,
     contact_force,
     drawing_angles,
     force_curves,
 )
-from core.designs.peak_force import peak_forces
-from core.errors import InvalidInput
-from core.mechanism import Mechanism
+from core.output.mechanism import Mechanism
+from core.output.pin_forces import (
+    force_ratios,
+    output_torque_from_input,
+    reference_force,
+)
 
 ForceSection = Literal["curves", "equal_sharing", "approximation"]
 
 MAX_SAMPLES = 10_001
-MOST_TOGETHER = 60
-"""Most pairs of a design that is calculated together with others: larger ones take too long."""
 
 FORCE_DIGITS = 12
 """Digits of the largest force of curves: fewer bytes, and still finer than any use."""
@@ -234,58 +227,6 @@ class ContactForceRequest(MechanismFields, LoadFields):
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""
         return self.solve_for(self.mechanism())
-
-
-def solve_peaks(bodies: Sequence[ContactForceRequest]) -> list[Values | None]:
-    """Answers to many requests for the peak at once; None where more is asked, where fewer than
-    three pins may have a dead centre, or where one has to be refused for itself.
-    """
-    start = time.perf_counter_ns()
-    alike: dict[tuple[int, int], list[tuple[int, Mechanism]]] = {}
-    for index, body in enumerate(bodies):
-        if body.pins >= 3 and body.pairs <= MOST_TOGETHER and not body.include:
-            with suppress(InvalidInput):
-                mechanism = body.mechanism()
-                alike.setdefault((body.pins, body.satellites), []).append((index, mechanism))
-    answers: list[Values | None] = [None] * len(bodies)
-    for (pins, _), group in alike.items():
-        some = [bodies[index] for index, _ in group]
-        found = peak_forces(
-            pins=pins,
-            crank_angles=np.array([mechanism.crank_angles for _, mechanism in group]),
-            ratio=np.array([mechanism.ratio for _, mechanism in group]),
-            force_exponent=np.array([body.force_exponent for body in some]),
-            initial_crank_angle=np.array([each.initial_crank_angle for _, each in group]),
-        )
-        torques = [body.torque(each) for body, (_, each) in zip(some, group, strict=True)]
-        radii = to_si("radius_mm", np.array([body.pin_circle_radius_mm for body in some]))
-        reference = np.array(torques) / radii
-        peaks = rows(
-            {
-                "reference_force_N": reference,
-                "peak_force_N": reference * found.peak_force_ratio,
-                "peak_force_ratio": found.peak_force_ratio,
-                "peak_crank_angle_deg": found.peak_crank_angle,
-                "peak_pair": np.stack((found.peak_satellite, found.peak_pin), axis=1),
-            },
-            method="segment-exact, designs together",
-            relative_error=found.relative_error,
-            evaluations=found.evaluations,
-            run_time_us=(time.perf_counter_ns() - start) / 1000,
-        )
-        for (index, _), answer in zip(group, peaks, strict=True):
-            answer["peak_pair"] = dict(zip(("satellite", "pin"), answer["peak_pair"], strict=True))
-            answers[index] = answer
-        start = time.perf_counter_ns()
-    return answers
-
-
-def compile_search() -> None:
-    """Compile what peaks of many requests need, or load what was compiled before."""
-    one = np.ones(1)
-    peak_forces(
-        pins=3, crank_angles=np.ones((1, 1)), ratio=one, force_exponent=one, initial_crank_angle=one
-    )
 
 
 class PairOut(ResponseModel):

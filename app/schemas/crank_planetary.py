@@ -21,11 +21,11 @@ from app.schemas.hertz import ContactFields, HertzResponse
 from app.schemas.mechanism import Angle
 from app.settings import Settings
 from app.units import from_si, to_si
-from core.contact_force import FloatArray
-from core.crank_planetary import ContactForce
+from core.arrays import FloatArray
 from core.hertz import HertzContact
-from core.mechanism import Mechanism
-from core.pin_geometry import PinGeometry, pin_geometry
+from core.output.contact_force import ContactForce
+from core.output.mechanism import Mechanism
+from core.output.pin_geometry import PinGeometry, pin_geometry
 
 Section = Literal["cyclogram", "contact_force", "hertz", "geometry"]
 

@@ -5,9 +5,9 @@ import math
 from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
 from app.schemas.mechanism import MechanismFields
 from app.units import UNITS
-from core.cyclogram import Cyclogram, cyclogram
 from core.errors import InvalidInput
-from core.mechanism import AssemblyAngle, assembly_angles
+from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.mechanism import AssemblyAngle, assembly_angles
 
 Range = tuple[float, float]
 

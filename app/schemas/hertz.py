@@ -1,11 +1,7 @@
 """Request and answer of the Hertz contact of pin and hole."""
 
-import math
-import time
-from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Annotated, Literal
 
-import numpy as np
 from pydantic import Discriminator, Tag, field_validator
 
 from app.schemas.base import (
@@ -13,24 +9,17 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
-    Values,
     WarningOut,
     no_dust,
-    placed,
     quantity,
-    rows,
-    warning,
 )
-from app.units import core_name, to_si
-from core.contact_force import FloatArray
-from core.designs.hertz import Solids, hertz_contacts
+from app.units import to_si
+from core.arrays import FloatArray
 from core.hertz import (
-    HALF_WIDTH_RATIO_LIMIT,
     HertzContact,
     conformal_profile,
     hertz,
     pressure_profile,
-    validity,
 )
 from core.materials import MATERIALS, ElasticMaterial, lower_allowable_pressure
 
@@ -200,58 +189,6 @@ class HertzRequest(ContactFields):
         if contact.conformal_pressure is not None:
             profiles.append(("Conformal (Persson)", *conformal_profile(contact=contact)))
         return profiles
-
-
-def solve_contacts(bodies: Sequence[HertzRequest]) -> list[Values | None]:
-    """Answers to many requests at once; None where one has to be refused for itself."""
-    start = time.perf_counter_ns()
-    possible = [
-        index for index, body in enumerate(bodies) if body.hole_radius_mm > body.pin_radius_mm
-    ]
-    some = [bodies[index] for index in possible]
-
-    def column(name: str) -> FloatArray:
-        numbers = np.array([getattr(body, name) for body in some])
-        return np.asarray(to_si(name, numbers), dtype=np.float64)
-
-    def solids(materials: Iterable[str | MaterialFields]) -> Solids:
-        table = [
-            (each.youngs_modulus, each.poissons_ratio, each.allowable_pressure or math.nan)
-            for each in map(material_of, materials)
-        ]
-        return Solids(*np.array(table).reshape(-1, 3).T)
-
-    found = hertz_contacts(
-        force=column("force_N"),
-        contact_length=column("contact_length_mm"),
-        pin_radius=column("pin_radius_mm"),
-        hole_radius=column("hole_radius_mm"),
-        pin_material=solids(body.pin_material for body in some),
-        hole_material=solids(body.hole_material for body in some),
-        dynamic_factor=column("dynamic_factor"),
-        distribution_factor=column("distribution_factor"),
-    )
-    answers = rows(
-        {
-            name: getattr(found, core_name(name))
-            for name in HertzResponse.model_fields
-            if name not in ("accuracy", "warnings")
-        },
-        method=[
-            "closed form" if hertzian else "closed form, Newton's method"
-            for hertzian in np.isnan(found.conformal_pressure).tolist()
-        ],
-        relative_error=found.relative_error,
-        evaluations=found.evaluations,
-        run_time_us=(time.perf_counter_ns() - start) / 1000,
-    )
-    for index in np.flatnonzero(found.half_width_ratio > HALF_WIDTH_RATIO_LIMIT).tolist():
-        conformal = "conformal_pressure_MPa" in answers[index]
-        strained = validity(
-            half_width_ratio=float(found.half_width_ratio[index]), conformal=conformal
-        )
-        answers[index]["warnings"] = [warning(each) for each in strained]
-    return placed(answers, possible, len(bodies))
 
 
 class HertzResponse(ResponseModel):

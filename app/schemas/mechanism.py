@@ -8,7 +8,7 @@ from app.schemas.base import RequestModel, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
-from core.mechanism import Mechanism, ratio_from_teeth
+from core.output.mechanism import Mechanism, ratio_from_teeth
 
 MAX_PAIRS = 10_000
 """Most pairs (pins times satellites) of one mechanism."""

@@ -1,7 +1,5 @@
 """Request and answer of the strength of swinging rollers."""
 
-import time
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Self
 
@@ -13,28 +11,22 @@ from app.schemas.base import (
     AccuracyOut,
     RequestModel,
     ResponseModel,
-    Values,
     WarningOut,
     field_error,
     no_dust,
     quantity,
-    rows,
-    warning,
 )
-from app.units import core_name, to_si
-from core.designs.roller_strength import roller_strengths
-from core.roller_curves import (
-    FloatArray,
+from core.arrays import FloatArray
+from core.rollers.roller_curves import (
     load_nonuniformity,
     relative_stiffness,
     relative_stress,
     single_roller_limit,
 )
-from core.roller_strength import (
+from core.rollers.roller_strength import (
     RollerStrength,
     modulus_ratio,
     roller_strength,
-    strained_assumptions,
 )
 
 MAX_ROLLERS = 1000
@@ -207,13 +199,6 @@ class RollerStrengthRequest(RequestModel):
         """Load sharing and strength of the rollers."""
         return roller_strength(**self.to_core())
 
-    def all_gaps(self) -> list[float]:
-        """Gap of each roller, m; those of the worst case where a tolerance is given."""
-        if self.gaps_mm is not None:
-            return [to_si("gap_mm", gap) for gap in self.gaps_mm]
-        assert self.position_tolerance_mm is not None
-        return [0.0] + [4 * to_si("gap_mm", self.position_tolerance_mm)] * (self.rollers - 1)
-
     def solve_curves(self) -> "RollerCurves":
         """Curves of stiffness, non-uniformity and stress through this design."""
         design = self.solve()
@@ -291,60 +276,6 @@ class RollerCurves:
     errors: FloatArray
     nonuniformity: dict[int, FloatArray]
     stress: dict[float, FloatArray]
-
-
-def solve_rollers(bodies: Sequence[RollerStrengthRequest]) -> list[Values | None]:
-    """Answers to many requests at once; None for one roller, whose tolerance no gap shows."""
-    start = time.perf_counter_ns()
-    alike: dict[int, list[int]] = {}
-    for index, body in enumerate(bodies):
-        if body.rollers > 1:
-            alike.setdefault(body.rollers, []).append(index)
-    answers: list[Values | None] = [None] * len(bodies)
-    for indices in alike.values():
-        some = [bodies[index] for index in indices]
-        own = {
-            core_name(name): to_si(name, np.array([getattr(body, name) for body in some]))
-            for name in ROLLER_SIZES
-        }
-        ratio = [
-            modulus_ratio(
-                youngs_modulus=body.youngs_modulus_GPa,
-                poissons_ratio=body.poissons_ratio,
-                shear_modulus=body.shear_modulus_GPa,
-            )
-            for body in some
-        ]
-        found = roller_strengths(
-            **own,
-            modulus_ratio=np.array(ratio),
-            gaps=np.array([body.all_gaps() for body in some]),
-        )
-        strengths = rows(
-            {
-                name: getattr(found, core_name(name))
-                for name in RollerStrengthResponse.model_fields
-                if name not in ("accuracy", "warnings")
-            },
-            method="closed form, contacts closed in the order of their gaps",
-            relative_error=found.relative_error,
-            evaluations=np.ones(len(some), dtype=int),
-            run_time_us=(time.perf_counter_ns() - start) / 1000,
-        )
-        ratios = {
-            "length_ratio": own["cylinder_length"] / own["diameter"],
-            "sphere_ratio": own["sphere_diameter"] / own["diameter"],
-            "width_ratio": own["sphere_width"] / own["sphere_diameter"],
-            "deflection_ratio": found.deflection_ratio,
-        }
-        numbers = zip(*(each.tolist() for each in ratios.values()), strict=True)
-        for index, answer, strains in zip(indices, strengths, numbers, strict=True):
-            notices = strained_assumptions(**dict(zip(ratios, strains, strict=True)))
-            if notices:
-                answer["warnings"] = [warning(each) for each in notices]
-            answers[index] = answer
-        start = time.perf_counter_ns()
-    return answers
 
 
 class RollerStrengthResponse(ResponseModel):

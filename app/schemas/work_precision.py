@@ -12,6 +12,7 @@ from app.schemas.precession.shaft_deflection import ShaftDeflectionRequest
 from app.schemas.roller_strength import RollerStrengthRequest
 from app.units import to_si
 from core.errors import InvalidInput
+from core.rollers.roller_strength import roller_gaps
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
@@ -82,11 +83,15 @@ class RollerSharingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        design = self.input.solve()
+        design, own = self.input.solve(), self.input.to_core()
         return roller_sharing_study(
             total=design.mean_force * self.input.rollers,
             stiffness=design.stiffness,
-            gaps=self.input.all_gaps(),
+            gaps=roller_gaps(
+                rollers=self.input.rollers,
+                position_tolerance=own.get("position_tolerance"),
+                gaps=own.get("gaps"),
+            ),
         )
 
 

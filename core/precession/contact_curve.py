@@ -16,13 +16,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.quadrature import NODES, WEIGHTS, resolves_complex_poles, resolves_real_pole
 from core.results import ROUNDING
-
-FloatArray = NDArray[np.float64]
 
 
 class LinePoint(NamedTuple):

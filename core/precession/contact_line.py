@@ -5,15 +5,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.precession.contact_curve import ContactCurve, LinePoint, axial_scale
 from core.precession.rollers import SAME, Roller, RollerByAngle, RollerByLength, stands_in_line
 from core.quadrature import TRUNCATION
 from core.results import ROUNDING, Accuracy
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

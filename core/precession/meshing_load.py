@@ -14,14 +14,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
-from core.precession.contact_curve import FloatArray
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.rollers import Roller
 from core.quadrature import TRUNCATION
 from core.results import ROUNDING, Accuracy, Notice
-
-Vector = tuple[float, float, float]
 
 SMALL_ARM = 0.1
 """Arm over R_C below which the line load grows so steeply that lines in truth share it."""

@@ -12,11 +12,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
-from core.precession.contact_curve import FloatArray
 from core.results import ROUNDING
 
-Vector = tuple[float, float, float]
 Plane = tuple[float, float]
 
 SAME_LENGTH = 16 * ROUNDING

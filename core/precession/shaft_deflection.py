@@ -4,10 +4,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from core.arrays import Vector
 from core.precession.shaft import (
     Plane,
     ShaftSection,
-    Vector,
     bearing_reactions,
     bending_stiffness,
     shaft_pieces,

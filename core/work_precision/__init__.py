@@ -4,6 +4,8 @@ Each study runs the methods that an engineer might use at several settings, meas
 of each (median of repeated runs) and its error against a reference of 40 digits, and marks the
 method that the calculators use. What cannot be had on the input is left out.
 
+Modules, in reading order
+-------------------------
 study          points, timing, choice
 rules          quadrature rules with a setting each
 peak_force     sampling, polished sampling, segment-exact, the papers' approximations

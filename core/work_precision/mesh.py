@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import Roller, RollerByLength
 from core.work_precision.rules import (
-    FloatArray,
     Integrand,
     adaptive,
     finite_sum,

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from core.contact_force import approximate_peak_ratio, force_ratios
 from core.errors import InvalidInput
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.work_precision.study import (
     REFERENCE_DIGITS,
     Reference,

@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterator
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from core.arrays import FloatArray
+
 Integrand = Callable[[FloatArray], FloatArray]
 
 

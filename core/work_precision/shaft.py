@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from core.precession.shaft import ShaftSection, Vector, bearing_reactions
+from core.arrays import FloatArray, Vector
+from core.precession.shaft import ShaftSection, bearing_reactions
 from core.precession.shaft_deflection import shaft_deflection
-from core.work_precision.rules import FloatArray, fixed_rules, integrate
+from core.work_precision.rules import fixed_rules, integrate
 from core.work_precision.study import (
     REFERENCE_DIGITS,
     Reference,

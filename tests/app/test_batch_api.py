@@ -2,13 +2,11 @@
 
 import asyncio
 import json
-from random import Random
 
 import httpx
 import pytest
 
 from app import batches
-from app.batches import FEWEST_TOGETHER
 from app.examples import REQUESTS
 from app.main import create_app
 from app.problems import unavailable
@@ -59,74 +57,6 @@ async def test_a_batch_gives_what_each_request_would_get_alone(api, calculation)
             stated = each["result"]["accuracy"]
             assert set(stated) == set(alone.json()["accuracy"])
             assert 0 < stated["relative_error"] < 1e-9
-
-
-random = Random(7)
-
-
-def size():
-    return round(10 ** random.uniform(-1, 2), 3)
-
-
-def crank_angles(satellites):
-    return [random.choice([30.0 * random.randrange(12), random.uniform(-400, 400)])
-            for _ in range(satellites)]  # fmt: skip
-
-
-MIXED = {
-    "contact_force": lambda: {
-        "pins": random.randrange(1, 9),
-        "crank_angles_deg": crank_angles(random.randrange(1, 5)),
-        **random.choice(
-            [{"ratio": size()}, {"satellite_teeth": 40, "ring_teeth": random.randrange(38, 45)}]
-        ),
-        "force_exponent": random.choice([0, 1, 1.5, 10 / 9, -1]),
-        "output_torque_Nm": size(),
-        "pin_circle_radius_mm": size(),
-        "include": random.choice([[], [], [], ["approximation"]]),
-    },
-    "hertz": lambda: {
-        "force_N": random.choice([0, size() * 1000]),
-        "contact_length_mm": size(),
-        "pin_radius_mm": size(),
-        "hole_radius_mm": size(),
-        "pin_material": random.choice(["steel_bearing", "bronze_tin", "no_such_material"]),
-        "hole_material": random.choice(
-            ["steel_bearing", {"youngs_modulus_GPa": 70, "poissons_ratio": 0.33}]
-        ),
-    },
-    "roller_strength": lambda: {
-        "output_torque_Nm": size(),
-        "hole_circle_radius_mm": size(),
-        "rollers": 3,
-        "cylinder_length_mm": size(),
-        "sphere_width_mm": size(),
-        "sphere_diameter_mm": size(),
-        "diameter_mm": size(),
-        "friction_coefficient": random.random(),
-        "youngs_modulus_GPa": 210,
-        **random.choice([{"poissons_ratio": 0.3}, {"shear_modulus_GPa": 80}]),
-        **random.choice([{"position_tolerance_mm": 0.002}, {"gaps_mm": [0, 0.01, size() / 1e4]}]),
-    },
-}
-
-
-@pytest.mark.parametrize("calculation", MIXED)
-async def test_designs_calculated_together_are_those_calculated_alone(api, calculation):
-    asked = [MIXED[calculation]() for _ in range(3 * FEWEST_TOGETHER)]
-    batch = await api.post("batch", json={"calculation": calculation, "requests": asked})
-    results = batch.json()["results"]
-    if calculation == "contact_force":
-        together = "segment-exact, designs together"
-        stated = [each["result"]["accuracy"] for each in results if "result" in each]
-        assert sum(each["method"] == together for each in stated) >= FEWEST_TOGETHER
-    assert {kind for each in results for kind in each} == {"result", "problem"} - (
-        {"problem"} if calculation == "roller_strength" else set()
-    )
-    for each, body in zip(results, asked, strict=True):
-        alone = await api.post(PATHS[calculation], json=body)
-        kind = "result" if alone.status_code == 200 else "problem"
-        assert same(each, {kind: alone.json()}), body
 
 
 async def test_a_mechanism_that_cannot_work_fails_alone(api):

@@ -111,7 +111,7 @@ async def test_options_of_the_force_run_only_when_named(api, option):
         "equal_sharing": "peak_force",
         "approximation": "approximate_peak_ratio",
     }[option]
-    import core.crank_planetary as module
+    import core.output.contact_force as module
 
     real = getattr(module, called)
     with patch.object(module, called, side_effect=real) as spy:

@@ -41,13 +41,15 @@ def methods(cls: type) -> list[FunctionType]:
 
 
 ORDERED = {
-    "core.force_laws.depressed_cubic_roots",
-    "core.force_bounds.least_total",
-    "core.force_bounds.most_summits",
-    "core.force_bounds.next_place",
+    "core.arrays.where",
+    "core.arrays.refuse",
+    "core.output.force_laws.depressed_cubic_roots",
+    "core.output.force_bounds.least_total",
+    "core.output.force_bounds.most_summits",
+    "core.output.force_bounds.next_place",
 }
-"""Functions whose arguments have an order of their own (a polynomial's coefficients), or that are
-compiled, where keywords are not known."""
+"""Functions whose arguments have an order of their own: a polynomial's coefficients, the ends of a
+stretch, what NumPy's `where` takes."""
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
@@ -114,9 +116,26 @@ def test_several_arguments_are_given_by_keyword(function):
     assert len(positional) <= 1
 
 
-def test_the_module_map_is_the_order_of_the_layers():
-    names = re.findall(r"^(\w+)  +\S", core.__doc__.split("Modules, in reading order")[1], re.M)
-    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]
-    layers = next(each for each in contracts["contracts"] if each.get("containers") == ["core"])
-    upwards = [layer.strip("()") for layer in reversed(layers["layers"])]
-    assert names == [layer for layer in upwards if layer in names]
+CONTRACTS = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"][
+    "contracts"
+]
+ROOMS = {
+    room: contract["layers"]
+    for contract in CONTRACTS
+    for room in contract.get("containers", ())
+    if room.startswith("core")
+}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_the_module_map_is_the_order_of_the_layers(room):
+    text = importlib.import_module(room).__doc__ or ""
+    names = re.findall(r"^(\w+)  +\S", text.split("Modules, in reading order")[1], re.M)
+    assert names == list(reversed(ROOMS[room]))
+
+
+def test_every_room_has_a_map():
+    packages = {
+        found.name for found in pkgutil.walk_packages(core.__path__, "core.") if found.ispkg
+    }
+    assert packages | {"core"} == set(ROOMS)

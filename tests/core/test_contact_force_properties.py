@@ -7,17 +7,17 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from core.contact_force import (
+from core.errors import InvalidInput
+from core.output.force_laws import depressed_cubic_roots
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_forces import (
     approximate_peak_ratio,
     approximation_notices,
     force_ratios,
     output_torque_from_input,
     reference_force,
 )
-from core.errors import InvalidInput
-from core.force_laws import depressed_cubic_roots
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
 
 settings.register_profile("no deadline", deadline=None)
 settings.load_profile("no deadline")

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from core.cyclogram import Cyclogram, cyclogram
 from core.errors import InvalidInput
-from core.mechanism import Mechanism, assembly_angles, ratio_from_teeth
+from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.mechanism import Mechanism, assembly_angles, ratio_from_teeth
 
 settings.register_profile("no deadline", deadline=None)
 settings.load_profile("no deadline")

@@ -6,10 +6,10 @@ from itertools import pairwise
 
 import pytest
 
-from core.driving_set import segments
-from core.force_bounds import Look, least_total, most_summits
-from core.force_laws import _Power
-from core.mechanism import Mechanism
+from core.output.driving_set import segments
+from core.output.force_bounds import Look, least_total, most_summits
+from core.output.force_laws import _Power
+from core.output.mechanism import Mechanism
 
 
 def stretches(seed: int) -> tuple[float, list[list[Look]]]:

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.mechanism import Mechanism
-from core.pin_geometry import PinGeometry, pin_geometry
+from core.output.mechanism import Mechanism
+from core.output.pin_geometry import PinGeometry, pin_geometry
 
 settings.register_profile("no deadline", deadline=None)
 settings.load_profile("no deadline")

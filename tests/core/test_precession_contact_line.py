@@ -205,7 +205,7 @@ def test_scipy_is_not_loaded() -> None:
         "import sys, math\n"
         "from core.precession.meshing_load import meshing_load\n"
         "from core.precession.rollers import RollerByLength\n"
-        "import core.precession.shaft_deflection, core.roller_strength\n"
+        "import core.precession.shaft_deflection, core.rollers.roller_strength\n"
         "meshing_load(roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=0.1,\n"
         "    ratio_u12=0.96, rollers=[RollerByLength(1.0, 0.01, 0.02)], torque=1.0,\n"
         "    reference_z=0.0)\n"

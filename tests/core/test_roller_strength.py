@@ -9,13 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.roller_curves import (
+from core.rollers.roller_curves import (
     load_nonuniformity,
     relative_stiffness,
     relative_stress,
     single_roller_limit,
 )
-from core.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_strength
 
 DESIGN: dict[str, Any] = {
     "output_torque": 210.0,

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from core.contact_force import force_ratios
 from core.errors import ImpossibleMechanism
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_forces import force_ratios
 from tests.reference.oracle_crank_planetary import (
     cosines,
     forces,

@@ -12,8 +12,8 @@ from itertools import pairwise
 import pytest
 from mpmath import mp, mpf
 
-from core.cyclogram import cyclogram
-from core.mechanism import Mechanism
+from core.output.cyclogram import cyclogram
+from core.output.mechanism import Mechanism
 from tests.reference.oracle_crank_planetary import (
     cosines,
     driving_count,

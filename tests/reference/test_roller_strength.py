@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 from core.load_sharing import share_load
-from core.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_strength
 
 mp.dps = 50
 

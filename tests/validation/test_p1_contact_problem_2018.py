@@ -11,13 +11,13 @@ import math
 import numpy as np
 import pytest
 
-from core.contact_force import approximate_peak_ratio, force_ratios
-from core.cyclogram import cyclogram
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.mechanism import Mechanism, ratio_from_teeth
-from core.peak_force import peak_force
+from core.output.cyclogram import cyclogram
+from core.output.mechanism import Mechanism, ratio_from_teeth
+from core.output.peak_force import peak_force
+from core.output.pin_forces import approximate_peak_ratio, force_ratios
 
 RATIO = 20.0
 """P1's i14 = -20: the sign says that crank and output turn against each other."""

@@ -9,11 +9,11 @@ import math
 import numpy as np
 import pytest
 
-from core.contact_force import force_ratios
-from core.cyclogram import cyclogram
-from core.mechanism import Mechanism, assembly_angles
-from core.peak_force import peak_force
-from core.pin_geometry import pin_geometry
+from core.output.cyclogram import cyclogram
+from core.output.mechanism import Mechanism, assembly_angles
+from core.output.peak_force import peak_force
+from core.output.pin_forces import force_ratios
+from core.output.pin_geometry import pin_geometry
 
 RATIO = 20.0
 

@@ -8,8 +8,8 @@ import math
 
 import pytest
 
-from core.roller_curves import load_nonuniformity, relative_stiffness, relative_stress
-from core.roller_strength import RollerStrength, roller_strength
+from core.rollers.roller_curves import load_nonuniformity, relative_stiffness, relative_stress
+from core.rollers.roller_strength import RollerStrength, roller_strength
 
 FIG_4 = {
     "relative_width": 0.8,

@@ -9,10 +9,10 @@ import math
 import numpy as np
 import pytest
 
-from core.contact_force import force_ratios, reference_force
 from core.errors import ImpossibleMechanism
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_forces import force_ratios, reference_force
 
 
 def p4_mechanism(pins: int, flows: int) -> Mechanism:

@@ -1,17 +1,14 @@
 """Request and answer of the load of the mesh."""
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import field_validator
 
 from app.schemas.base import AccuracyOut, ResponseModel, WarningOut, no_dust, quantity
 from app.schemas.precession.gear import Coordinate, GearFields
 from app.units import to_si
+from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
-
-FloatArray = NDArray[np.float64]
-Vector = tuple[float, float, float]
 
 
 class MeshingLoadRequest(GearFields):

@@ -1,7 +1,7 @@
 """The cyclogram of the pin/hole pairs of a crank-planetary reducer: which drive, when, how many.
 
 A pair drives through exactly half of each turn of the wave angle, at known angles (see
-`core.mechanism`): the cyclogram is closed form, without sampling or search.
+`core.output.mechanism`): the cyclogram is closed form, without sampling or search.
 """
 
 import itertools
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.errors import InvalidInput
-from core.mechanism import SAME_PHASE, Mechanism, WavePhases
+from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
 from core.results import ROUNDING, Accuracy
 
 MAX_DRIVING_PHASES = 40_000

@@ -8,10 +8,10 @@ import math
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
-Number = TypeVar("Number", float, FloatArray)
+from core.arrays import FloatArray
+
+Either = TypeVar("Either", float, FloatArray)
 
 SHEAR_FACTOR = 1.11
 """Uneven shear over a round section, the source's rounding of 10/9."""
@@ -19,12 +19,12 @@ SHEAR_FACTOR = 1.11
 
 def relative_stiffness(
     *,
-    relative_length: Number,
+    relative_length: Either,
     relative_width: float | FloatArray,
     relative_sphere: float | FloatArray,
     friction_coefficient: float | FloatArray,
     modulus_ratio: float | FloatArray,
-) -> Number:
+) -> Either:
     """Relative stiffness ``c/(b*E)`` of one end of a roller over its relative length.
 
     With ``l = l/d, b = b/d, D = D/d`` the compliance is ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 +
@@ -58,16 +58,16 @@ def relative_stiffness(
     ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
     0.011424309
     """
-    length: Number = relative_length
+    length: Either = relative_length
     width: Any = relative_width
     end_moment = friction_coefficient * relative_sphere + width
     bending = end_moment * length / 4 + length * length / 3 + width * (length + end_moment) / 4
     shear = 4 * SHEAR_FACTOR * modulus_ratio * (length + width / 2)
-    stiffness: Number = math.pi / (width * (64 * length * bending + shear))
+    stiffness: Either = math.pi / (width * (64 * length * bending + shear))
     return stiffness
 
 
-def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:
+def load_nonuniformity(*, relative_position_error: Either, rollers: int) -> Either:
     """Largest force over the mean one: ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
 
     Parameters
@@ -75,7 +75,7 @@ def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Numb
     relative_position_error : float or array
         delta, dimensionless, >= 0.
     rollers : int
-        Number n of rollers.
+        Either n of rollers.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def single_roller_limit(*, rollers: int) -> float:
     Parameters
     ----------
     rollers : int
-        Number n of rollers.
+        Either n of rollers.
 
     Returns
     -------
@@ -110,7 +110,7 @@ def single_roller_limit(*, rollers: int) -> float:
 
 def relative_stress(
     *,
-    relative_length: Number,
+    relative_length: Either,
     relative_width: float,
     relative_sphere: float,
     friction_coefficient: float,
@@ -120,7 +120,7 @@ def relative_stress(
     relative_radius: float,
     relative_tolerance: float,
     stress_concentration: float,
-) -> Number:
+) -> Either:
     """Stress sigma/E of the most loaded roller over its relative length.
 
     Parameters
@@ -134,7 +134,7 @@ def relative_stress(
     modulus_ratio : float
         E/G, dimensionless.
     rollers : int
-        Number n of rollers.
+        Either n of rollers.
     relative_torque : float
         ``T/(E*d^3)``.
     relative_radius : float

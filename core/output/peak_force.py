@@ -9,10 +9,10 @@ the turn.
 import math
 from dataclasses import dataclass
 
-from core.contact_force import check_exponent, refuse_dead_centre
-from core.driving_set import segments
-from core.force_laws import force_law
-from core.mechanism import SAME_PHASE, Mechanism, WavePhases
+from core.output.driving_set import segments
+from core.output.force_laws import force_law
+from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
+from core.output.pin_forces import check_exponent, refuse_dead_centre
 from core.results import ROUNDING, Accuracy
 
 EQUAL = 1e-13

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.contact_force import pressure_cosines
+from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.mechanism import Mechanism
+from core.output.mechanism import Mechanism
+from core.output.pin_forces import pressure_cosines
 from core.results import ROUNDING, Accuracy, Notice
-
-FloatArray = NDArray[np.float64]
 
 FIT_TOLERANCE = 1e-9
 """Clearance below this fraction of the hole radius is none: the radii are decimal numbers."""

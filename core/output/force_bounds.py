@@ -6,8 +6,6 @@ ratio is ``f = sqrt(1 + t^2)/T`` with ``T = sum(u^(1 + v))``. T is convex in t,
 ``L = sum(sin(d)*u^v)`` falls, and ``B = T + (1 + v)*t*L`` rises up to t = 0 and falls from there.
 ``t*B + (1 + v)*L`` has the sign of the slope of f; none of its two parts is large where they nearly
 cancel, as those of ``t*T + (1 + v)*(1 + t^2)*L`` are beside a dead centre.
-
-The functions are plain arithmetic of numbers: `core.designs.compiled` compiles them as they stand.
 """
 
 import math

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from core.errors import InvalidInput
 from core.load_sharing import share_load
 from core.results import ROUNDING, Accuracy, Notice
-from core.roller_curves import relative_stiffness
+from core.rollers.roller_curves import relative_stiffness
 
 SHORT_ROLLER = 1.0
 """Length over diameter below which the shear and the clamping outweigh beam bending."""
@@ -187,14 +187,14 @@ def roller_strength(
     stiffness = relative * sphere_width * youngs_modulus
     total = output_torque / hole_circle_radius / 2
     mean_force = total / rollers
-    roller_gaps = _roller_gaps(rollers, position_tolerance, gaps)
-    sharing = share_load(total=total, stiffness=stiffness, gaps=roller_gaps)
+    closing = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
+    sharing = share_load(total=total, stiffness=stiffness, gaps=closing)
     max_force = max(sharing.forces)
     if position_tolerance is not None:
         delta = stiffness * position_tolerance / mean_force
     else:
-        first = min(roller_gaps)
-        spread = math.fsum(gap - first for gap in roller_gaps)
+        first = min(closing)
+        spread = math.fsum(gap - first for gap in closing)
         delta = stiffness * spread / (4 * max(rollers - 1, 1)) / mean_force
     arm = cylinder_length + sphere_width / 2 + friction_coefficient * sphere_diameter / 2
     moment = arm * max_force
@@ -265,9 +265,35 @@ def modulus_ratio(
     return youngs_modulus / shear_modulus
 
 
-def _roller_gaps(
-    rollers: int, position_tolerance: float | None, gaps: Sequence[float] | None
+def roller_gaps(
+    *, rollers: int, position_tolerance: float | None, gaps: Sequence[float] | None
 ) -> Sequence[float]:
+    """Gap of each roller: as given, or those of the worst case of a position tolerance chi, one
+    roller ahead of the others by ``4*chi``.
+
+    Parameters
+    ----------
+    rollers : int
+        Number n of rollers.
+    position_tolerance : float or None
+        Position tolerance chi of the holes, m, >= 0; this or `gaps`.
+    gaps : sequence of float or None
+        Gap g_i of each roller, m; this or `position_tolerance`.
+
+    Returns
+    -------
+    sequence of float
+        n gaps, m.
+
+    Raises
+    ------
+    InvalidInput
+        If not exactly one of the two is given, or there is not one gap for each roller.
+
+    Notes
+    -----
+    Source: Ovsyannikov et al. 2019, before eq. (5).
+    """
     if gaps is not None:
         if position_tolerance is not None:
             raise InvalidInput("gaps", gaps, "and {position_tolerance} exclude each other")

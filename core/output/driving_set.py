@@ -12,8 +12,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from core.contact_force import FloatArray
-from core.mechanism import WavePhases
+from core.arrays import FloatArray
+from core.output.mechanism import WavePhases
 from core.results import ROUNDING
 
 

@@ -6,9 +6,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from core.contact_force import FloatArray
-from core.driving_set import DrivingSet, Segment, cosine
-from core.force_bounds import (
+from core.arrays import FloatArray
+from core.output.driving_set import DrivingSet, Segment, cosine
+from core.output.force_bounds import (
     HALVINGS,
     NARROW,
     RESOLUTION,
@@ -103,7 +103,7 @@ class _Linear(ForceLaw):
 
 class _Power(ForceLaw):
     """Any exponent: stretches are halved until they have no summit that may be the peak, or one;
-    see `core.force_bounds`.
+    see `core.output.force_bounds`.
     """
 
     method = "segment-exact, bracketed roots"

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.contact_force import (
-    FloatArray,
+from core.arrays import FloatArray
+from core.errors import InvalidInput
+from core.output.mechanism import Mechanism
+from core.output.peak_force import peak_force
+from core.output.pin_forces import (
     approximate_peak_ratio,
     approximation_notices,
     force_ratios,
     reference_force,
 )
-from core.errors import InvalidInput
-from core.mechanism import Mechanism
-from core.peak_force import peak_force
 from core.results import Accuracy, Notice
 
 

@@ -12,14 +12,11 @@ import math
 from typing import NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.mechanism import SAME_PHASE, Mechanism
+from core.output.mechanism import SAME_PHASE, Mechanism
 from core.results import ROUNDING, Notice
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.intp]
 
 MAX_FORCE_EXPONENT = 1e6
 """Largest exponent v for which forces are resolved to their stated error."""

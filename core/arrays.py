@@ -1,0 +1,143 @@
+"""One function for a number and for arrays of designs.
+
+Each function here looks at its operand: plain floats go to `math` (some 50 ns), everything else to
+NumPy, so that a formula is written once and serves one design in microseconds and millions of
+designs a second. Arrays may have any leading axes and broadcast as NumPy's do.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.errors import InvalidInput
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+BoolArray = NDArray[np.bool_]
+
+Number = float | FloatArray
+"""A quantity of one design, or of many."""
+
+Vector = tuple[float, float, float]
+"""x, y, z."""
+
+
+def _either(plain: Callable[[float], float], many: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    def function(x: Any) -> Any:
+        return plain(x) if isinstance(x, float) else many(x)
+
+    function.__name__ = function.__qualname__ = plain.__name__
+    function.__doc__ = f"`math.{plain.__name__}` of a number, element by element of an array."
+    return function
+
+
+sqrt = _either(math.sqrt, np.sqrt)
+atan = _either(math.atan, np.arctan)
+atanh = _either(math.atanh, np.arctanh)
+log1p = _either(math.log1p, np.log1p)
+
+
+def where(condition: Any, x: Any, y: Any) -> Any:
+    """One quantity where a condition holds, another where not; both are computed.
+
+    Parameters
+    ----------
+    condition : bool or array of bool
+        The condition.
+    x, y : float or array
+        The two.
+
+    Returns
+    -------
+    float or array
+    """
+    if isinstance(condition, bool):
+        return x if condition else y
+    return np.where(condition, x, y)
+
+
+def every(condition: Any) -> bool:
+    """Whether a condition holds for all designs.
+
+    Parameters
+    ----------
+    condition : bool or array of bool
+        The condition.
+    """
+    return condition if isinstance(condition, bool) else bool(np.all(condition))
+
+
+def some(condition: Any) -> bool:
+    """Whether a condition holds for any design.
+
+    Parameters
+    ----------
+    condition : bool or array of bool
+        The condition.
+    """
+    return condition if isinstance(condition, bool) else bool(np.any(condition))
+
+
+def check_positive(**values: Any) -> None:
+    """Refuse quantities that are not larger than 0.
+
+    Parameters
+    ----------
+    **values : float or array
+        Quantities by their names.
+
+    Raises
+    ------
+    InvalidInput
+        If one is not; of arrays the first such entry is named.
+    """
+    for name, value in values.items():
+        if not every(value > 0):
+            refuse(name, value, value > 0, "must be larger than 0")
+
+
+def check_not_negative(**values: Any) -> None:
+    """Refuse quantities below 0.
+
+    Parameters
+    ----------
+    **values : float or array
+        Quantities by their names.
+
+    Raises
+    ------
+    InvalidInput
+        If one is; of arrays the first such entry is named.
+    """
+    for name, value in values.items():
+        if not every(value >= 0):
+            refuse(name, value, value >= 0, "must not be negative")
+
+
+def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:
+    """Refuse a quantity, or the first entry of an array that is not allowed.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    value : float or array
+        The quantity.
+    allowed : bool or array of bool
+        Where it is allowed.
+    limit : str
+        What it has to be, as the rest of a sentence.
+
+    Raises
+    ------
+    InvalidInput
+        Always.
+    """
+    if np.ndim(allowed):
+        allowed, value = np.broadcast_arrays(allowed, value)
+        first = np.unravel_index(int(np.argmin(allowed)), allowed.shape)
+        name, value = f"{name}[{','.join(map(str, first))}]", value[first]
+    raise InvalidInput(name, value, limit)

@@ -1,0 +1,14 @@
+"""The output mechanism of a crank-planetary reducer: pins in the holes of satellites on cranks.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
+cyclogram           which pin/hole pairs drive, when, how many together
+pin_forces          the law of load sharing: force of each pair; the approximation of its peak
+pin_geometry        pin and hole centres, contact points, clearance
+driving_set         the pairs that drive together, segment by segment of the turn
+force_bounds        bounds of the force over a stretch, from what is known at its ends
+force_laws          the force of the best placed pair under each law of load sharing
+peak_force          the exact peak of the contact force over the turn
+contact_force       forces over the turn, peak and approximations as one job
+"""
