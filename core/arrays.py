@@ -149,7 +149,7 @@ def some(condition: Any) -> bool:
     return condition if isinstance(condition, bool) else bool(np.any(condition))
 
 
-def check_positive(**values: Any) -> None:
+def check_positive(**values: Number) -> None:
     """Refuse quantities that are not larger than 0.
 
     Parameters
@@ -160,7 +160,7 @@ def check_positive(**values: Any) -> None:
     Raises
     ------
     InvalidInput
-        If one is not; of arrays the first such entry is named.
+        If one is; of an array the first such entry is named.
     """
     for name, value in values.items():
         allowed = value > 0
@@ -168,7 +168,7 @@ def check_positive(**values: Any) -> None:
             refuse(name, value, allowed, "must be larger than 0")
 
 
-def check_not_negative(**values: Any) -> None:
+def check_not_negative(**values: Number) -> None:
     """Refuse quantities below 0.
 
     Parameters
@@ -179,12 +179,31 @@ def check_not_negative(**values: Any) -> None:
     Raises
     ------
     InvalidInput
-        If one is; of arrays the first such entry is named.
+        If one is; of an array the first such entry is named.
     """
     for name, value in values.items():
         allowed = value >= 0
         if allowed is not True and not every(allowed):
             refuse(name, value, allowed, "must not be negative")
+
+
+def check_finite(**values: Number) -> None:
+    """Refuse quantities that are infinite or no number.
+
+    Parameters
+    ----------
+    **values : float or array
+        Quantities by their names.
+
+    Raises
+    ------
+    InvalidInput
+        If one is; of an array the first such entry is named.
+    """
+    for name, value in values.items():
+        allowed = abs(value) < math.inf
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must be a finite number")
 
 
 def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:

@@ -7,11 +7,19 @@ gaps; an open contact carries nothing and cannot pull.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-import numpy as np
-
-from core.arrays import IntArray, Number, ascending, check_positive, every, refuse, some, where
+from core.arrays import (
+    IntArray,
+    Number,
+    ascending,
+    check_finite,
+    check_not_negative,
+    check_positive,
+    every,
+    refuse,
+    some,
+    where,
+)
 from core.errors import InvalidInput
 from core.results import ROUNDING
 
@@ -84,13 +92,15 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
     >>> share_load(total=9.0, stiffness=1e6, gaps=[0.0, 1e-5, 1e-5, 1e-5]).loaded
     1
     """
-    _check_finite(total=total, stiffness=stiffness)
-    check_positive(stiffness=stiffness)
-    if not every(total >= 0):
-        refuse("total", total, total >= 0, "must not be negative")
     if not gaps:
         raise InvalidInput("gaps", gaps, "must name at least one contact")
-    _check_finite(**{f"gaps[{index}]": gap for index, gap in enumerate(gaps)})
+    check_positive(stiffness=stiffness)
+    check_not_negative(total=total)
+    check_finite(total=total, stiffness=stiffness)
+    for index, gap in enumerate(gaps):
+        finite = abs(gap) < math.inf
+        if finite is not True and not every(finite):
+            refuse(f"gaps[{index}]", gap, finite, "must be a finite number")
 
     closing = ascending(gaps)
     first = last = closing[0]
@@ -115,10 +125,3 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
         # for each contact closed, relative to total/c; the largest force is at least its m-th.
         relative_error=ROUNDING * (3 + closed),
     )
-
-
-def _check_finite(**values: Any) -> None:
-    for name, value in values.items():
-        finite = math.isfinite(value) if isinstance(value, float) else np.isfinite(value)
-        if not every(finite):
-            refuse(name, value, finite, "must be a finite number")
