@@ -5,13 +5,13 @@ of this machine; the marks are 250 ms for numbers and 350 ms for figures. Beside
 of the moving drawing takes; the mark is the time from one frame of a screen to the next.
 """
 
+import shutil
 import statistics
 import sys
 
 from playwright.sync_api import Page, sync_playwright
 
-from tests.browser.conftest import chromium_path
-from tests.running_service import running_service
+from benchmarks.load import service as running_service
 
 NUMBERS_MS, FIGURES_MS, FRAME_MS = 250, 350, 16.7
 ROUNDS = 15
@@ -79,7 +79,7 @@ def main() -> int:
     missed = False
     with running_service() as service, sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=chromium_path(), args=["--no-proxy-server", "--no-sandbox"]
+            executable_path=shutil.which("chromium"), args=["--no-proxy-server", "--no-sandbox"]
         )
         page = browser.new_page()
         for calculator in CALCULATORS:
