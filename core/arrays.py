@@ -40,6 +40,36 @@ atanh = _either(math.atanh, np.arctanh)
 log1p = _either(math.log1p, np.log1p)
 
 
+def larger(x: Any, y: Any) -> Any:
+    """The larger of two quantities.
+
+    Parameters
+    ----------
+    x, y : float or array
+        The two.
+
+    Returns
+    -------
+    float or array
+    """
+    return max(x, y) if isinstance(x, float) and isinstance(y, float) else np.maximum(x, y)
+
+
+def smaller(x: Any, y: Any) -> Any:
+    """The smaller of two quantities.
+
+    Parameters
+    ----------
+    x, y : float or array
+        The two.
+
+    Returns
+    -------
+    float or array
+    """
+    return min(x, y) if isinstance(x, float) and isinstance(y, float) else np.minimum(x, y)
+
+
 def where(condition: Any, x: Any, y: Any) -> Any:
     """One quantity where a condition holds, another where not; both are computed.
 
@@ -57,6 +87,25 @@ def where(condition: Any, x: Any, y: Any) -> Any:
     if isinstance(condition, bool):
         return x if condition else y
     return np.where(condition, x, y)
+
+
+def known_where(condition: Any, x: Any) -> Any:
+    """A quantity where it is known; elsewhere None of one design, NaN in arrays.
+
+    Parameters
+    ----------
+    condition : bool or array of bool
+        Where it is known.
+    x : float or array
+        The quantity.
+
+    Returns
+    -------
+    float, array or None
+    """
+    if isinstance(condition, bool):
+        return x if condition else None
+    return np.where(condition, x, np.nan)
 
 
 def every(condition: Any) -> bool:
@@ -95,8 +144,9 @@ def check_positive(**values: Any) -> None:
         If one is not; of arrays the first such entry is named.
     """
     for name, value in values.items():
-        if not every(value > 0):
-            refuse(name, value, value > 0, "must be larger than 0")
+        allowed = value > 0
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must be larger than 0")
 
 
 def check_not_negative(**values: Any) -> None:
@@ -113,8 +163,9 @@ def check_not_negative(**values: Any) -> None:
         If one is; of arrays the first such entry is named.
     """
     for name, value in values.items():
-        if not every(value >= 0):
-            refuse(name, value, value >= 0, "must not be negative")
+        allowed = value >= 0
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must not be negative")
 
 
 def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:

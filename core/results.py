@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from core.arrays import Number
+
 ROUNDING = 2.0**-52
 """Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
 
@@ -14,7 +16,7 @@ class Accuracy:
     ----------
     method : str
         Name of the method, as an engineer would write it.
-    relative_error : float
+    relative_error : float or array
         Bound or honest estimate of the relative error against the exact value for the input
         as given, dimensionless: rounding, truncation and the input's own condition together.
     evaluations : int
@@ -22,7 +24,7 @@ class Accuracy:
     """
 
     method: str
-    relative_error: float
+    relative_error: Number
     evaluations: int
 
 
