@@ -11,6 +11,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from itertools import repeat
 
+from benchmarks.options import options
 from tests.oracles.fuzz import SLOW_S, Fuzz, Report
 
 REQUESTS = 100_000
@@ -22,7 +23,7 @@ def run(requests: int, seed: int) -> Report:
     return asyncio.run(Fuzz().run(requests, seed))
 
 
-def main(requests: int = REQUESTS, seed: int | None = None) -> int:
+def main(requests: int, seed: int | None) -> int:
     """Run the fuzz in several processes and say what came of it; 1 if anything broke."""
     seed = random.randrange(10**6) if seed is None else seed
     print(f"{requests} requests, seed {seed}", flush=True)
@@ -45,4 +46,5 @@ def main(requests: int = REQUESTS, seed: int | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))
+    asked = options(__doc__, requests=REQUESTS, seed=None)
+    sys.exit(main(80, 0) if asked.smallest else main(asked.requests, asked.seed))

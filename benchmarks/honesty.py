@@ -17,6 +17,7 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
+from benchmarks.options import options
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
@@ -280,7 +281,7 @@ def judge(name: str, pairs: Iterable[Pair | None]) -> Verdict:
     )
 
 
-def main(cases: int = CASES) -> int:
+def main(cases: int, smallest: bool = False) -> int:
     """Run all, write the report, and return 1 if a statement is not honest."""
     verdicts = []
     with ProcessPoolExecutor(2) as pool:
@@ -308,11 +309,15 @@ def main(cases: int = CASES) -> int:
         f"{v.largest:.1e} | {v.largest_stated:.1e} |"
         for v in verdicts
     ]
-    REPORT.write_text("\n".join([*lines, ""]), encoding="utf-8")
-    honest = all(v.held >= 0.999 and v.overstated < 100 for v in verdicts)
+    if smallest:
+        print("\n".join(lines))
+    else:
+        REPORT.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    honest = all(v.held >= 0.999 and (smallest or v.overstated < 100) for v in verdicts)
     print("honest" if honest else "NOT HONEST")
     return 0 if honest else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(*(int(argument) for argument in sys.argv[1:2])))
+    asked = options(__doc__, cases=CASES)
+    sys.exit(main(10, smallest=True) if asked.smallest else main(asked.cases))
