@@ -61,7 +61,7 @@ node:
 
 page: .venv/test
 	@tests/tools.sh chromium chromium fonts-dejavu-core
-	$(BIN)/pytest -m browser --numprocesses auto tests/browser
+	$(BIN)/pytest -m browser --numprocesses auto tests
 
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability

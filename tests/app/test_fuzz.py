@@ -2,8 +2,8 @@
 
 import pytest
 
-from benchmarks.fuzz import Fuzz
-from benchmarks.fuzz_requests import Request
+from tests.oracles.fuzz import Fuzz
+from tests.oracles.fuzz_requests import Request
 
 pytestmark = pytest.mark.anyio
 

@@ -19,9 +19,6 @@ from core.output.pin_forces import (
     reference_force,
 )
 
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
-
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 exponents = st.one_of(
     st.sampled_from([0.0, 1e-9, 0.3, 1.0, 10 / 9, 1.5, 3.0, 20.0, 120.0, 500.0]),

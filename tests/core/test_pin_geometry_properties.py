@@ -4,15 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinGeometry, pin_geometry
-
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 

@@ -14,7 +14,7 @@ from mpmath import mp, mpf
 
 from core.output.cyclogram import cyclogram
 from core.output.mechanism import Mechanism
-from tests.reference.oracle_crank_planetary import (
+from tests.oracles.crank_planetary import (
     cosines,
     driving_count,
     driving_intervals,

@@ -21,8 +21,7 @@ from core.hertz import (
     hertz,
 )
 from core.materials import ElasticMaterial
-
-mp.dps = 40
+from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 
 
 @pytest.mark.parametrize("seed", range(100))
@@ -57,7 +56,7 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
     p0 = mp.sqrt(w * modulus / (mp.pi * rho))
     a = mp.sqrt(4 * w * rho / (mp.pi * modulus))
     # largest |sx - sz|/2 below the middle, by its own stationary point
-    depth = mp.findroot(lambda z: mp.diff(_axis_shear, z), 0.8)
+    depth = mp.findroot(lambda z: mp.diff(axis_shear, z), 0.8)
     exact = {
         "reduced_radius": rho,
         "effective_modulus": modulus,
@@ -65,7 +64,7 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
         "mean_pressure": mp.pi / 4 * p0,
         "half_width": a,
         "half_width_ratio": a / mpf(pin_radius),
-        "max_shear": _axis_shear(depth) * p0,
+        "max_shear": axis_shear(depth) * p0,
         "max_shear_depth": depth * a,
     }
     stated = found.accuracy.relative_error
@@ -75,16 +74,6 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
         assert error <= stated, name
     # load per width: p0 over an ellipse of half-axis a carries the load
     assert found.mean_pressure * 2 * found.half_width == pytest.approx(float(w), rel=1e-14)
-
-
-def _axis_shear(z: mpf) -> mpf:
-    """Principal shear below the middle of a Hertz line contact over p0, depth z over a.
-
-    Johnson, Contact Mechanics, eq. (4.46): sx = -p0*((1 + 2z^2)/sqrt(1 + z^2) - 2z),
-    sz = -p0/sqrt(1 + z^2).
-    """
-    root = mp.sqrt(1 + z * z)
-    return ((1 / root) - ((1 + 2 * z * z) / root - 2 * z)) / 2
 
 
 def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
@@ -115,31 +104,6 @@ def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
     assert found.max_shear_depth / found.half_width == pytest.approx(depths[best], abs=5e-4)
     assert found.max_shear / found.max_pressure == pytest.approx(0.300, abs=5e-4)
     assert found.max_shear_depth / found.half_width == pytest.approx(0.786, abs=5e-4)
-
-
-def exact_tangent(load_parameter: float) -> mpf:
-    """Root b of Persson's equation by bisection in mpmath."""
-
-    def excess(b: mpf) -> mpf:
-        y = b * b
-        return (2 - mp.log(y + 1) - 2 * y * y) - mpf(load_parameter) * mp.pi * y * (y + 1)
-
-    low, high = mpf(0), mpf(1)
-    while high - low > mpf(10) ** -38 * high:
-        middle = (low + high) / 2
-        if excess(middle) > 0:
-            low = middle
-        else:
-            high = middle
-    return (low + high) / 2
-
-
-def exact_pressure(y: mpf, b: mpf) -> mpf:
-    """p*R/Q at y = tan(angle/2), Ciavarella and Decuzzi 2001 for identical materials."""
-    inner, outer = mp.sqrt(b * b - y * y), mp.sqrt(b * b + 1)
-    return 2 * inner / (mp.pi * outer * (1 + y * y)) + mp.log((outer + inner) / (outer - inner)) / (
-        2 * mp.pi * b * b * (1 + b * b)
-    )
 
 
 LOAD_PARAMETERS = [1e-12, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 30.0, 300.0, 1e4, 1e8, 1e14]
