@@ -165,7 +165,7 @@ def check_positive(**values: Number) -> None:
     for name, value in values.items():
         allowed = value > 0
         if allowed is not True and not every(allowed):
-            refuse(name, value, allowed, "must be larger than 0")
+            refuse(name, value, allowed, "greater_than", limit=0)
 
 
 def check_not_negative(**values: Number) -> None:
@@ -184,7 +184,7 @@ def check_not_negative(**values: Number) -> None:
     for name, value in values.items():
         allowed = value >= 0
         if allowed is not True and not every(allowed):
-            refuse(name, value, allowed, "must not be negative")
+            refuse(name, value, allowed, "greater_than_equal", limit=0)
 
 
 def check_finite(**values: Number) -> None:
@@ -203,10 +203,10 @@ def check_finite(**values: Number) -> None:
     for name, value in values.items():
         allowed = abs(value) < math.inf
         if allowed is not True and not every(allowed):
-            refuse(name, value, allowed, "must be a finite number")
+            refuse(name, value, allowed, "finite_number")
 
 
-def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:
+def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> None:
     """Refuse a quantity, or the first entry of an array that is not allowed.
 
     Parameters
@@ -217,8 +217,10 @@ def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:
         The quantity.
     allowed : bool or array of bool
         Where it is allowed.
-    limit : str
-        What it has to be, as the rest of a sentence.
+    code : str
+        What is wrong with it, see `core.errors.REFUSALS`.
+    **params : object
+        What its text names.
 
     Raises
     ------
@@ -229,4 +231,4 @@ def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:
         allowed, value = np.broadcast_arrays(allowed, value)
         first = np.unravel_index(int(np.argmin(allowed)), allowed.shape)
         name, value = f"{name}[{','.join(map(str, first))}]", value[first]
-    raise InvalidInput(name, value, limit)
+    raise InvalidInput(name, value, code, **params)

@@ -1,8 +1,44 @@
 """What a calculation can refuse, and why.
 
-Both errors speak of core parameters by name, in SI units; whoever shows them to a user puts in
-that user's own field names and units.
+A refusal is a code with parameters, so that whoever shows it can say it in another language and
+with other names; here it is worded in English, with the core's names and SI units. The parameters
+`field` and `other` are names of core parameters.
 """
+
+REFUSALS = {
+    "at_most": "must be at most {field}",
+    "different_length": "must have {expected} entries, has {actual}",
+    "different_sum": "must have lengths that add up to {field} and {other}",
+    "exclusive": "and {field} exclude each other",
+    "finite_number": "must be a finite number",
+    "greater_than": "must be larger than {limit:g}",
+    "greater_than_equal": "must be at least {limit:g}",
+    "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
+    "infinitely long there",
+    "larger_than": "must be larger than {field}",
+    "less_than": "must be smaller than {limit:g}",
+    "less_than_equal": "must be at most {limit:g}",
+    "needed": "or {field} must be given",
+    "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
+    "no_conformal_pressure": "must have a conformal pressure",
+    "not_zero": "must not be 0",
+    "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
+    "{other}, as {field}: the line is infinitely long there",
+    "smaller_than": "must be smaller than {field}",
+    "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
+    "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
+    "too_short": "must have at least {limit:d} entries",
+    "too_short_range": "must be larger: no driving phase is that short",
+}
+"""What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
+
+IMPOSSIBLE = {
+    "dead_centre": "The mechanism cannot transmit torque: no pair drives",
+    "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
+    "where the load has no arm about the axis",
+}
+"""What cannot be, by code: a sentence without its full stop."""
 
 
 class CalculationError(Exception):
@@ -18,16 +54,18 @@ class InvalidInput(CalculationError):
         Name of the core parameter, a path where it sits in a list (``rollers[2].z_max``).
     value : object
         The value given, in SI units.
-    limit : str
-        What it has to be, as the rest of a sentence. Other parameters are named in braces:
-        ``"must be larger than {pin_radius}"``.
+    code : str
+        What is wrong with it, a key of `REFUSALS`.
+    **params : object
+        What its text names.
     """
 
-    def __init__(self, parameter: str, value: object, limit: str) -> None:
-        super().__init__(f"{parameter} = {value!r} {limit}")
+    def __init__(self, parameter: str, value: object, code: str, **params: object) -> None:
+        super().__init__(f"{parameter} = {value!r} {REFUSALS[code].format(**params)}")
         self.parameter = parameter
         self.value = value
-        self.limit = limit
+        self.code = code
+        self.params = params
 
 
 class ImpossibleMechanism(CalculationError):
@@ -35,14 +73,18 @@ class ImpossibleMechanism(CalculationError):
 
     Parameters
     ----------
-    what : str
-        What cannot be, as a sentence without its full stop.
+    code : str
+        What cannot be, a key of `IMPOSSIBLE`.
     where : dict of str to float, optional
         Position at which it happens: name of a core quantity to its value in SI units.
+    **params : object
+        What its text names besides.
     """
 
-    def __init__(self, what: str, where: dict[str, float] | None = None) -> None:
-        self.what = what
+    def __init__(self, code: str, where: dict[str, float] | None = None, **params: object) -> None:
+        self.code = code
         self.where = where or {}
+        self.params = params
+        what = IMPOSSIBLE[code].format(**self.where | params)
         place = ", ".join(f"{name} = {value!r}" for name, value in self.where.items())
         super().__init__(f"{what} at {place}" if place else what)

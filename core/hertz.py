@@ -126,25 +126,9 @@ class HertzContact:
         ratio = self.half_width_ratio
         if ratio <= HALF_WIDTH_RATIO_LIMIT:
             return ()
-        if self.conformal_pressure is not None:
-            code, cure = "hertz_half_width", "use {conformal_pressure}"
-        elif ratio <= 1:
-            code = "hertz_half_width"
-            cure = "no conformal solution is at hand for different materials: take it as a rough "
-            cure += "guide"
-        else:
-            code = "hertz_impossible"
-            cure = "wider than the pin, it does not apply at all, and for different materials no "
-            cure += "conformal solution is at hand: make the hole larger or the load smaller"
-        return (
-            Notice(
-                code=code,
-                detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
-                f"assumes a narrow contact and is off by more than 1 %: {cure}.",
-                value=float(ratio),
-                limit=HALF_WIDTH_RATIO_LIMIT,
-            ),
-        )
+        possible = self.conformal_pressure is not None or ratio <= 1
+        code = "hertz_half_width" if possible else "hertz_impossible"
+        return (Notice(code, {"width": 2 * float(ratio)}),)
 
 
 def hertz(
@@ -213,7 +197,7 @@ def hertz(
     )
     difference = hole_radius - pin_radius
     if not every(difference > 0):
-        refuse("hole_radius", hole_radius, difference > 0, "must be larger than {pin_radius}")
+        refuse("hole_radius", hole_radius, difference > 0, "larger_than", field="pin_radius")
 
     modulus = effective_modulus(first=pin_material, second=hole_material)
     reduced_radius = hole_radius / difference * pin_radius
@@ -420,7 +404,7 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
         If the contact has no conformal pressure.
     """
     if contact.conformal_pressure is None or contact.conformal_half_angle is None:
-        raise InvalidInput("contact", contact, "must have a conformal pressure")
+        raise InvalidInput("contact", contact, "no_conformal_pressure")
     angles = contact.conformal_half_angle * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
     places = np.tan(np.abs(angles) / 2)
     end = places[0]

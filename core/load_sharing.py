@@ -93,14 +93,14 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
     1
     """
     if not gaps:
-        raise InvalidInput("gaps", gaps, "must name at least one contact")
+        raise InvalidInput("gaps", gaps, "too_short", limit=1)
     check_positive(stiffness=stiffness)
     check_not_negative(total=total)
     check_finite(total=total, stiffness=stiffness)
     for index, gap in enumerate(gaps):
         finite = abs(gap) < math.inf
         if finite is not True and not every(finite):
-            refuse(f"gaps[{index}]", gap, finite, "must be a finite number")
+            refuse(f"gaps[{index}]", gap, finite, "finite_number")
 
     closing = ascending(gaps)
     first = last = closing[0]

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from core.arrays import Number, check_positive, every, refuse
+from core.arrays import Number, check_not_negative, check_positive, every, refuse
 
 Criterion = Literal["endurance", "static", "given"]
 """What a limit of the contact pressure guards against: pitting in the long run, a permanent set
@@ -75,9 +75,10 @@ def check_poissons_ratio(poissons_ratio: Number) -> None:
     InvalidInput
         If it is; of an array the first such entry is named.
     """
-    allowed = (poissons_ratio >= 0) & (poissons_ratio < 0.5)
+    check_not_negative(poissons_ratio=poissons_ratio)
+    allowed = poissons_ratio < 0.5
     if not every(allowed):
-        refuse("poissons_ratio", poissons_ratio, allowed, "must be at least 0 and below 0.5")
+        refuse("poissons_ratio", poissons_ratio, allowed, "less_than", limit=0.5)
 
 
 def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> Number:

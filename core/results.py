@@ -1,11 +1,44 @@
 """What every result carries besides its numbers: its accuracy, and the limits it strained."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 from core.arrays import Number
 
 ROUNDING = 2.0**-52
 """Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
+
+NOTICES = {
+    "approximation_exponent": "The approximation is made for linear contacts, exponent 1.",
+    "approximation_range": "The approximation is stated for {field} from {low} to {high} only; "
+    "here it is {value}.",
+    "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
+    "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
+    "output has turned through the lost motion, and the load sharing differs.",
+    "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin "
+    "radius, which leaves no clearance.",
+    "hardly_known": "Hardly anything is known of the result: its relative error may be {error:.2g}, "
+    "because rounding of the input is magnified so much.",
+    "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
+    "assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where "
+    "there is none, for different materials, take it as a rough guide.",
+    "hertz_impossible": "The contact is {width:.3g} times as wide as the pin's radius: wider than "
+    "the pin, so that Hertz does not apply at all, and for different materials no conformal "
+    "solution is at hand: make the hole larger or the load smaller.",
+    "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
+    "them.",
+    "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite "
+    "interfere and cannot be assembled.",
+    "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
+    "formulas are those of small deflections.",
+    "pins_overlap": "Neighbouring pins overlap.",
+    "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
+    "by shear and at its clamping, so the stiffness is a rough guide.",
+    "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "
+    "for rigid and the cylinder for the weak section.",
+    "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+}
+"""Limits of validity in English, by code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,21 +61,22 @@ class Accuracy:
     evaluations: int
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Notice:
     """A limit of validity that the result strains; the number is given all the same.
 
     Attributes
     ----------
     code : str
-        Stable name of the limit, for programs.
-    detail : str
-        What is strained and what it means, for people; ``{parameter}`` names a core parameter.
-    value, limit : float
-        The quantity tested and the limit it passed, dimensionless or in SI units.
+        Stable name of the limit, a key of `NOTICES`.
+    params : dict of str to object
+        What its text names: dimensionless numbers, and names of core parameters.
     """
 
     code: str
-    detail: str
-    value: float
-    limit: float
+    params: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def detail(self) -> str:
+        """What is strained and what it means, in English, with the core's names."""
+        return NOTICES[self.code].format(**self.params)

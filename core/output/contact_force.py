@@ -161,7 +161,7 @@ def contact_force(
     curves = None
     if curve_samples is not None:
         if curve_samples < 2:
-            raise InvalidInput("samples", curve_samples, "must be at least 2")
+            raise InvalidInput("samples", curve_samples, "greater_than_equal", limit=2)
         curves = force_curves(
             mechanism=mechanism,
             crank_angle=np.linspace(0.0, 2 * math.pi, curve_samples),

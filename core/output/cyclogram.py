@@ -131,20 +131,15 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     (2, 4, 171.428571)
     """
     if not (0 < revolutions < math.inf):
-        raise InvalidInput("revolutions", revolutions, "must be a positive number")
+        raise InvalidInput("revolutions", revolutions, "greater_than", limit=0)
     phases = mechanism.phases
     per_wave = mechanism.crank_angle_per_wave
     shown = _Range(revolutions * 2 * math.pi, per_wave)
     if shown.waves <= SAME_PHASE:
-        raise InvalidInput("revolutions", revolutions, "must be larger: no phase is that short")
+        raise InvalidInput("revolutions", revolutions, "too_short_range")
     pair_count = mechanism.pins * mechanism.satellites
     if shown.waves * pair_count > MAX_DRIVING_PHASES:
-        raise InvalidInput(
-            "revolutions",
-            revolutions,
-            f"must be smaller: {{revolutions}} * (1 + 1/{{ratio}}) * {{pins}} * {{satellites}} "
-            f"must stay below {MAX_DRIVING_PHASES} driving phases",
-        )
+        raise InvalidInput("revolutions", revolutions, "too_many_phases", limit=MAX_DRIVING_PHASES)
     sector_counts = _sector_counts(phases)
     numbers = [pairs for _, pairs in sector_counts]
     counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)

@@ -53,18 +53,16 @@ class Mechanism:
 
     def __post_init__(self) -> None:
         if self.pins < 1:
-            raise InvalidInput("pins", self.pins, "must be at least 1")
+            raise InvalidInput("pins", self.pins, "greater_than_equal", limit=1)
         if not self.crank_angles:
-            raise InvalidInput("satellites", 0, "must be at least 1")
+            raise InvalidInput("satellites", 0, "greater_than_equal", limit=1)
         if not (0 < self.ratio < math.inf):
-            raise InvalidInput("ratio", self.ratio, "must be a positive number")
+            raise InvalidInput("ratio", self.ratio, "greater_than", limit=0)
         for index, angle in enumerate(self.crank_angles):
             if not math.isfinite(angle):
-                raise InvalidInput(f"crank_angles[{index}]", angle, "must be a finite number")
+                raise InvalidInput(f"crank_angles[{index}]", angle, "finite_number")
         if not math.isfinite(self.initial_crank_angle):
-            raise InvalidInput(
-                "initial_crank_angle", self.initial_crank_angle, "must be a finite number"
-            )
+            raise InvalidInput("initial_crank_angle", self.initial_crank_angle, "finite_number")
 
     @classmethod
     def evenly_spaced(
@@ -94,7 +92,7 @@ class Mechanism:
         Mechanism
         """
         if satellites < 1:
-            raise InvalidInput("satellites", satellites, "must be at least 1")
+            raise InvalidInput("satellites", satellites, "greater_than_equal", limit=1)
         spacing = 2 * math.pi / satellites if crank_spacing is None else crank_spacing
         return cls(
             pins=pins,
@@ -339,7 +337,7 @@ def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[Asse
     [True, True]
     """
     if satellite_teeth < 1:
-        raise InvalidInput("satellite_teeth", satellite_teeth, "must be at least 1")
+        raise InvalidInput("satellite_teeth", satellite_teeth, "greater_than_equal", limit=1)
     pitch = 2 * math.pi / satellite_teeth
     first = mechanism.crank_angles[0]
     angles = []
@@ -389,7 +387,7 @@ def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
     20.0
     """
     if satellite_teeth < 1:
-        raise InvalidInput("satellite_teeth", satellite_teeth, "must be at least 1")
+        raise InvalidInput("satellite_teeth", satellite_teeth, "greater_than_equal", limit=1)
     if ring_teeth <= satellite_teeth:
-        raise InvalidInput("ring_teeth", ring_teeth, "must be larger than {satellite_teeth}")
+        raise InvalidInput("ring_teeth", ring_teeth, "larger_than", field="satellite_teeth")
     return satellite_teeth / (ring_teeth - satellite_teeth)

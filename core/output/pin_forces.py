@@ -13,7 +13,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, check_not_negative, check_positive
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import SAME_PHASE, Mechanism
 from core.results import ROUNDING, Notice
@@ -47,8 +47,7 @@ def reference_force(*, output_torque: float, pin_circle_radius: float) -> float:
     -----
     Source: Yanchevskiy and Niekhoroshykh 2021, eq. (11).
     """
-    if not pin_circle_radius > 0:
-        raise InvalidInput("pin_circle_radius", pin_circle_radius, "must be larger than 0")
+    check_positive(pin_circle_radius=pin_circle_radius)
     return output_torque / pin_circle_radius
 
 
@@ -73,8 +72,9 @@ def output_torque_from_input(*, input_torque: float, ratio: float, efficiency: f
     -----
     Source: Yanchevskiy and Niekhoroshykh 2021, before eq. (11).
     """
-    if not 0 < efficiency <= 1:
-        raise InvalidInput("efficiency", efficiency, "must lie above 0 and not above 1")
+    check_positive(efficiency=efficiency)
+    if efficiency > 1:
+        raise InvalidInput("efficiency", efficiency, "less_than_equal", limit=1)
     return input_torque * ratio * efficiency
 
 
@@ -215,36 +215,15 @@ def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tup
         ("satellites", mechanism.satellites, APPROXIMATION_SATELLITES),
     ):
         if not low <= value <= high:
-            notices.append(
-                Notice(
-                    code="approximation_range",
-                    detail=f"The approximation is stated for {{{name}}} from {low} to {high} "
-                    f"only; here it is {value}.",
-                    value=float(value),
-                    limit=float(high if value > high else low),
-                )
-            )
+            params = {"field": name, "low": low, "high": high, "value": value}
+            notices.append(Notice("approximation_range", params))
     if force_exponent != 1:
-        notices.append(
-            Notice(
-                code="approximation_range",
-                detail="The approximation is made for {force_exponent} 1 (linear contact).",
-                value=force_exponent,
-                limit=1.0,
-            )
-        )
+        notices.append(Notice("approximation_exponent"))
     if mechanism.satellites == 2:
         first, second = mechanism.crank_angles
         off = abs(math.remainder(second - first - math.pi, 2 * math.pi))
         if off > 2 * math.pi * SAME_PHASE:
-            notices.append(
-                Notice(
-                    code="approximation_range",
-                    detail="The approximation is made for two cranks half a turn apart.",
-                    value=off,
-                    limit=0.0,
-                )
-            )
+            notices.append(Notice("approximation_spacing"))
     return tuple(notices)
 
 
@@ -256,9 +235,10 @@ def check_exponent(force_exponent: float) -> None:
     force_exponent : float
         Exponent v.
     """
-    if not 0 <= force_exponent <= MAX_FORCE_EXPONENT:
+    check_not_negative(force_exponent=force_exponent)
+    if force_exponent > MAX_FORCE_EXPONENT:
         raise InvalidInput(
-            "force_exponent", force_exponent, f"must lie from 0 to {MAX_FORCE_EXPONENT:g}"
+            "force_exponent", force_exponent, "less_than_equal", limit=MAX_FORCE_EXPONENT
         )
 
 
@@ -270,7 +250,4 @@ def refuse_dead_centre(crank_angle: float) -> NoReturn:
     crank_angle : float
         The crank angle of the position, rad.
     """
-    raise ImpossibleMechanism(
-        "The mechanism cannot transmit torque: no pair drives",
-        {"crank_angle": crank_angle},
-    )
+    raise ImpossibleMechanism("dead_centre", {"crank_angle": crank_angle})

@@ -89,40 +89,13 @@ class RollerStrength:
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Assumptions that one design (not an array of them) strains."""
-        assumptions = (
-            (
-                self.length_ratio < SHORT_ROLLER,
-                "short_roller",
-                "{cylinder_length} is shorter than {diameter}: a beam that short deforms mostly by "
-                "shear and at its clamping, so the stiffness is a rough guide.",
-                (self.length_ratio, SHORT_ROLLER),
-            ),
-            (
-                self.sphere_ratio < 1,
-                "sphere_below_roller",
-                "{sphere_diameter} is smaller than {diameter}: the formulas take the sphere for "
-                "rigid and the cylinder for the weak section.",
-                (self.sphere_ratio, 1.0),
-            ),
-            (
-                self.width_ratio > 1,
-                "sphere_too_wide",
-                "{sphere_width} exceeds {sphere_diameter}: no sphere is wider than that.",
-                (self.width_ratio, 1.0),
-            ),
-            (
-                self.deflection_ratio > LARGE_DEFLECTION,
-                "large_deflection",
-                "The most loaded roller bends by more than a tenth of {cylinder_length}: the "
-                "formulas are those of small deflections.",
-                (self.deflection_ratio, LARGE_DEFLECTION),
-            ),
-        )
-        return tuple(
-            Notice(code=code, detail=detail, value=float(value), limit=limit)
-            for strained, code, detail, (value, limit) in assumptions
-            if strained
-        )
+        strained = {
+            "short_roller": self.length_ratio < SHORT_ROLLER,
+            "sphere_below_roller": self.sphere_ratio < 1,
+            "sphere_too_wide": self.width_ratio > 1,
+            "large_deflection": self.deflection_ratio > LARGE_DEFLECTION,
+        }
+        return tuple(Notice(code) for code, holds in strained.items() if holds)
 
 
 def roller_strength(
@@ -220,7 +193,7 @@ def roller_strength(
     )
     check_not_negative(friction_coefficient=friction_coefficient)
     if rollers < 1:
-        raise InvalidInput("rollers", rollers, "must be at least 1")
+        raise InvalidInput("rollers", rollers, "greater_than_equal", limit=1)
     relative = relative_stiffness(
         relative_length=cylinder_length / diameter,
         relative_width=sphere_width / diameter,
@@ -382,14 +355,12 @@ def modulus_ratio(
         If not exactly one of the two is given, or it is out of range.
     """
     if shear_modulus is None and poissons_ratio is None:
-        raise InvalidInput("poissons_ratio", None, "or {shear_modulus} must be given")
+        raise InvalidInput("poissons_ratio", None, "needed", field="shear_modulus")
     if shear_modulus is None and poissons_ratio is not None:
         check_poissons_ratio(poissons_ratio)
         return 2 * (1 + poissons_ratio)
     if poissons_ratio is not None or shear_modulus is None:
-        raise InvalidInput(
-            "shear_modulus", shear_modulus, "and {poissons_ratio} exclude each other"
-        )
+        raise InvalidInput("shear_modulus", shear_modulus, "exclusive", field="poissons_ratio")
     check_positive(shear_modulus=shear_modulus)
     return youngs_modulus / shear_modulus
 
@@ -425,11 +396,11 @@ def roller_gaps(
     """
     if gaps is not None:
         if position_tolerance is not None:
-            raise InvalidInput("gaps", gaps, "and {position_tolerance} exclude each other")
+            raise InvalidInput("gaps", gaps, "exclusive", field="position_tolerance")
         if len(gaps) != rollers:
-            raise InvalidInput("gaps", gaps, "must have one entry for each of the {rollers}")
+            raise InvalidInput("gaps", gaps, "different_length", expected=rollers, actual=len(gaps))
         return gaps
     if position_tolerance is None:
-        raise InvalidInput("position_tolerance", None, "or {gaps} must be given")
+        raise InvalidInput("position_tolerance", None, "needed", field="gaps")
     check_not_negative(position_tolerance=position_tolerance)
     return [0.0] + [4 * position_tolerance] * (rollers - 1)

@@ -47,8 +47,9 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     """
     pairs = mechanism.pins * mechanism.satellites
     if pairs > MAX_PAIRS:
+        most = MAX_PAIRS // mechanism.satellites
         raise InvalidInput(
-            "pins", mechanism.pins, f"times {{satellites}} must be at most {MAX_PAIRS} for a study"
+            "pins", mechanism.pins, "too_many_pairs", limit=most, satellites=mechanism.satellites
         )
     peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
     exact = [_reference(mechanism, force_exponent, peak.peak_crank_angle)]
