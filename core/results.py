@@ -16,9 +16,9 @@ NOTICES = {
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
     "output has turned through the lost motion, and the load sharing differs.",
     "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin "
-    "radius, which leaves no clearance.",
-    "hardly_known": "Hardly anything is known of the result: its relative error may be {error:.2g}, "
-    "because rounding of the input is magnified so much.",
+    "radius, so that clearance or interference would not be seen.",
+    "hardly_known": "Hardly anything is known of the result: its relative error may be "
+    "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
     "assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where "
     "there is none, for different materials, take it as a rough guide.",
@@ -31,7 +31,7 @@ NOTICES = {
     "interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
-    "pins_overlap": "Neighbouring pins overlap.",
+    "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "

@@ -89,7 +89,7 @@ def pin_fit(
     """
     check_positive(pin_radius=pin_radius)
     if not hole_radius > pin_radius:
-        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
+        raise InvalidInput("hole_radius", hole_radius, "larger_than", field="pin_radius")
     assumed = eccentricity is None
     if eccentricity is None:
         eccentricity = hole_radius - pin_radius
@@ -105,57 +105,15 @@ def pin_fit(
             apart = 2 * pin_circle_radius * math.sin(math.pi / pins)
     between_holes, between_pins = apart - 2 * hole_radius, apart - 2 * pin_radius
 
-    notices = []
-    if assumed:
-        notices.append(
-            Notice(
-                code="eccentricity_assumed",
-                detail="{eccentricity} is not given and taken as {hole_radius} - {pin_radius}: "
-                "clearance or interference would not be seen.",
-                value=clearance,
-                limit=0.0,
-            )
-        )
-    if clearance > 0:
-        notices.append(
-            Notice(
-                code="clearance",
-                detail="The hole is larger than pin and eccentricity need: no pair touches until "
-                "the output has turned through the lost motion, and the load sharing differs.",
-                value=clearance,
-                limit=0.0,
-            )
-        )
-    if clearance < 0:
-        notices.append(
-            Notice(
-                code="interference",
-                detail="The hole is smaller than {pin_radius} + {eccentricity}: pin and "
-                "satellite interfere and cannot be assembled.",
-                value=clearance,
-                limit=0.0,
-            )
-        )
-    if between_holes <= tolerance:
-        notices.append(
-            Notice(
-                code="holes_overlap",
-                detail="Neighbouring holes of a satellite overlap: there is no material between "
-                "them.",
-                value=between_holes,
-                limit=0.0,
-            )
-        )
-    if between_pins <= tolerance:
-        notices.append(
-            Notice(
-                code="pins_overlap",
-                detail="Neighbouring pins overlap: there is no room for them on their circle.",
-                value=between_pins,
-                limit=0.0,
-            )
-        )
-    return PinFit(eccentricity=eccentricity, clearance=clearance, notices=tuple(notices))
+    strained = {
+        "eccentricity_assumed": assumed,
+        "clearance": clearance > 0,
+        "interference": clearance < 0,
+        "holes_overlap": between_holes <= tolerance,
+        "pins_overlap": between_pins <= tolerance,
+    }
+    notices = tuple(Notice(code) for code, holds in strained.items() if holds)
+    return PinFit(eccentricity=eccentricity, clearance=clearance, notices=notices)
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,7 +204,7 @@ def pin_geometry(
     ([0.0, 0.044], 0.0)
     """
     if not math.isfinite(crank_angle):
-        raise InvalidInput("crank_angle", crank_angle, "must be a finite number")
+        raise InvalidInput("crank_angle", crank_angle, "finite_number")
     fit = pin_fit(
         pins=mechanism.pins,
         pin_radius=pin_radius,
