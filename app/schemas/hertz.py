@@ -218,6 +218,7 @@ class SafetyOut(ResponseModel):
         return super().values(
             result,
             run_time_us,
+            body=result.body,
             limit_MPa=from_si("limit_MPa", limit.pressure),
             criterion=limit.criterion,
             source=limit.source or None,
