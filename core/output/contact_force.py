@@ -2,13 +2,14 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
+from core.output.peak_force import PeakForce, peak_force
 from core.output.pin_forces import (
     approximate_peak_ratio,
     approximation_notices,
@@ -95,6 +96,12 @@ class ContactForce:
     notices: tuple[Notice, ...]
 
 
+@lru_cache(maxsize=1024)
+def _peak_once(mechanism: Mechanism, force_exponent: float) -> PeakForce:
+    """The peak of a mechanism, searched for once: sizes and loads vary far more often."""
+    return peak_force(mechanism=mechanism, force_exponent=force_exponent)
+
+
 def contact_force(
     *,
     mechanism: Mechanism,
@@ -150,7 +157,7 @@ def contact_force(
     (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
-    peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
+    peak = _peak_once(mechanism, force_exponent)
     curves = None
     if curve_samples is not None:
         if curve_samples < 2:
@@ -161,7 +168,7 @@ def contact_force(
             reference=reference,
             force_exponent=force_exponent,
         )
-    equal = peak_force(mechanism=mechanism, force_exponent=0.0) if equal_sharing else None
+    equal = _peak_once(mechanism, 0.0) if equal_sharing else None
     errors = [each.accuracy.relative_error for each in (peak, equal) if each is not None]
     approximate = (
         approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)
