@@ -8,12 +8,15 @@ without bound, have to meet the second demand only.
 
 import math
 import random
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
 from core.errors import ImpossibleMechanism
+from core.output.contact_force import contact_force
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios
@@ -252,3 +255,31 @@ def test_beside_a_dead_centre_a_peak_has_a_digit_or_is_refused(pins: int, expone
             refused.append(False)
     assert refused[0] and not refused[-1]
     assert refused == sorted(refused, reverse=True)  # none farther off than one that is answered
+
+
+def test_the_stated_error_covers_the_force_and_not_only_its_ratio() -> None:
+    """Evenly spaced pairs, typed as decimals: 4/(K*N)*T/R is a fraction."""
+    r = random.Random(5)
+    shares = []
+    for _ in range(3000):
+        torque = Decimal(r.randint(1, 10**6)).scaleb(-r.randint(0, 4))
+        radius = Decimal(r.randint(1, 10**5)).scaleb(-r.randint(0, 4))
+        found = contact_force(
+            mechanism=Mechanism.evenly_spaced(pins=4, satellites=3, ratio=20.0),
+            output_torque=float(torque),
+            pin_circle_radius=float(radius) / 1e3,
+        )
+        exact = Fraction(torque) / Fraction(radius) * 1000 / 3
+        error = abs(Fraction(found.peak_force) / exact - 1)
+        shares.append(float(error / Fraction(found.accuracy.relative_error)))
+    assert max(shares) <= 1
+
+
+def test_the_stated_error_is_that_of_the_worse_of_both_peaks() -> None:
+    angles = (0.0, math.radians(179.9999999))  # a dead centre is near
+    mechanism = Mechanism(pins=2, crank_angles=angles, ratio=20.0)
+    load = {"mechanism": mechanism, "output_torque": 50.0, "pin_circle_radius": 0.03}
+    both = contact_force(**load, force_exponent=1.0, equal_sharing=True)
+    for exponent in (0.0, 1.0):
+        alone = contact_force(**load, force_exponent=exponent)
+        assert both.accuracy.relative_error >= alone.accuracy.relative_error

@@ -7,6 +7,8 @@ leave has to be closed over the contact and open beside it.
 
 import math
 import random
+from decimal import Decimal
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -18,6 +20,7 @@ from core.hertz import (
     conformal_half_angle_tangent,
     conformal_pressure,
     conformal_pressure_ratio,
+    conformal_profile,
     hertz,
 )
 from core.materials import ElasticMaterial
@@ -205,3 +208,45 @@ def test_limit_of_validity_is_where_hertz_is_off_by_one_per_cent() -> None:
             high = middle
     half_width_ratio = 2 * mp.sqrt(2 / (mp.pi * low))
     assert float(half_width_ratio) == pytest.approx(HALF_WIDTH_RATIO_LIMIT, abs=1e-3)
+
+
+def test_the_stated_error_holds_where_nearly_equal_radii_are_typed_as_decimals() -> None:
+    """Millimetres with a few digits: what is meant is the decimal, not the double beside it."""
+    r = random.Random(3)
+    steel = ElasticMaterial(youngs_modulus=206e9, poissons_ratio=0.3)
+    shares = []
+    for _ in range(4000):
+        pin = Decimal(r.randint(1, 10**7)).scaleb(-5)
+        hole = pin + Decimal(r.randint(1, 9)).scaleb(-r.randint(3, 9))
+        found = hertz(
+            force=1e3,
+            contact_length=0.02,
+            pin_radius=float(pin) / 1e3,
+            hole_radius=float(hole) / 1e3,
+            pin_material=steel,
+            hole_material=steel,
+        )
+        exact = Fraction(pin) * Fraction(hole) / Fraction(hole - pin) / 1000
+        error = abs(Fraction(found.reduced_radius) / exact - 1)
+        shares.append(float(error / Fraction(found.accuracy.relative_error)))
+    assert max(shares) <= 1
+    assert max(shares) > 0.5, "a bound of half the size would be wrong"
+
+
+def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
+    steel = ElasticMaterial(youngs_modulus=206e9, poissons_ratio=0.3)
+    contact = hertz(
+        force=2e4,
+        contact_length=0.02,
+        pin_radius=0.008,
+        hole_radius=0.00802,
+        pin_material=steel,
+        hole_material=steel,
+    )
+    assert contact.conformal_half_angle is not None
+    arc, pressure = conformal_profile(contact=contact, samples=20001)
+    assert arc[-1] == pytest.approx(0.008 * contact.conformal_half_angle, rel=1e-14)
+    assert pressure.max() == pytest.approx(contact.conformal_pressure, rel=1e-14)
+    # the load: pressure times cosine over the arc, times the length
+    carried = np.trapezoid(pressure * np.cos(arc / 0.008), arc) * 0.02
+    assert carried == pytest.approx(2e4, rel=0.003)  # R - r << r, and where the arc is taken
