@@ -6,15 +6,13 @@ them, the example takes round numbers and its title says what to look at.
 
 from typing import Any
 
-YANCHEVSKY_2018 = (
-    "Yanchevsky, Komada, Stelmakh, Lytvynenko 2018, doi 10.20535/1810-0546.2018.1.121166"
+from app.sources import (
+    KHATETOVSKY_2020,
+    OVSYANNIKOV_2019,
+    YANCHEVSKIY_2021,
+    YANCHEVSKY_2018,
+    ZYL,
 )
-YANCHEVSKIY_2021 = "Yanchevskiy, Niekhoroshykh 2021, doi 10.20535/kpissn.2021.4.245103"
-ZYL = "Zyl, Belarusian-Russian University: forces in the parallel-crank mechanism"
-OVSYANNIKOV_2019 = (
-    "Ovsyannikov, Perminov, Glavatskikh, Saltykova 2019, doi 10.22213/2413-1172-2019-2-39-46"
-)
-KHATETOVSKY_2020 = "Khatetovsky, Dokonov, Galyuzhin 2020, UDC 621.833"
 
 _CONTACT = {
     "contact_length_mm": 20.0,

@@ -5,7 +5,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from app.schemas.base import SIZE, RequestModel, field_error, no_dust, quantity
+from app.model import SIZE, RequestModel, field_error, no_dust, quantity
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers

@@ -1,25 +1,30 @@
-"""Request and answer of the crank-planetary reducer as one job."""
+"""The crank-planetary reducer as one job: request, answer, figure."""
 
 from functools import cached_property
 from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.schemas.base import (
+from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
+from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
+from app.calculations.hertz import ContactFields, HertzResponse
+from app.calculations.mechanism import Angle
+from app.model import (
     SIZE,
     AccuracyOut,
+    Calculation,
     RequestModel,
     ResponseModel,
     Values,
     WarningOut,
     field_error,
     quantity,
+    warning,
 )
-from app.schemas.contact_force import ContactForceResponse, LoadFields
-from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
-from app.schemas.hertz import ContactFields, HertzResponse
-from app.schemas.mechanism import Angle
+from app.running import run
 from app.settings import Settings
+from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
+from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.hertz import HertzContact
@@ -221,3 +226,94 @@ class CrankPlanetaryResponse(ResponseModel):
         "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
         "`eccentricity_assumed`.",
     )
+
+
+def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
+    """The forces under the cyclogram, both over the same crank angle.
+
+    Parameters
+    ----------
+    pattern, forces : dict
+        Figures of the cyclogram and of the contact force.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    upper, lower = pattern["layout"], forces["layout"]
+    total = upper["height"] + lower["height"]
+    share = lower["height"] / total
+
+    def raised(axis: Figure) -> Figure:
+        low, high = axis["domain"]
+        return {**axis, "domain": [share + (1 - share) * low, share + (1 - share) * high]}
+
+    return {
+        "data": pattern["data"] + [{**trace, "yaxis": "y3"} for trace in forces["data"]],
+        "layout": {
+            **upper,
+            "height": total,
+            "xaxis": {**upper["xaxis"], "anchor": "y3"},
+            "yaxis": raised(upper["yaxis"]),
+            "yaxis2": raised(upper["yaxis2"]),
+            "yaxis3": {**lower["yaxis"], "domain": [0, 0.85 * share]},
+            "shapes": lower["shapes"] + upper["shapes"],
+            "annotations": upper["annotations"]
+            + [{**each, "yref": "y3"} for each in lower["annotations"]],
+        },
+    }
+
+
+def solve(body: CrankPlanetaryRequest) -> Values:
+    """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked.
+
+    Warnings say how pins and holes fit, whichever sections are asked.
+    """
+    sections: Values = {}
+    if "cyclogram" in body.include:
+        sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
+    if not {"contact_force", "hertz"}.isdisjoint(body.include):
+        force, force_us = run(body, body.solve_force)
+        if "contact_force" in body.include:
+            sections["contact_force"] = ContactForceResponse.values(force, force_us)
+        if "hertz" in body.include:
+            contact, hertz_us = run(body, lambda: body.solve_hertz(force))
+            sections["hertz"] = HertzResponse.values(contact, hertz_us)
+    if "geometry" in body.include:
+        sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
+    fit, _ = run(body, body.solve_fit)
+    if fit is not None and fit.notices:
+        sections["warnings"] = [warning(each) for each in fit.notices]
+    return sections
+
+
+def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
+    """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
+    run(body, body.mechanism.refuse_undrawable)
+    pattern = cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
+    if body.load is None:
+        return pattern
+    load = body.load
+    (force, switching), force_us = run(body, lambda: load.solve_for_drawing(body.built))
+    return over_one_axis(
+        pattern,
+        contact_force_figure(
+            ContactForceResponse.values(force, force_us),
+            from_si("switching_deg", switching),
+            theme,
+        ),
+    )
+
+
+CALCULATION = Calculation(
+    name="crank-planetary",
+    title="Crank-planetary reducer",
+    tag="crank-planetary",
+    request=CrankPlanetaryRequest,
+    answer=CrankPlanetaryResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
+    neglects=("clearance", "deviations", "friction", "pin_bending", "equal_discs", "edge_pressure"),
+)

@@ -1,12 +1,14 @@
-"""Request and answer of the shaft's reactions and deflection."""
+"""Shaft of the precessional gear: request, answer, figure."""
 
 from typing import Self
 
 from pydantic import model_validator
 
-from app.schemas.base import (
+from app.calculations.meshing_load import MeshingLoadRequest
+from app.model import (
     SIZE,
     AccuracyOut,
+    Calculation,
     RequestModel,
     ResponseModel,
     Values,
@@ -14,7 +16,9 @@ from app.schemas.base import (
     field_error,
     quantity,
 )
-from app.schemas.precession.meshing_load import MeshingLoadRequest
+from app.running import run
+from app.sources import KHATETOVSKY_2020
+from app.theme import Figure, Theme, axis, curve, layout, vertical_line
 from app.units import from_si, to_si
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
@@ -177,3 +181,92 @@ class ShaftDeflectionResponse(ResponseModel):
             for value in (getattr(result, name),)
         }
         return super().values(result, run_time_us, **deflections, **given)
+
+
+def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme) -> Figure:
+    """Shear force, bending moment and deflection along the shaft, in both planes.
+
+    Parameters
+    ----------
+    diagram : ShaftDiagram
+        Their course from C to the clamp, in SI units.
+    bearing_distance_mm : float
+        Distance a of B from C.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    place = from_si("position_mm", diagram.position)
+    panels = (
+        ("Shear force, N", "shear_N", diagram.shear_force, [0.7, 1.0]),
+        ("Bending moment, N·m", "moment_Nm", diagram.bending_moment, [0.36, 0.66]),
+        ("Deflection, mm", "deflection_mm", diagram.deflection, [0.0, 0.32]),
+    )
+    data, axes = [], {}
+    for row, (title, field, values, domain) in enumerate(panels, start=1):
+        suffix = "" if row == 1 else str(row)
+        axes[f"yaxis{suffix}"] = axis(theme, title, domain=domain)
+        for plane, name in enumerate(("plane xz", "plane yz")):
+            data.append(
+                curve(
+                    name,
+                    place,
+                    from_si(field, values[:, plane]),
+                    plane,
+                    theme,
+                    f"{name}: %{{y:.5g}} at %{{x:.4g}} mm",
+                    yaxis=f"y{suffix}",
+                    showlegend=row == 1,
+                )
+            )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=680,
+            xaxis=axis(theme, "Along the shaft from C to the clamp, mm", anchor="y3"),
+            **axes,
+            shapes=[vertical_line(theme, bearing_distance_mm, ink="muted", layer="above")],
+            annotations=[
+                {
+                    "text": name,
+                    "x": x,
+                    "y": 1,
+                    "xref": "x",
+                    "yref": "paper",
+                    "yanchor": "bottom",
+                    "showarrow": False,
+                }
+                for name, x in (("C", 0.0), ("B", bearing_distance_mm), ("clamp", place[-1]))
+            ],
+            legend={"orientation": "h", "y": 1.06, "yanchor": "bottom", "x": 0},
+        ),
+    }
+
+
+def solve(body: ShaftDeflectionRequest) -> Values:
+    """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
+    return ShaftDeflectionResponse.values(*run(body, body.solve))
+
+
+def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
+    """Shear force, bending moment and deflection along the shaft, in both planes."""
+    (_, diagram), _ = run(body, body.solve_diagram)
+    return shaft_figure(diagram, body.bearing_distance_mm, theme)
+
+
+CALCULATION = Calculation(
+    name="precession/shaft-deflection",
+    title="Shaft of the precessional gear",
+    tag="precessional gear",
+    request=ShaftDeflectionRequest,
+    answer=ShaftDeflectionResponse,
+    solve=solve,
+    figure=figure,
+    sources=(KHATETOVSKY_2020,),
+    neglects=("shear", "bearing_elasticity", "friction"),
+)

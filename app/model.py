@@ -1,6 +1,8 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import re
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple, cast, get_args
 
@@ -164,6 +166,63 @@ class ResponseModel(BaseModel):
         if plan.states_accuracy:
             values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
         return values
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Calculation:
+    """A calculation as the service offers it; `app.registry` lists all of them.
+
+    Attributes
+    ----------
+    name : str
+        Its path below the API's prefix; its one name in batches, studies and examples too.
+    title : str
+        What it is, for people.
+    tag : str
+        Its chapter in the API's description.
+    request : type
+        Model of its request, or an annotated union of models.
+    answer : type of ResponseModel
+        Model that describes its answer.
+    solve : callable
+        A function of a module: the values of the answer to a request.
+    figure : callable, optional
+        A function of a module: the Plotly figure of a request and a theme.
+    sources : tuple of str
+        Where its formulas come from.
+    neglects : tuple of str
+        What its model leaves out, keys of `NEGLECTED`.
+    batched : bool
+        Whether batches take it.
+    """
+
+    name: str
+    title: str
+    tag: str
+    request: Any
+    answer: type["ResponseModel"]
+    solve: Callable[[Any], Values]
+    figure: Callable[[Any, Any], dict[str, Any]] | None = None
+    sources: tuple[str, ...] = ()
+    neglects: tuple[str, ...] = ()
+    batched: bool = True
+
+
+NEGLECTED = {
+    "bearing_elasticity": "play and elasticity of the bearings",
+    "clearance": "clearance of pins and holes, and with it lost motion",
+    "contact_compliance": "the compliance of the contacts of spheres and holes",
+    "deviations": "deviations of the parts from their nominal shape and place",
+    "edge_pressure": "the higher pressure at the ends of the contact",
+    "elasticity": "the elasticity of the parts besides the contacts",
+    "equal_discs": "uneven sharing between the satellites",
+    "friction": "friction",
+    "misalignment": "misalignment, so that the load is even along the contact",
+    "pin_bending": "the bending of the pins",
+    "roller_tilt": "the tilt of the rollers against the discs",
+    "shear": "the shear of the shaft",
+}
+"""What models leave out, by code."""
 
 
 class _Plan(NamedTuple):

@@ -4,7 +4,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from app.schemas.base import RequestModel, field_error, quantity
+from app.model import RequestModel, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput

@@ -1,12 +1,14 @@
-"""Request and answer of the Hertz contact of pin and hole."""
+"""Hertz contact of pin and hole: request, answer, figure."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
 
-from app.schemas.base import (
+from app.model import (
     SIZE,
     AccuracyOut,
+    Calculation,
     RequestModel,
     ResponseModel,
     Values,
@@ -14,6 +16,9 @@ from app.schemas.base import (
     no_dust,
     quantity,
 )
+from app.running import run
+from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
+from app.theme import INK, Figure, Theme, axis, curve, layout
 from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.hertz import (
@@ -264,3 +269,105 @@ class HertzResponse(ResponseModel):
         """Values of the core's contact."""
         safety = [SafetyOut.values(each) for each in result.safety]
         return super().values(result, run_time_us, safety=safety or None, **given)
+
+
+@dataclass(frozen=True, slots=True)
+class PressureCurve:
+    """One pressure distribution to draw.
+
+    Attributes
+    ----------
+    name : str
+        Whose it is.
+    place_mm, pressure_MPa : array
+        Places along the arc of the pin and pressure there.
+    """
+
+    name: str
+    place_mm: FloatArray
+    pressure_MPa: FloatArray
+
+
+def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
+    """Pressure distributions over the arc of the pin, with the limits of the two bodies.
+
+    Parameters
+    ----------
+    curves : list of PressureCurve
+        Hertz, and the conformal contact where it applies.
+    limits_MPa : dict of str to float
+        Limit of the pressure by the name of the body, where it is known.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    data = [
+        curve(
+            each.name,
+            each.place_mm,
+            each.pressure_MPa,
+            index,
+            theme,
+            f"{each.name}<br>%{{y:.5g}} MPa at %{{x:.4g}} mm",
+        )
+        for index, each in enumerate(curves)
+    ]
+    highest = max(float(each.pressure_MPa.max()) for each in curves)
+    widest = max(float(each.place_mm[-1]) for each in curves)
+    data += [
+        {
+            "type": "scatter",
+            "mode": "lines",
+            "name": f"Limit of the {body}",
+            "x": [-widest, widest],
+            "y": [limit] * 2,
+            "line": {"color": INK[theme]["alert"], "dash": dash, "width": 1.5},
+            "hovertemplate": f"limit of the {body} %{{y:.5g}} MPa<extra></extra>",
+        }
+        for (body, limit), dash in zip(limits_MPa.items(), ("longdash", "dot"), strict=False)
+        if limit <= 4 * highest
+    ]
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=300,
+            xaxis=axis(theme, "Place along the arc of the pin, mm"),
+            yaxis=axis(theme, "Contact pressure, MPa", rangemode="tozero"),
+        ),
+    }
+
+
+def solve(body: HertzRequest) -> Values:
+    """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
+    return HertzResponse.values(*run(body, body.solve))
+
+
+def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
+    """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
+    profiles, _ = run(body, body.solve_profiles)
+    return hertz_figure(
+        [
+            PressureCurve(name, from_si("place_mm", place), from_si("pressure_MPa", pressure))
+            for name, place, pressure in profiles
+        ],
+        {name: from_si("pressure_MPa", pressure) for name, pressure in body.limits()},
+        theme,
+    )
+
+
+CALCULATION = Calculation(
+    name="hertz",
+    title="Hertz contact of pin and hole",
+    tag="crank-planetary",
+    request=HertzRequest,
+    answer=HertzResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKY_2018, PERSSON_1964, JOHNSON_1985),
+    neglects=("edge_pressure", "friction", "misalignment"),
+)

@@ -1,4 +1,4 @@
-"""Request and answer of the contact force."""
+"""Contact force of the pairs: request, answer, figure."""
 
 from dataclasses import replace
 from typing import Any, Literal, Self
@@ -6,9 +6,11 @@ from typing import Any, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.schemas.base import (
+from app.calculations.mechanism import MechanismFields
+from app.model import (
     SIZE,
     AccuracyOut,
+    Calculation,
     RequestModel,
     ResponseModel,
     Values,
@@ -16,8 +18,10 @@ from app.schemas.base import (
     field_error,
     quantity,
 )
-from app.schemas.mechanism import MechanismFields
+from app.running import run
 from app.settings import Settings
+from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
+from app.theme import Figure, Theme, axis, curve, drawn, layout, marker, note, vertical_line
 from app.units import from_si, rounded, to_si
 from core.arrays import FloatArray
 from core.errors import InvalidInput
@@ -266,3 +270,94 @@ class ContactForceResponse(ResponseModel):
     approximate_peak_error: float | None = None
     accuracy: AccuracyOut
     warnings: list[WarningOut] | None = None
+
+
+def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme) -> Figure:
+    """Force of every pair over the turn, switching angles as thin lines, the peak marked.
+
+    Parameters
+    ----------
+    answer : dict
+        The forces with their curves, as `/contact-force` answers.
+    switching_deg : array
+        Crank angles at which a pair starts or stops driving, degrees.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    curves, peak_pair = answer["curves"], answer["peak_pair"]
+    angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
+    data = [
+        curve(
+            f"{pair['satellite']}.{pair['pin']}",
+            angles,
+            force,
+            pair["pin"] - 1,
+            theme,
+            f"satellite {pair['satellite']}, pin {pair['pin']}<br>%{{y:.5g}} N at %{{x:.2f}}°",
+            colour=pair["satellite"] - 1,
+        )
+        for pair, force in zip(curves["pairs"], forces, strict=True)
+    ]
+    peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
+    data.append(
+        marker(
+            "Peak",
+            peak["x"],
+            peak["y"],
+            theme,
+            f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite {peak_pair['satellite']}, "
+            f"pin {peak_pair['pin']}",
+        )
+    )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=380,
+            xaxis=axis(theme, "Crank angle, °", range=[0, 360], dtick=30),
+            yaxis=axis(theme, "Contact force, N", range=[0, 1.15 * answer["peak_force_N"]]),
+            shapes=[vertical_line(theme, place) for place in np.round(switching_deg, 4).tolist()],
+            annotations=[
+                note(
+                    theme,
+                    f"{answer['peak_force_N']:.5g} N",
+                    xref="x",
+                    yref="y",
+                    **peak,
+                    yshift=16,
+                    xanchor="left" if peak["x"] < 180 else "right",
+                ),
+            ],
+        ),
+    }
+
+
+def solve(body: ContactForceRequest) -> Values:
+    """Contact force of the pairs: the exact peak, and curves and approximations where asked."""
+    return ContactForceResponse.values(*run(body, body.solve))
+
+
+def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
+    """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
+    run(body, body.refuse_undrawable)
+    (force, switching), run_time_us = run(body, lambda: body.solve_for_drawing(body.mechanism()))
+    answer = ContactForceResponse.values(force, run_time_us)
+    return contact_force_figure(answer, from_si("switching_deg", switching), theme)
+
+
+CALCULATION = Calculation(
+    name="contact-force",
+    title="Contact force",
+    tag="crank-planetary",
+    request=ContactForceRequest,
+    answer=ContactForceResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
+    neglects=("clearance", "deviations", "friction", "pin_bending", "equal_discs"),
+)

@@ -1,0 +1,260 @@
+"""Contact lines of the precessional gear: request, answer, figure."""
+
+import math
+from typing import Literal
+
+from pydantic import Field
+
+from app.calculations.gear import GearFields
+from app.model import AccuracyOut, Calculation, ResponseModel, Values, quantity
+from app.running import run
+from app.sources import KHATETOVSKY_2020
+from app.theme import INK, Figure, Theme, axis, curve, layout, series_style
+from core.errors import InvalidInput
+from core.precession.contact_line import (
+    ContactLines,
+    ContactPoints,
+    contact_lines,
+    contact_points,
+)
+
+MAX_POINT_VALUES = 200_000
+"""Most points of all contact lines together."""
+
+
+class ContactLineRequest(GearFields):
+    """A mesh whose contact lines are asked."""
+
+    torque_sign: Literal[-1, 1] | None = quantity(
+        "Sign of the torque",
+        symbol="",
+        group="load",
+        default=None,
+        help="Chooses the loaded flank of rollers whose limits are given in z.",
+    )
+    include: list[Literal["points"]] = Field(
+        default=[], description="Optional results: what is not named is not computed."
+    )
+    samples: int = quantity(
+        "Samples",
+        symbol="",
+        group="rollers",
+        default=61,
+        ge=2,
+        le=10_001,
+        step=1,
+        advanced=True,
+        help="Number of points of each contact line.",
+    )
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """What the rollers cost, and 0.02 ms for each point."""
+        points = 0.02 * self.samples * self.roller_count if "points" in self.include else 0.0
+        return super().cost_ms(drawn=drawn) + points
+
+    def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
+        """Contact lines, and their points where asked."""
+        try:
+            lines = contact_lines(
+                **self.gear(), rollers=self.all_rollers(), torque_sign=self.torque_sign
+            )
+        except InvalidInput as error:
+            raise self.about_the_wheel(error) from error
+        if "points" not in self.include:
+            return lines, None
+        if self.samples * len(lines.lines) > MAX_POINT_VALUES:
+            raise InvalidInput(
+                "samples",
+                self.samples,
+                f"must be at most {MAX_POINT_VALUES // len(lines.lines)} for "
+                f"{len(lines.lines)} rollers",
+            )
+        return lines, [contact_points(line=line, samples=self.samples) for line in lines.lines]
+
+
+class PointsOut(ResponseModel):
+    """Points of a contact line: developed on the roller (z over x) and in space."""
+
+    z_mm: list[float]
+    phi_deg: list[float]
+    x_mm: list[float]
+    position_mm: list[tuple[float, float, float]]
+
+
+class ContactLineOut(ResponseModel):
+    """One contact line."""
+
+    position_angle_deg: float
+    z_min_mm: float
+    z_max_mm: float
+    phi_min_deg: float
+    phi_max_deg: float
+    length_mm: float
+    points: PointsOut | None = None
+
+
+class ContactLineResponse(ResponseModel):
+    """Contact lines of all rollers."""
+
+    lines: list[ContactLineOut]
+    total_length_mm: float
+    accuracy: AccuracyOut
+
+    @classmethod
+    def values(
+        cls,
+        result: tuple[ContactLines, list[ContactPoints] | None],
+        run_time_us: float | None = None,
+        **given: object,
+    ) -> Values:
+        """Values of the lines and their points."""
+        found, points = result
+        drawn = [None] * len(found.lines) if points is None else map(PointsOut.values, points)
+        lines = [
+            ContactLineOut.values(line, points=each)
+            for line, each in zip(found.lines, drawn, strict=True)
+        ]
+        return super().values(found, run_time_us, lines=lines, **given)
+
+
+MOST_NAMED = 12
+"""Most rollers that a legend names."""
+
+
+def contact_line_figure(
+    answer: Values,
+    roller_circle_radius_mm: float,
+    roller_radius_mm: float,
+    theme: Theme,
+) -> Figure:
+    """Contact lines developed on their rollers, and the wheel along its axis and from the side.
+
+    Parameters
+    ----------
+    answer : ContactLineResponse
+        The lines with their points, in mm and degrees.
+    roller_circle_radius_mm, roller_radius_mm : float
+        R_C and rho.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    data, lines = [], answer["lines"]
+    for index, line in enumerate(lines):
+        points = line["points"]
+        colour, _, _ = series_style(index, theme)
+        name = f"φ₁ = {line['position_angle_deg']:g}°"
+        group: Figure = {
+            "legendgroup": str(index),
+            "showlegend": len(lines) <= MOST_NAMED,
+        }
+        data.append(
+            curve(
+                name,
+                points["x_mm"],
+                points["z_mm"],
+                index,
+                theme,
+                f"{name}, length {line['length_mm']:.5g} mm<br>"
+                "x = %{x:.4g} mm, z = %{y:.4g} mm",
+                **group,
+            )
+        )
+        seen: Figure = {
+            "xaxis": "x2",
+            "yaxis": "y2",
+            "legendgroup": str(index),
+            "showlegend": False,
+        }
+        angle = math.radians(line["position_angle_deg"])
+        x, y = _circle(
+            -roller_circle_radius_mm * math.sin(angle),
+            roller_circle_radius_mm * math.cos(angle),
+            roller_radius_mm,
+        )
+        data.append(
+            curve(name, x, y, index, theme, name, **seen) | {"line": {"color": colour, "width": 1}}
+        )
+        side = seen | {"xaxis": "x3"}
+        middle = roller_circle_radius_mm * math.cos(angle)
+        low, high = line["z_min_mm"], line["z_max_mm"]
+        bottom, top = middle - roller_radius_mm, middle + roller_radius_mm
+        data.append(
+            curve(
+                name,
+                [low, high, high, low, low],
+                [bottom, bottom, top, top, bottom],
+                index,
+                theme,
+                name,
+                **side,
+            )
+            | {"line": {"color": colour, "width": 1}}
+        )
+        across, upward, along = points["position_mm"].T
+        for horizontal, view in ((across, seen), (along, side)):
+            data.append(
+                curve(name, horizontal, upward, index, theme, f"{name}: contact line", **view)
+                | {"line": {"color": colour, "width": 4}}
+            )
+    x, y = _circle(0.0, 0.0, roller_circle_radius_mm)
+    data.append(
+        curve(
+            "Roller circle",
+            x,
+            y,
+            2,
+            theme,
+            "circle of the roller axes",
+            xaxis="x2",
+            yaxis="y2",
+            showlegend=False,
+        )
+        | {"line": {"color": INK[theme]["muted"], "width": 1, "dash": "dot"}}
+    )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=820,
+            xaxis=axis(theme, "Arc on the roller x = ρφ, mm", anchor="y"),
+            yaxis=axis(theme, "Along the axis z, mm", domain=[0.6, 1]),
+            xaxis2=axis(theme, "x, mm", anchor="y2", domain=[0, 0.62]),
+            xaxis3=axis(theme, "z, mm", anchor="y2", domain=[0.7, 1]),
+            yaxis2=axis(theme, "y, mm", domain=[0, 0.48], scaleanchor="x2"),
+        ),
+    }
+
+
+def _circle(x: float, y: float, radius: float) -> tuple[list[float], list[float]]:
+    """Points of a circle."""
+    angles = [2 * math.pi * i / 48 for i in range(49)]
+    return [x + radius * math.cos(a) for a in angles], [y + radius * math.sin(a) for a in angles]
+
+
+def solve(body: ContactLineRequest) -> Values:
+    """Contact lines of the rollers and their lengths; points for drawing where asked."""
+    return ContactLineResponse.values(*run(body, body.solve))
+
+
+def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
+    """Contact lines developed on the rollers, and the wheel seen along its axis."""
+    lines = solve(body.model_copy(update={"include": ["points"], "samples": 41}))
+    return contact_line_figure(lines, body.roller_circle_radius_mm, body.roller_radius_mm, theme)
+
+
+CALCULATION = Calculation(
+    name="precession/contact-line",
+    title="Contact lines of the precessional gear",
+    tag="precessional gear",
+    request=ContactLineRequest,
+    answer=ContactLineResponse,
+    solve=solve,
+    figure=figure,
+    sources=(KHATETOVSKY_2020,),
+    neglects=("deviations", "elasticity"),
+)

@@ -1,0 +1,331 @@
+"""Cyclogram: request, answer, figure."""
+
+import math
+
+from app.calculations.mechanism import MechanismFields
+from app.model import AccuracyOut, Calculation, RequestModel, ResponseModel, Values, quantity
+from app.running import run
+from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
+from app.theme import INK, Figure, Theme, axis, layout, note, series_style
+from app.units import UNITS
+from core.errors import InvalidInput
+from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.mechanism import AssemblyAngle, assembly_angles
+
+Range = tuple[float, float]
+
+ANGLE_DIGITS = 16
+"""Digits of a period, or of a range shorter than that, to which angles are rounded: a part of their
+own error."""
+
+_, DEGREE = UNITS["deg"]
+"""Size of a degree, rad."""
+
+MAX_DRAWN_PHASES = 2000
+"""Most driving phases that a figure shows."""
+
+
+class RangeFields(RequestModel):
+    """How much of the turn the cyclogram shows."""
+
+    revolutions: float = quantity(
+        "Crank revolutions",
+        symbol="",
+        group="mechanism",
+        default=1.0,
+        gt=0,
+        le=1e6,
+        step=1,
+        advanced=True,
+        help="Length of the cyclogram, in turns of the crank.",
+    )
+
+
+class CyclogramRequest(MechanismFields, RangeFields):
+    """A mechanism and the range of its cyclogram."""
+
+    @property
+    def driving_phases(self) -> float:
+        """About how often pairs drive in the range, at least once each."""
+        return self.pairs * max(1.0, self.revolutions * (1 + 1 / self.ratio_given()))
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """About what the cyclogram costs; measured: 3 to 7 us a driving phase, 12 more drawn."""
+        return (0.02 if drawn else 0.007) * self.driving_phases
+
+    def refuse_undrawable(self) -> None:
+        """Refuse a figure of more pairs or driving phases than anyone can tell apart.
+
+        Raises
+        ------
+        InvalidInput
+            If there are.
+        """
+        super().refuse_undrawable()
+        if self.driving_phases > MAX_DRAWN_PHASES:
+            raise InvalidInput(
+                "revolutions",
+                self.revolutions,
+                f"must be at most {MAX_DRAWN_PHASES * self.revolutions / self.driving_phases:.3g} "
+                f"to be drawn ({MAX_DRAWN_PHASES} driving phases)",
+            )
+
+    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
+        """Cyclogram, and the assembly angles where the numbers of teeth are given."""
+        mechanism = self.mechanism()
+        assembly = (
+            assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
+            if self.satellite_teeth is not None
+            else None
+        )
+        return cyclogram(mechanism=mechanism, revolutions=self.revolutions), assembly
+
+
+class DrivingPairOut(ResponseModel):
+    """When one pair drives."""
+
+    satellite: int
+    pin: int
+    driving_deg: list[Range]
+
+
+class CountIntervalOut(ResponseModel):
+    """A range of crank angle with one number of driving pairs."""
+
+    from_deg: float
+    to_deg: float
+    pairs: int
+
+
+class AssemblyAngleOut(ResponseModel):
+    """Rotation of one satellite's holes against its teeth."""
+
+    satellite: int
+    hole_rotation_deg: float
+    identical: bool
+
+
+class CyclogramResponse(ResponseModel):
+    """Which pairs drive, when, how many together."""
+
+    working_phase_deg: float
+    period_deg: float
+    pattern_period_deg: float
+    pairs: list[DrivingPairOut]
+    driving_count: list[CountIntervalOut]
+    min_driving: int
+    max_driving: int
+    mean_driving: float
+    dead_centres_deg: list[float]
+    dead_zones_deg: list[Range] | None = None
+    assembly: list[AssemblyAngleOut] | None = None
+    accuracy: AccuracyOut
+
+    @classmethod
+    def values(
+        cls,
+        result: tuple[Cyclogram, tuple[AssemblyAngle, ...] | None],
+        run_time_us: float | None = None,
+        **given: object,
+    ) -> Values:
+        """Values of the core's result."""
+        found, assembly = result
+        # One by one and in one step: there are too few for arrays, and none is below 0.
+        finest = min(found.driving_count[-1].end, found.period) / DEGREE
+        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(finest)))
+
+        def degrees(angle: float) -> float:
+            return int(angle / DEGREE * place + 0.5) / place
+
+        return super().values(
+            found,
+            run_time_us,
+            working_phase_deg=degrees(found.working_phase),
+            period_deg=degrees(found.period),
+            pattern_period_deg=degrees(found.pattern_period),
+            pairs=[
+                {
+                    "satellite": satellite,
+                    "pin": pin,
+                    "driving_deg": [(degrees(start), degrees(stop)) for start, stop in driving],
+                }
+                for satellite, pin, driving in found.pairs
+            ],
+            driving_count=[
+                {"from_deg": degrees(start), "to_deg": degrees(stop), "pairs": pairs}
+                for start, stop, pairs in found.driving_count
+            ],
+            dead_centres_deg=[*map(degrees, found.dead_centres)],
+            dead_zones_deg=[(degrees(start), degrees(stop)) for start, stop in found.dead_zones]
+            or None,
+            assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
+            **given,
+        )
+
+
+def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
+    """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite.
+
+    Parameters
+    ----------
+    answer : dict
+        The cyclogram, as `/cyclogram` answers.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    end = answer["driving_count"][-1]["to_deg"]
+    satellites = max(pair["satellite"] for pair in answer["pairs"])
+    data = [_bars(answer, satellite, theme) for satellite in range(1, satellites + 1)]
+    data.append(_count(answer, theme))
+    rows = [f"{pair['satellite']}.{pair['pin']}" for pair in answer["pairs"]]
+    alert = INK[theme]["alert"]
+    shapes = [
+        {
+            "type": "rect",
+            "xref": "x",
+            "yref": "paper",
+            "x0": start,
+            "x1": stop,
+            "y0": 0,
+            "y1": 1,
+            "fillcolor": alert,
+            "opacity": 0.18,
+            "line": {"width": 0},
+        }
+        for start, stop in answer.get("dead_zones_deg", ())
+    ] + [
+        {
+            "type": "line",
+            "xref": "x",
+            "yref": "paper",
+            "x0": place,
+            "x1": place,
+            "y0": 0,
+            "y1": 1,
+            "line": {"color": alert, "width": 2, "dash": "dot"},
+        }
+        for place in answer["dead_centres_deg"]
+    ]
+    notes = [
+        note(
+            theme,
+            "dead centre",
+            x=place,
+            y=1,
+            xref="x",
+            yref="paper",
+            yanchor="bottom",
+            font={"size": 11, "color": alert},
+        )
+        for place in answer["dead_centres_deg"][:1]
+    ]
+    turns = end / 360
+    steps = {"dtick": 30 if turns <= 1 else 90} if turns <= 3 else {}
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            barmode="overlay",
+            bargap=0.3,
+            showlegend=satellites > 1,
+            height=190 + 22 * len(rows),
+            xaxis=axis(theme, "Crank angle, °", range=[0, end], anchor="y2", **steps),
+            yaxis=axis(
+                theme,
+                "Satellite.pin",
+                type="category",
+                categoryorder="array",
+                categoryarray=rows[::-1],
+                domain=[0.3, 1],
+                showgrid=False,
+            ),
+            yaxis2=axis(
+                theme,
+                "Driving",
+                domain=[0, 0.22],
+                rangemode="tozero",
+                dtick=max(1, round(answer["max_driving"] / 4)),
+                range=[0, answer["max_driving"] + 0.5],
+            ),
+            shapes=shapes,
+            annotations=notes,
+        ),
+    }
+
+
+def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
+    """All driving phases of one satellite."""
+    colour, _, hatch = series_style(satellite - 1, theme)
+    phases = [
+        (pair["pin"], start, stop)
+        for pair in answer["pairs"]
+        if pair["satellite"] == satellite
+        for start, stop in pair["driving_deg"]
+    ]
+    return {
+        "type": "bar",
+        "orientation": "h",
+        "name": f"Satellite {satellite}",
+        "y": [f"{satellite}.{pin}" for pin, _, _ in phases],
+        "base": [round(start, 6) for _, start, _ in phases],
+        "x": [round(stop - start, 6) for _, start, stop in phases],
+        "customdata": [
+            [satellite, pin, round(start, 4), round(stop, 4)] for pin, start, stop in phases
+        ],
+        "hovertemplate": "satellite %{customdata[0]}, pin %{customdata[1]}<br>"
+        "drives from %{customdata[2]}° to %{customdata[3]}°<extra></extra>",
+        "marker": {
+            "color": colour,
+            "line": {"color": colour, "width": 1},
+            "pattern": {"shape": hatch, "fillmode": "overlay", "size": 7},
+        },
+    }
+
+
+def _count(answer: Values, theme: Theme) -> Figure:
+    """Number of driving pairs as a step line."""
+    intervals = answer["driving_count"]
+    return {
+        "type": "scatter",
+        "mode": "lines",
+        "name": "Driving pairs",
+        "xaxis": "x",
+        "yaxis": "y2",
+        "showlegend": False,
+        "x": [round(each["from_deg"], 6) for each in intervals]
+        + [round(intervals[-1]["to_deg"], 6)],
+        "y": [each["pairs"] for each in intervals] + [intervals[-1]["pairs"]],
+        "line": {"shape": "hv", "width": 2, "color": INK[theme]["text"]},
+        "fill": "tozeroy",
+        "fillcolor": INK[theme]["grid"],
+        "hovertemplate": "%{y} driving pairs at %{x:.2f}°<extra></extra>",
+    }
+
+
+def solve(body: CyclogramRequest) -> Values:
+    """Which pin/hole pairs drive, when, how many together; dead centres; assembly angles."""
+    return CyclogramResponse.values(*run(body, body.solve))
+
+
+def figure(body: CyclogramRequest, theme: Theme = "light") -> Figure:
+    """The cyclogram as a Plotly figure, ready for Plotly.js."""
+    run(body, body.refuse_undrawable)
+    return cyclogram_figure(solve(body), theme)
+
+
+CALCULATION = Calculation(
+    name="cyclogram",
+    title="Cyclogram",
+    tag="crank-planetary",
+    request=CyclogramRequest,
+    answer=CyclogramResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018),
+    neglects=("clearance", "deviations", "elasticity"),
+)

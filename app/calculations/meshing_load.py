@@ -1,0 +1,138 @@
+"""Load of the precessional mesh: request, answer, figure."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from pydantic import field_validator
+
+from app.calculations.contact_line import MOST_NAMED
+from app.calculations.gear import Coordinate, GearFields
+from app.model import AccuracyOut, Calculation, ResponseModel, Values, WarningOut, no_dust, quantity
+from app.running import run
+from app.sources import KHATETOVSKY_2020
+from app.theme import Figure, Theme, axis, curve, layout
+from app.units import from_si, to_si
+from core.arrays import FloatArray, Vector
+from core.errors import InvalidInput
+from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
+
+
+class MeshingLoadRequest(GearFields):
+    """A mesh and its torque."""
+
+    torque_Nm: float = quantity(
+        "Torque",
+        symbol="M₁",
+        group="load",
+        ge=-1e12,
+        le=1e12,
+        step=1,
+        help="Torque on the central wheel; its sign chooses the loaded flanks.",
+    )
+    reference_z_mm: Coordinate = quantity(
+        "Place of C",
+        symbol="l",
+        group="load",
+        step=1,
+        help="Place of the bearing C along the axis, from the precession centre.",
+    )
+
+    _sizes = field_validator("torque_Nm", "reference_z_mm")(no_dust)
+
+    def solve_load(self) -> MeshingLoad:
+        """Load of the mesh."""
+        try:
+            return meshing_load(
+                **self.gear(),
+                rollers=self.all_rollers(),
+                torque=self.torque_Nm,
+                reference_z=to_si("reference_z_mm", self.reference_z_mm),
+            )
+        except InvalidInput as error:
+            raise self.about_the_wheel(error) from error
+
+    def solve_curves(self) -> list[tuple[float, FloatArray, FloatArray]]:
+        """Line load of every roller: position angle, rad, places z, m, load there, N/m."""
+        load = self.solve_load()
+        curves = []
+        for line in load.lines:
+            z = np.linspace(line.z_min, line.z_max, 61)
+            curves.append((line.position_angle, z, line_load(load=load, line=line, z=z)))
+        return curves
+
+
+class MeshingLoadResponse(ResponseModel):
+    """Resultants of the mesh, moment about the point C."""
+
+    force_N: Vector
+    moment_Nm: Vector
+    max_line_load_N_per_mm: float
+    total_length_mm: float
+    accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
+
+
+def meshing_load_figure(
+    curves: Sequence[tuple[float, FloatArray, FloatArray]], theme: Theme
+) -> Figure:
+    """Line load of every roller along the axis.
+
+    Parameters
+    ----------
+    curves : sequence of (float, array, array)
+        Position angle, rad, places, m, and load there, N/m, of each roller.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    data = []
+    for index, (angle, z, load) in enumerate(curves):
+        name = f"φ₁ = {from_si('angle_deg', angle):g}°"
+        data.append(
+            curve(
+                name,
+                from_si("z_mm", z),
+                from_si("load_N_per_mm", load),
+                index,
+                theme,
+                f"{name}: %{{y:.4g}} N/mm at z = %{{x:.4g}} mm",
+                showlegend=len(curves) <= MOST_NAMED,
+            )
+        )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=340,
+            xaxis=axis(theme, "Along the axis z, mm"),
+            yaxis=axis(theme, "Line load, N/mm", rangemode="tozero"),
+        ),
+    }
+
+
+def solve(body: MeshingLoadRequest) -> Values:
+    """Line load, force and moment of the mesh."""
+    return MeshingLoadResponse.values(*run(body, body.solve_load))
+
+
+def figure(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
+    """Line load along every contact line."""
+    curves, _ = run(body, body.solve_curves)
+    return meshing_load_figure(curves, theme)
+
+
+CALCULATION = Calculation(
+    name="precession/meshing-load",
+    title="Load of the precessional mesh",
+    tag="precessional gear",
+    request=MeshingLoadRequest,
+    answer=MeshingLoadResponse,
+    solve=solve,
+    figure=figure,
+    sources=(KHATETOVSKY_2020,),
+    neglects=("deviations", "elasticity", "friction"),
+)

@@ -1,1 +1,0 @@
-"""Core results as Plotly figures: plain dictionaries ``{data, layout}``, one theme."""

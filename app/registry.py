@@ -1,0 +1,30 @@
+"""All calculations of the service; routes, batches, examples and tests read them from here."""
+
+from app.calculations import (
+    contact_force,
+    contact_line,
+    crank_planetary,
+    cyclogram,
+    hertz,
+    meshing_load,
+    roller_strength,
+    shaft_deflection,
+    work_precision,
+)
+from app.model import Calculation
+
+CALCULATIONS: dict[str, Calculation] = {
+    module.CALCULATION.name: module.CALCULATION
+    for module in (
+        hertz,
+        contact_force,
+        roller_strength,
+        cyclogram,
+        crank_planetary,
+        contact_line,
+        meshing_load,
+        shaft_deflection,
+        work_precision,
+    )
+}
+"""By name, in the order in which a request's path is compared."""

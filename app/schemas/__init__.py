@@ -1,1 +1,0 @@
-"""Requests and answers of the API: names, units, limits and texts of every field."""

@@ -1,1 +1,0 @@
-"""Requests and answers of the precessional gear, one module for each calculation."""

@@ -1,0 +1,13 @@
+"""The papers and books behind the calculations, as answers and examples cite them."""
+
+YANCHEVSKY_2018 = (
+    "Yanchevsky, Komada, Stelmakh, Lytvynenko 2018, doi 10.20535/1810-0546.2018.1.121166"
+)
+YANCHEVSKIY_2021 = "Yanchevskiy, Niekhoroshykh 2021, doi 10.20535/kpissn.2021.4.245103"
+ZYL = "Zyl, Belarusian-Russian University: forces in the parallel-crank mechanism"
+OVSYANNIKOV_2019 = (
+    "Ovsyannikov, Perminov, Glavatskikh, Saltykova 2019, doi 10.22213/2413-1172-2019-2-39-46"
+)
+KHATETOVSKY_2020 = "Khatetovsky, Dokonov, Galyuzhin 2020, UDC 621.833"
+PERSSON_1964 = "Persson 1964, On the stress distribution of cylindrical elastic bodies in contact"
+JOHNSON_1985 = "Johnson 1985, Contact Mechanics"
