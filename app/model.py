@@ -1,17 +1,16 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, NamedTuple, cast, get_args
+from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args
 
-from pydantic import BaseModel, ConfigDict, Field
-from pydantic_core import PydanticCustomError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetCoreSchemaHandler
+from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
 from app.units import core_name, in_units, shown_unit, to_si, unit_size
-from core.results import Accuracy, Notice
+from core.results import NOTICES, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
 """Limits of every positive physical quantity, in its unit: within them no result leaves the range
@@ -22,12 +21,41 @@ def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     for each in value if isinstance(value, list) else [value]:
         if each is not None and 0 < abs(each) < SIZE["ge"]:
-            raise PydanticCustomError("dust", f"must be 0 or at least {SIZE['ge']} in size")
+            raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
     return value
 
 
-FIELD_ERROR = "field_error"
-"""Error type of `field_error`; its context names the field."""
+NO_DUST: dict[str, Any] = {
+    "anyOf": [{"const": 0}, {"minimum": SIZE["ge"]}, {"maximum": -SIZE["ge"]}],
+}
+"""What `no_dust` takes, for a field's JSON schema."""
+
+
+class _NotNull:
+    """Marks a field that may be absent, but is never null."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        schema: Any = handler(source)
+        inner: CoreSchema = schema["schema"] if schema["type"] == "nullable" else schema
+        return inner
+
+
+Present = TypeVar("Present")
+Maybe = Annotated[Present | None, _NotNull()]
+"""What may be absent: None in Python, and no null in JSON."""
+
+
+def _whole(value: Any) -> Any:
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+Whole = Annotated[int, BeforeValidator(_whole, json_schema_input_type=int)]
+"""A whole number, as 3 or as 3.0: other programs write it so."""
+
+
+UNION_TAGS: set[str] = set()
+"""Names of the branches of unions: pydantic puts them into the path of an error; they are no
+fields."""
 
 
 _API_NAMES: dict[str, str] = {}
@@ -38,17 +66,25 @@ def _register(model: type[BaseModel]) -> None:
         _API_NAMES.setdefault(core_name(name), name)
 
 
-def api_text(text: str) -> str:
-    """Text of a core refusal or notice with the API's names for ``{core_name}``."""
-    return re.sub(r"\{(\w+)\}", lambda found: _API_NAMES.get(found[1], found[1]), text)
+NAMING = ("field", "other")
+"""Parameters of a refusal or notice that are names of fields."""
 
 
-def _units_in_schema(schema: dict[str, Any]) -> None:
-    """Write each field's unit, which its name ends in, into the JSON schema."""
+def api_params(params: dict[str, Any]) -> dict[str, Any]:
+    """Parameters of a core's refusal or notice with the API's names of fields."""
+    return {
+        name: _API_NAMES.get(value, value) if name in NAMING else value
+        for name, value in params.items()
+    }
+
+
+def _complete_schema(schema: dict[str, Any]) -> None:
+    """Write each field's unit, which its name ends in, into the JSON schema; no default of null."""
     for name, field in schema.get("properties", {}).items():
-        unit = shown_unit(name)
-        if unit:
-            field["unit"] = unit
+        if unit := shown_unit(name):
+            field["x-unit"] = unit
+        if field.get("default", ...) is None:
+            del field["default"]
 
 
 class RequestModel(BaseModel):
@@ -58,7 +94,7 @@ class RequestModel(BaseModel):
         extra="forbid",
         strict=True,
         allow_inf_nan=False,
-        json_schema_extra=_units_in_schema,
+        json_schema_extra=_complete_schema,
     )
 
     @classmethod
@@ -91,6 +127,7 @@ def quantity(
     help: str = "",
     step: float | None = None,
     advanced: bool = False,
+    schema: dict[str, Any] | None = None,
     **limits: Any,
 ) -> Any:
     """A field with what the form needs to show it; its unit follows from its name.
@@ -107,21 +144,24 @@ def quantity(
         By how much the arrow keys change it.
     advanced : bool
         Whether the form may fold it away.
+    schema : dict, optional
+        What its JSON schema says besides, where validators do more than limits.
     **limits
         Default and limits, as pydantic's `Field` takes them.
     """
-    extra = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
+    shown = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
+    extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
     return Field(
         title=title,
         description=help or None,
-        json_schema_extra=cast(Any, {key: val for key, val in extra.items() if val is not None}),
+        json_schema_extra=cast(Any, extra | (schema or {})),
         **limits,
     )
 
 
-def field_error(field: str, message: str) -> PydanticCustomError:
-    """Error of a model's validator that belongs to one field."""
-    return PydanticCustomError(FIELD_ERROR, "{message}", {"field": field, "message": message})
+def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
+    """Refusal by a model's validator that belongs to one field; see `app.problems.TEXTS`."""
+    return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
 
 
 Values = dict[str, Any]
@@ -133,7 +173,7 @@ class ResponseModel(BaseModel):
     units.
     """
 
-    model_config = ConfigDict(json_schema_extra=_units_in_schema, allow_inf_nan=False)
+    model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -279,10 +319,12 @@ def _accuracy(accuracy: Accuracy, run_time_us: float) -> Values:
 class WarningOut(BaseModel):
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str
-    detail: str
+    code: str = Field(json_schema_extra={"enum": [*NOTICES]})
+    params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
+    detail: str = Field(description="The same in English.")
 
 
 def warning(notice: Notice) -> Values:
-    """Warning of a core notice; the app's names stand in for the core's."""
-    return {"code": notice.code, "detail": api_text(notice.detail)}
+    """Warning of a core notice; the API's names stand in for the core's."""
+    params = api_params(notice.params)
+    return {"code": notice.code, "params": params, "detail": NOTICES[notice.code].format(**params)}

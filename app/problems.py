@@ -1,24 +1,115 @@
 """Errors as problem details (RFC 9457): one shape, one table from exception to status."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from http import HTTPStatus
 from typing import Any, Self
 
 import orjson
 from fastapi import FastAPI, Request
-from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
-from app.schemas.base import FIELD_ERROR, api_text
+from app.model import UNION_TAGS, api_params
 from app.units import api_value
-from core.errors import ImpossibleMechanism
+from core.errors import IMPOSSIBLE, REFUSALS, ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
 
-RETRY_AFTER_S = "5"
-"""When to ask again after a 503, seconds."""
+RETRY_AFTER_S = 5
+"""When to ask again after a 503 where nothing says more, seconds."""
+
+MAX_ERRORS = 50
+"""Most wrong fields that an answer names."""
+
+MAX_DESCRIBED = 1000
+"""Most errors that pydantic is asked to describe, which costs more than to find them."""
+
+MAX_NAME = 64
+"""Most letters of a name in a pointer; longer ones are cut."""
+
+
+TEXTS = (
+    REFUSALS
+    | IMPOSSIBLE
+    | {
+        "bool_type": "must be true or false",
+        "dict_type": "must be an object",
+        "different_sum": "must have lengths that add up to {field} and {other}",
+        "dust": "must be 0 or at least {limit:g} in size",
+        "extra_forbidden": "is not a known field",
+        "float_type": "must be a number",
+        "greater_than": "must be greater than {limit:.15g}",
+        "greater_than_equal": "must be at least {limit:.15g}",
+        "int_type": "must be a whole number",
+        "json_invalid": "is not valid JSON: {error}",
+        "less_than": "must be less than {limit:.15g}",
+        "less_than_equal": "must be at most {limit:.15g}",
+        "list_type": "must be a list",
+        "literal_error": "must be one of {expected}",
+        "missing": "is needed",
+        "multiple_of": "must be a multiple of {limit:.15g}",
+        "needed": "is needed: this or {field}",
+        "needed_beside": "is needed beside {field}",
+        "needed_for": "is needed for {section}",
+        "not_valid": "is not valid",
+        "only_one": "excludes {field}: give one of them",
+        "service_limit": "must be at most {limit}: this service takes no more",
+        "string_type": "must be a text",
+        "string_unicode": "is not valid text",
+        "to_be_drawn": "must be at most {limit:.3g} to be drawn",
+        "too_long": "must have at most {limit} entries",
+        "too_nested": "must hold at most {limit} lists and objects",
+        "too_short": "must have at least {limit} entries",
+        "with_rollers": "must be at most {limit}, with {rollers} rollers",
+    }
+)
+"""What is wrong, by code: the rest of a sentence that starts with the field; the page has its own
+words for each code."""
+
+PHYSICAL = frozenset(
+    {
+        *IMPOSSIBLE,
+        "at_most",
+        "different_length",
+        "different_sum",
+        "infinite_line",
+        "larger_than",
+        "no_arm",
+        "not_zero",
+        "other_branch",
+        "service_limit",
+        "smaller_than",
+        "to_be_drawn",
+        "too_many_pairs",
+        "too_many_phases",
+        "too_short_range",
+        "with_rollers",
+    }
+)
+"""Codes with which a request may be refused that its schema admits: what cannot exist, does not fit
+together, or is too much."""
+
+_PARAMS = {
+    "greater_than": "gt",
+    "greater_than_equal": "ge",
+    "less_than": "lt",
+    "less_than_equal": "le",
+    "too_long": "max_length",
+    "too_short": "min_length",
+    "multiple_of": "multiple_of",
+}
+_CODES = {
+    "int_from_float": "int_type",
+    "model_attributes_type": "dict_type",
+    "model_type": "dict_type",
+    "tuple_type": "list_type",
+    "union_tag_invalid": "literal_error",
+    "union_tag_not_found": "missing",
+}
+"""Pydantic's parameters and codes where they differ from ours."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +120,29 @@ class ErrorItem:
     ----------
     pointer : str
         JSON pointer to the field; empty for the body as a whole.
-    detail : str
-        What is wrong, as the rest of a sentence that starts with the field.
+    code : str
+        What is wrong, a key of `TEXTS`.
+    params : dict
+        What its text names; `field` and `other` are names of fields.
     """
 
     pointer: str
-    detail: str
+    code: str
+    params: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def detail(self) -> str:
+        """What is wrong in English, as the rest of a sentence that starts with the field."""
+        return TEXTS[self.code].format(**self.params)
+
+    def values(self) -> dict[str, Any]:
+        """The item as JSON."""
+        return {
+            "pointer": self.pointer,
+            "code": self.code,
+            "params": self.params,
+            "detail": self.detail,
+        }
 
 
 @dataclass(slots=True)
@@ -51,6 +159,8 @@ class Problem(Exception):
         Its kind and this occurrence, for people.
     errors : list of ErrorItem
         The fields it is about.
+    more : int
+        How many fields besides are wrong.
     where : dict
         Position at which it happens, by API names.
     headers : dict
@@ -62,6 +172,7 @@ class Problem(Exception):
     title: str
     detail: str
     errors: list[ErrorItem] = field(default_factory=list)
+    more: int = 0
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
 
@@ -76,11 +187,21 @@ class Problem(Exception):
             "title": self.title,
             "status": self.status,
             "detail": self.detail,
-            "errors": [{"pointer": each.pointer, "detail": each.detail} for each in self.errors],
+            "errors": [each.values() for each in self.errors],
         }
+        if self.more:
+            body["more"] = self.more
         if self.where:
             body["where"] = self.where
         return body
+
+    def naming_at_most(self, errors: int) -> Self:
+        """The same with at most so many errors; `more` says how many are left out."""
+        if len(self.errors) <= errors:
+            return self
+        more = self.more + len(self.errors) - errors
+        named = self.errors[:errors]
+        return replace(self, errors=named, more=more, detail=_sentence(named, more))
 
     def response(self) -> Response:
         """The problem as an HTTP answer."""
@@ -89,13 +210,23 @@ class Problem(Exception):
         )
 
 
-def invalid_input(errors: list[ErrorItem]) -> Problem:
-    """Problem of a request whose fields are wrong."""
-    detail = "; ".join(
+def invalid_input(errors: list[ErrorItem], more: int = 0) -> Problem:
+    """Problem of a request whose fields are wrong: the first of them, and how many besides."""
+    problem = Problem(
+        422, "invalid-input", "The input is wrong", _sentence(errors, more), errors, more
+    )
+    return problem.naming_at_most(MAX_ERRORS)
+
+
+def _sentence(errors: list[ErrorItem], more: int) -> str:
+    """What is wrong with a request, for people."""
+    parts = [
         f"{each.pointer.lstrip('/').replace('/', '.') or 'The body'} {each.detail}"
         for each in errors
-    )
-    return Problem(422, "invalid-input", "The input is wrong", detail, errors)
+    ]
+    if more:
+        parts.append(f"{more} more" if parts else f"{more} fields are wrong")
+    return "; ".join(parts)
 
 
 def too_large(limit: int) -> Problem:
@@ -115,11 +246,10 @@ def http_problem(error: HTTPException) -> Problem:
     )
 
 
-def unavailable(detail: str) -> Problem:
+def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     """Problem of a service that cannot answer now but may soon."""
-    return Problem(
-        503, "unavailable", "Not available now", detail, headers={"retry-after": RETRY_AFTER_S}
-    )
+    headers = {"retry-after": str(retry_after_s)}
+    return Problem(503, "unavailable", "Not available now", detail, headers=headers)
 
 
 def failure(request_id: str) -> Problem:
@@ -133,94 +263,62 @@ def failure(request_id: str) -> Problem:
 
 
 def pointer(path: Iterable[str | int]) -> str:
-    """JSON pointer (RFC 6901) of a path."""
-    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
+    """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
+    return "".join("/" + _cut(str(part)).replace("~", "~0").replace("/", "~1") for part in path)
 
 
-UNION_TAGS = (
-    "name",
-    "values",
-    "peak_force",
-    "contact_line_length",
-    "meshing_load",
-    "roller_sharing",
-    "shaft_deflection",
-)
-"""Names of the branches of our unions: pydantic puts them into the path; they are no fields."""
-
-_COMPARISONS = {
-    "greater_than": ("gt", "must be greater than {}"),
-    "greater_than_equal": ("ge", "must be at least {}"),
-    "less_than": ("lt", "must be less than {}"),
-    "less_than_equal": ("le", "must be at most {}"),
-    "too_long": ("max_length", "must have at most {} entries"),
-    "too_short": ("min_length", "must have at least {} entries"),
-    "multiple_of": ("multiple_of", "must be a multiple of {}"),
-    "literal_error": ("expected", "must be one of {}"),
-}
-_MESSAGES = {
-    "missing": "is needed",
-    "extra_forbidden": "is not a known field",
-    "finite_number": "must be a finite number",
-    "float_type": "must be a number",
-    "int_type": "must be a whole number",
-    "int_from_float": "must be a whole number",
-    "bool_type": "must be true or false",
-    "string_type": "must be a text",
-    "list_type": "must be a list",
-    "tuple_type": "must be a list",
-    "dict_type": "must be an object",
-    "model_type": "must be an object",
-    "model_attributes_type": "must be an object",
-    "string_unicode": "is not valid text",
-}
-"""What pydantic's error types say to a user; the only place where they are worded."""
+def _cut(name: str) -> str:
+    return name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
 
 
-def _worded(error: dict[str, Any]) -> str:
-    kind, context = error["type"], error.get("ctx", {})
-    if kind == FIELD_ERROR:
-        return str(context["message"])
-    if kind in _COMPARISONS:
-        name, text = _COMPARISONS[kind]
-        value = context.get(name)
-        return text.format(f"{value:.15g}" if isinstance(value, float) else value)
-    if kind == "json_invalid":
-        return f"is not valid JSON: {context['error']}"
-    return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
+def wrong_json(why: str) -> Problem:
+    """Problem of a body that is no JSON."""
+    return invalid_input([ErrorItem("", "json_invalid", {"error": why})])
 
 
-def wrong_fields(errors: Iterable[Any]) -> Problem:
+def wrong_fields(error: ValidationError) -> Problem:
     """Problem of what pydantic found wrong with a request."""
-    return invalid_input(_items(errors))
-
-
-def _items(errors: Iterable[Any]) -> list[ErrorItem]:
+    count = error.error_count()
+    if count > MAX_DESCRIBED:
+        return invalid_input([], count)
     items: dict[str, ErrorItem] = {}
-    for error in errors:
-        path = list(error["loc"])
-        if error["type"] == "json_invalid":
-            path = []
-        elif path and path[0] == "body":
-            path = path[1:]
-        if error["type"] == FIELD_ERROR:
-            path.append(error["ctx"]["field"])
-        path = [part for part in path if part not in UNION_TAGS]
-        place = pointer(path)
-        items.setdefault(place, ErrorItem(place, _worded(error)))
-    return list(items.values())
+    for each in error.errors(include_url=False, include_input=False):
+        item = _item(each)
+        items.setdefault(item.pointer, item)
+    return invalid_input(list(items.values()))
+
+
+def _item(error: ErrorDetails) -> ErrorItem:
+    kind, context = error["type"], error.get("ctx", {})
+    path = [part for part in error["loc"] if part not in UNION_TAGS]
+    if kind == "json_invalid":
+        return ErrorItem("", kind, {"error": context["error"]})
+    if kind == "field_error":
+        return ErrorItem(pointer([*path, context["name"]]), context["code"], context["params"])
+    if kind.startswith("union_tag"):
+        path.append("calculation")
+    code = _CODES.get(kind, kind)
+    if code in _PARAMS:
+        params = {"limit": context[_PARAMS[code]]}
+    elif code == "literal_error":
+        params = {"expected": context.get("expected", context.get("expected_tags", ""))}
+    else:
+        params = dict(context) if code == "dust" else {}
+    return ErrorItem(pointer(path), code if code in TEXTS else "not_valid", params)
 
 
 def impossible(error: ImpossibleMechanism) -> Problem:
     """Problem of a mechanism that cannot exist or cannot work."""
     where = dict(api_value(name, value) for name, value in error.where.items())
     at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
-    what = api_text(error.what)
+    params = api_params(error.params)
+    what = IMPOSSIBLE[error.code].format(**error.where | params)
     return Problem(
         422,
         "impossible-mechanism",
         "The mechanism cannot work",
         f"{what} at {at}" if at else what,
+        errors=[ErrorItem("", error.code, error.where | where | params)],
         where=where,
     )
 
@@ -236,15 +334,10 @@ def install(app: FastAPI) -> None:
         assert isinstance(error, ImpossibleMechanism)
         return impossible(error).response()
 
-    async def on_validation(_: Request, error: Exception) -> Response:
-        assert isinstance(error, RequestValidationError)
-        return wrong_fields(error.errors()).response()
-
     async def on_http(_: Request, error: Exception) -> Response:
         assert isinstance(error, HTTPException)
         return http_problem(error).response()
 
     app.add_exception_handler(Problem, on_problem)
     app.add_exception_handler(ImpossibleMechanism, on_impossible)
-    app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(HTTPException, on_http)

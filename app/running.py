@@ -9,7 +9,7 @@ from pydantic import BaseModel
 
 from app.problems import ErrorItem, invalid_input, pointer
 from app.record import at_hand
-from app.schemas.base import api_text
+from app.model import api_params
 from app.units import core_name
 from core.errors import InvalidInput
 
@@ -69,7 +69,7 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
         """Name the field that the core refuses."""
         if isinstance(error, InvalidInput):
             place = pointer(_path(self.body, error.parameter) or ())
-            raise invalid_input([ErrorItem(place, api_text(error.limit))]) from error
+            raise invalid_input([ErrorItem(place, error.code, api_params(error.params))]) from error
 
 
 def _path(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:

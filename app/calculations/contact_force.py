@@ -118,16 +118,11 @@ class LoadFields(RequestModel):
         if self.output_torque_Nm is not None:
             for name in ("input_torque_Nm", "efficiency"):
                 if getattr(self, name) is not None:
-                    raise field_error(
-                        name, "give either output_torque_Nm or input_torque_Nm and efficiency"
-                    )
+                    raise field_error(name, "only_one", field="output_torque_Nm")
         elif self.input_torque_Nm is None:
-            raise field_error(
-                "output_torque_Nm",
-                "is needed: output_torque_Nm, or input_torque_Nm and efficiency",
-            )
+            raise field_error("output_torque_Nm", "needed", field="input_torque_Nm")
         elif self.efficiency is None:
-            raise field_error("efficiency", "is needed with input_torque_Nm")
+            raise field_error("efficiency", "needed_beside", field="input_torque_Nm")
         return self
 
     def torque(self, mechanism: Mechanism) -> float:
@@ -168,9 +163,8 @@ class LoadFields(RequestModel):
             If there are.
         """
         if self.samples > settings.max_curve_samples:
-            limit = settings.max_curve_samples
             raise InvalidInput(
-                "samples", self.samples, f"must be at most {limit}: this service takes no more"
+                "samples", self.samples, "service_limit", limit=settings.max_curve_samples
             )
         super().refuse_beyond(settings)
 
@@ -180,9 +174,7 @@ class LoadFields(RequestModel):
         pairs = mechanism.pins * mechanism.satellites
         if curves and self.samples * pairs > MAX_CURVE_VALUES:
             raise InvalidInput(
-                "samples",
-                self.samples,
-                f"must be at most {MAX_CURVE_VALUES // pairs} for {pairs} pairs",
+                "samples", self.samples, "service_limit", limit=MAX_CURVE_VALUES // pairs
             )
         return contact_force(
             mechanism=mechanism,

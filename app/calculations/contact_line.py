@@ -66,8 +66,9 @@ class ContactLineRequest(GearFields):
             raise InvalidInput(
                 "samples",
                 self.samples,
-                f"must be at most {MAX_POINT_VALUES // len(lines.lines)} for "
-                f"{len(lines.lines)} rollers",
+                "with_rollers",
+                limit=MAX_POINT_VALUES // len(lines.lines),
+                rollers=len(lines.lines),
             )
         return lines, [contact_points(line=line, samples=self.samples) for line in lines.lines]
 

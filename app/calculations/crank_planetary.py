@@ -92,7 +92,7 @@ class CrankPlanetaryRequest(RequestModel):
         for section in self.include:
             for part in _NEEDS[section]:
                 if getattr(self, part) is None:
-                    raise field_error(part, f"is needed for the section {section}")
+                    raise field_error(part, "needed_for", section=section)
         return self
 
     def cost_ms(self, *, drawn: bool) -> float:

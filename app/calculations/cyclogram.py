@@ -63,12 +63,8 @@ class CyclogramRequest(MechanismFields, RangeFields):
         """
         super().refuse_undrawable()
         if self.driving_phases > MAX_DRAWN_PHASES:
-            raise InvalidInput(
-                "revolutions",
-                self.revolutions,
-                f"must be at most {MAX_DRAWN_PHASES * self.revolutions / self.driving_phases:.3g} "
-                f"to be drawn ({MAX_DRAWN_PHASES} driving phases)",
-            )
+            most = MAX_DRAWN_PHASES * self.revolutions / self.driving_phases
+            raise InvalidInput("revolutions", self.revolutions, "to_be_drawn", limit=most)
 
     def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
         """Cyclogram, and the assembly angles where the numbers of teeth are given."""

@@ -72,19 +72,17 @@ class RollerFields(RequestModel):
         by_length = (self.z_min_mm, self.z_max_mm)
         by_angle = (self.phi_min_deg, self.phi_max_deg)
         if by_length != (None, None) and by_angle != (None, None):
-            raise field_error("phi_min_deg", "give limits in z or in phi, not both")
+            raise field_error("phi_min_deg", "only_one", field="z_min_mm")
         if by_length == by_angle == (None, None):
-            raise field_error(
-                "z_min_mm", "is needed: z_min_mm and z_max_mm, or phi_min_deg and phi_max_deg"
-            )
+            raise field_error("z_min_mm", "needed", field="phi_min_deg")
         names = (
             ("phi_min_deg", "phi_max_deg")
             if by_length == (None, None)
             else ("z_min_mm", "z_max_mm")
         )
-        for name in names:
+        for name, other in (names, names[::-1]):
             if getattr(self, name) is None:
-                raise field_error(name, "is needed beside the other limit")
+                raise field_error(name, "needed_beside", field=other)
         return self
 
     def roller(self) -> Roller:
@@ -200,9 +198,9 @@ class GearFields(RequestModel):
     @model_validator(mode="after")
     def _rollers_or_wheel(self) -> Self:
         if self.rollers is not None and self.wheel is not None:
-            raise field_error("wheel", "give either rollers or wheel")
+            raise field_error("wheel", "only_one", field="rollers")
         if self.rollers is None and self.wheel is None:
-            raise field_error("rollers", "is needed: rollers or wheel")
+            raise field_error("rollers", "needed", field="wheel")
         return self
 
     @property
@@ -236,5 +234,6 @@ class GearFields(RequestModel):
     def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
         """A refusal of one roller, as one of the wheel where a wheel was given."""
         if self.wheel is not None and error.parameter.startswith("rollers["):
-            return InvalidInput("wheel", None, f"{error.parameter} {error.limit}")
+            name = error.parameter.rpartition(".")[2]
+            return InvalidInput(name, error.value, error.code, **error.params)
         return error

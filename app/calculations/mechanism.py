@@ -111,36 +111,36 @@ class MechanismFields(RequestModel):
     def _one_form_each(self) -> Self:
         if self.crank_angles_deg is not None:
             if self.crank_spacing_deg is not None:
-                raise field_error(
-                    "crank_angles_deg", "give either crank_angles_deg or crank_spacing_deg"
-                )
+                raise field_error("crank_angles_deg", "only_one", field="crank_spacing_deg")
             if len(self.crank_angles_deg) != self.satellites:
                 raise field_error(
                     "crank_angles_deg",
-                    f"must have one angle for each of the {self.satellites} satellites, "
-                    f"has {len(self.crank_angles_deg)}",
+                    "different_length",
+                    expected=self.satellites,
+                    actual=len(self.crank_angles_deg),
                 )
         teeth = (self.satellite_teeth, self.ring_teeth)
         if self.ratio is not None and any(value is not None for value in teeth):
-            raise field_error("ratio", "give either ratio or satellite_teeth and ring_teeth")
+            raise field_error("ratio", "only_one", field="satellite_teeth")
         if self.ratio is None:
             if teeth == (None, None):
-                raise field_error("ratio", "is needed: ratio, or satellite_teeth and ring_teeth")
-            for name, value in zip(("satellite_teeth", "ring_teeth"), teeth, strict=True):
-                if value is None:
-                    raise field_error(name, "is needed beside the other number of teeth")
+                raise field_error("ratio", "needed", field="satellite_teeth")
+            if self.satellite_teeth is None:
+                raise field_error("satellite_teeth", "needed_beside", field="ring_teeth")
+            if self.ring_teeth is None:
+                raise field_error("ring_teeth", "needed_beside", field="satellite_teeth")
         if self.pins * self.satellites > MAX_PAIRS:
-            raise field_error(
-                "pins",
-                f"must be at most {MAX_PAIRS // self.satellites} for "
-                f"{self.satellites} satellites ({MAX_PAIRS} pairs)",
-            )
+            raise field_error("pins", "too_many_pairs", **self.most_pins(MAX_PAIRS))
         return self
 
     @property
     def pairs(self) -> int:
         """Number of pin/hole pairs."""
         return self.pins * self.satellites
+
+    def most_pins(self, pairs: int) -> dict[str, int]:
+        """Most pins that so many pairs allow, for a refusal."""
+        return {"limit": pairs // self.satellites, "satellites": self.satellites}
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more pairs than the operator allows.
@@ -152,10 +152,7 @@ class MechanismFields(RequestModel):
         """
         if self.pairs > settings.max_pairs:
             raise InvalidInput(
-                "pins",
-                self.pins,
-                f"must be at most {settings.max_pairs // self.satellites} for {self.satellites} "
-                f"satellites: this service takes {settings.max_pairs} pairs",
+                "pins", self.pins, "too_many_pairs", **self.most_pins(settings.max_pairs)
             )
         super().refuse_beyond(settings)
 
@@ -168,12 +165,7 @@ class MechanismFields(RequestModel):
             If there are more than `MAX_DRAWN_PAIRS`.
         """
         if self.pins * self.satellites > MAX_DRAWN_PAIRS:
-            raise InvalidInput(
-                "pins",
-                self.pins,
-                f"must be at most {MAX_DRAWN_PAIRS // self.satellites} for {self.satellites} "
-                f"satellites to be drawn ({MAX_DRAWN_PAIRS} pairs)",
-            )
+            raise InvalidInput("pins", self.pins, "too_many_pairs", **self.most_pins(MAX_DRAWN_PAIRS))
 
     def ratio_given(self) -> float:
         """Ratio u, as such or by the numbers of teeth.

@@ -165,14 +165,12 @@ class RollerStrengthRequest(RequestModel):
         ):
             given = [getattr(self, name) is not None for name in (first, second)]
             if all(given):
-                raise field_error(second, f"give either {first} or {second}")
+                raise field_error(second, "only_one", field=first)
             if not any(given):
-                raise field_error(first, f"is needed: {first} or {second}")
+                raise field_error(first, "needed", field=second)
         if self.gaps_mm is not None and len(self.gaps_mm) != self.rollers:
             raise field_error(
-                "gaps_mm",
-                f"must have one gap for each of the {self.rollers} rollers, has "
-                f"{len(self.gaps_mm)}",
+                "gaps_mm", "different_length", expected=self.rollers, actual=len(self.gaps_mm)
             )
         return self
 

@@ -85,9 +85,9 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
     @model_validator(mode="after")
     def _diameter_or_sections(self) -> Self:
         if self.shaft_diameter_mm is not None and self.shaft_sections is not None:
-            raise field_error("shaft_sections", "give either shaft_diameter_mm or shaft_sections")
+            raise field_error("shaft_sections", "only_one", field="shaft_diameter_mm")
         if self.shaft_diameter_mm is None and self.shaft_sections is None:
-            raise field_error("shaft_diameter_mm", "is needed: shaft_diameter_mm or shaft_sections")
+            raise field_error("shaft_diameter_mm", "needed", field="shaft_sections")
         return self
 
     def solve_shaft(self, load: MeshingLoad) -> ShaftDeflection:
