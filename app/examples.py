@@ -252,6 +252,6 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "calculation": "hertz",
         "requests": [{"force_N": force} | _CONTACT for force in (5000.0, 6667.0)],
     },
-    "work-precision": {"calculation": "peak_force", "input": _FORCE},
+    "work-precision": {"calculation": "contact-force", "input": _FORCE},
 }
 """One request for each endpoint, for the API's description; its chart takes the same."""

@@ -1,6 +1,5 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
-import asyncio
 import gc
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -9,40 +8,36 @@ from typing import Any
 
 from fastapi import FastAPI
 from fastapi.middleware.cors import CORSMiddleware
+from fastapi.openapi.utils import get_openapi
 from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
 
-from app import VERSION, observability, problems
+from app import VERSION, about, batch, observability
+from app.about import API
+from app.endpoint import RESPONSES, CalculationRoute, FigureOut, answering, drawing
 from app.examples import REQUESTS
+from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
-from app.processes import prepared
-from app.route import API, RESPONSES
-from app.routers import (
-    batch,
-    contact_force,
-    crank_planetary,
-    cyclogram,
-    hertz,
-    precession,
-    roller_strength,
-    service,
-    work_precision,
-)
-from app.schemas.service import ProblemOut
+from app.problems import REFUSED, ProblemOut, refused, unavailable
+from app.registry import CALCULATIONS
 from app.settings import Settings
 
 STATIC = Path(__file__).parent.parent / "static"
-CALCULATIONS = (
-    hertz,
-    contact_force,
-    roller_strength,
-    cyclogram,
-    crank_planetary,
-    precession,
-    work_precision,
-    batch,
-)
-"""In the order in which a request is matched: the shortest first."""
+
+PRELOAD = ("app.batch", "uvicorn")
+"""What processes for calculations import ahead; uvicorn as they import the service's main module,
+`app.serve`, each anew."""
+
+LICENSE = {"name": "MIT", "identifier": "MIT"}
+
+TAGS = [
+    {"name": "crank-planetary", "description": "Pins of the output link in holes of satellites."},
+    {"name": "rollers", "description": "Swinging rollers of the output mechanism."},
+    {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
+    {"name": "accuracy", "description": "Error against run time of the methods."},
+    {"name": "batch", "description": "Many requests of one calculation."},
+    {"name": "service", "description": "What the service says about itself."},
+]
 
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
@@ -51,44 +46,36 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def complete_description(app: FastAPI) -> None:
-    """Put into the API's description what FastAPI does not: problems and working examples."""
-    generate = app.openapi
-
-    def openapi() -> dict[str, Any]:
-        schema = generate()
-        models = ProblemOut.model_json_schema(ref_template="#/components/schemas/{model}")
-        nested = models.pop("$defs")
-        schema["components"]["schemas"] |= nested | {"ProblemOut": models}
-        for calculation, example in REQUESTS.items():
-            for path in (f"{API}/{calculation}", f"{API}/{calculation}/chart"):
-                if path in schema["paths"]:
-                    body = schema["paths"][path]["post"]["requestBody"]
-                    body["content"]["application/json"]["example"] = example
-        return schema
-
-    app.openapi = openapi  # type: ignore[method-assign]
+def describe(app: FastAPI) -> dict[str, Any]:
+    """The API's description: FastAPI's own, and the model of a problem."""
+    if app.openapi_schema is None:
+        schema = get_openapi(
+            title=app.title,
+            version=app.version,
+            description=app.description,
+            license_info=LICENSE,
+            tags=TAGS,
+            routes=app.routes,
+        )
+        problem = ProblemOut.model_json_schema(ref_template="#/components/schemas/{model}")
+        schema["components"]["schemas"] |= problem.pop("$defs") | {"Problem": problem}
+        app.openapi_schema = schema
+    return app.openapi_schema
 
 
-def _import_app() -> None:
-    """Nothing: to be called is to have imported this module."""
+def example(body: dict[str, Any]) -> dict[str, Any]:
+    """A request's example for its description."""
+    return {"requestBody": {"content": {"application/json": {"example": body}}}}
 
 
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Be ready once the process for long calculations is."""
-
-    async def prepare() -> None:
-        await prepared(_import_app)
-        app.state.ready = True
-
+    """Have processes for long calculations as long as the service runs."""
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()
     gc.freeze()
-    preparing = asyncio.create_task(prepare())
-    yield
-    app.state.ready = False
-    preparing.cancel()
+    async with app.state.jobs:
+        yield
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -114,13 +101,33 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         # What is seen from outside is in app.observability.
         telemetry={"tracing": False, "metrics": False, "logs": False},
     )
-    app.state.ready = False
-    for calculation in CALCULATIONS:
-        # As if they were its own: FastAPI matches those of included routers twice, and slowly.
-        app.router.routes += calculation.router.routes
-    app.include_router(service.router, prefix=API, responses={503: RESPONSES[503]})
-    problems.install(app)
-    complete_description(app)
+    app.state.jobs = Jobs(
+        processes=settings.processes, waiting=settings.max_waiting, preload=PRELOAD
+    )
+    for kind in REFUSED:
+        app.add_exception_handler(kind, refused)
+    app.router.route_class = CalculationRoute
+    for each in CALCULATIONS.values():
+        shared: dict[str, Any] = {
+            "tags": [each.tag],
+            "responses": RESPONSES,
+            "openapi_extra": example(REQUESTS[each.name]),
+        }
+        path, name = f"{API}/{each.name}", each.name.replace("/", "-").replace("-", "_")
+        app.post(path, operation_id=name, summary=each.title, response_model=each.answer, **shared)(
+            answering(each)
+        )
+        if each.figure is not None:
+            app.post(
+                f"{path}/chart",
+                operation_id=f"{name}_chart",
+                summary=f"{each.title}: figure",
+                response_model=FigureOut,
+                **shared,
+            )(drawing(each))
+    app.include_router(batch.router, prefix=API)
+    app.include_router(about.router)
+    app.openapi = lambda: describe(app)  # type: ignore[method-assign]
     app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     if settings.cors_origins:
         app.add_middleware(
@@ -146,8 +153,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     @app.get("/readyz", include_in_schema=False)
     async def readyz() -> PlainTextResponse:
-        if not app.state.ready:
-            raise problems.unavailable("The service is starting or stopping")
+        if not app.state.jobs.ready:
+            raise unavailable("No process for calculations is there yet, or any more")
         return PlainTextResponse("ready")
 
     @app.get("/metrics", include_in_schema=False)

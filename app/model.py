@@ -34,7 +34,9 @@ NO_DUST: dict[str, Any] = {
 class _NotNull:
     """Marks a field that may be absent, but is never null."""
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
         schema: Any = handler(source)
         inner: CoreSchema = schema["schema"] if schema["type"] == "nullable" else schema
         return inner

@@ -1,14 +1,14 @@
 """Errors as problem details (RFC 9457): one shape, one table from exception to status."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
 from http import HTTPStatus
-from typing import Any, Self
+from typing import Any, Self, cast
 
 import orjson
-from fastapi import FastAPI, Request
+from fastapi import Request
 from fastapi.responses import Response
-from pydantic import ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
@@ -210,6 +210,31 @@ class Problem(Exception):
         )
 
 
+class FieldProblem(BaseModel):
+    """What is wrong with one field."""
+
+    pointer: str = Field(description="JSON pointer to the field; empty for the body.")
+    code: str = Field(json_schema_extra=cast(Any, {"enum": sorted(TEXTS)}))
+    params: dict[str, Any] = Field(description="What the text names: limits, numbers, fields.")
+    detail: str = Field(description="The same in English: a sentence that starts with the field.")
+
+
+class ProblemOut(BaseModel):
+    """A refusal (RFC 9457); its type opens a page that explains it."""
+
+    model_config = ConfigDict(title="Problem")
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    errors: list[FieldProblem] = Field(description=f"The wrong fields, {MAX_ERRORS} at most.")
+    more: int = Field(default=0, description="How many fields besides are wrong.")
+    where: dict[str, float] = Field(
+        default={}, description="Position at which the mechanism cannot work."
+    )
+
+
 def invalid_input(errors: list[ErrorItem], more: int = 0) -> Problem:
     """Problem of a request whose fields are wrong: the first of them, and how many besides."""
     problem = Problem(
@@ -227,6 +252,11 @@ def _sentence(errors: list[ErrorItem], more: int) -> str:
     if more:
         parts.append(f"{more} more" if parts else f"{more} fields are wrong")
     return "; ".join(parts)
+
+
+def not_json(detail: str) -> Problem:
+    """Problem of a body that is not sent as JSON."""
+    return Problem(415, "unsupported-media-type", "Not sent as JSON", detail)
 
 
 def too_large(limit: int) -> Problem:
@@ -323,21 +353,15 @@ def impossible(error: ImpossibleMechanism) -> Problem:
     )
 
 
-def install(app: FastAPI) -> None:
-    """Make every refusal a problem; errors of our own are left to `Requests`."""
+REFUSED: dict[type[Exception], Callable[[Any], Problem]] = {
+    Problem: lambda problem: problem,
+    ImpossibleMechanism: impossible,
+    HTTPException: http_problem,
+}
+"""Problem of each exception; errors of our own are left to `app.middleware.Requests`."""
 
-    async def on_problem(_: Request, problem: Exception) -> Response:
-        assert isinstance(problem, Problem)
-        return problem.response()
 
-    async def on_impossible(_: Request, error: Exception) -> Response:
-        assert isinstance(error, ImpossibleMechanism)
-        return impossible(error).response()
-
-    async def on_http(_: Request, error: Exception) -> Response:
-        assert isinstance(error, HTTPException)
-        return http_problem(error).response()
-
-    app.add_exception_handler(Problem, on_problem)
-    app.add_exception_handler(ImpossibleMechanism, on_impossible)
-    app.add_exception_handler(HTTPException, on_http)
+async def refused(_: Request, error: Exception) -> Response:
+    """Answer of an exception of `REFUSED`."""
+    kind = next(kind for kind in REFUSED if isinstance(error, kind))
+    return REFUSED[kind](error).response()

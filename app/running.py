@@ -7,9 +7,9 @@ from typing import TypeVar
 
 from pydantic import BaseModel
 
+from app.model import api_params
 from app.problems import ErrorItem, invalid_input, pointer
 from app.record import at_hand
-from app.model import api_params
 from app.units import core_name
 from core.errors import InvalidInput
 

@@ -11,10 +11,12 @@ from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Maybe,
     RequestModel,
     ResponseModel,
     Values,
     WarningOut,
+    Whole,
     field_error,
     quantity,
 )
@@ -52,7 +54,7 @@ MAX_CURVE_VALUES = 1_000_000
 class LoadFields(RequestModel):
     """Torque, lever and load sharing of the pins, and what is asked of the force."""
 
-    output_torque_Nm: float | None = quantity(
+    output_torque_Nm: Maybe[float] = quantity(
         "Output torque",
         symbol="T",
         group="load",
@@ -61,7 +63,7 @@ class LoadFields(RequestModel):
         step=10,
         help="Torque on the output link.",
     )
-    input_torque_Nm: float | None = quantity(
+    input_torque_Nm: Maybe[float] = quantity(
         "Input torque",
         symbol="T₁",
         group="load",
@@ -70,7 +72,7 @@ class LoadFields(RequestModel):
         step=1,
         help="Torque on the crankshaft; T = T₁·u·η.",
     )
-    efficiency: float | None = quantity(
+    efficiency: Maybe[float] = quantity(
         "Efficiency",
         symbol="η",
         group="load",
@@ -99,9 +101,9 @@ class LoadFields(RequestModel):
         help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
     )
     include: list[ForceSection] = Field(
-        default=[], description="Optional results: what is not named is not computed."
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
-    samples: int = quantity(
+    samples: Whole = quantity(
         "Samples",
         symbol="",
         group="load",
@@ -256,12 +258,12 @@ class ContactForceResponse(ResponseModel):
     peak_force_ratio: float
     peak_crank_angle_deg: float
     peak_pair: PairOut
-    curves: ForceCurvesOut | None = None
-    equal_sharing_peak_N: float | None = None
-    approximate_peak_N: float | None = None
-    approximate_peak_error: float | None = None
+    curves: Maybe[ForceCurvesOut] = None
+    equal_sharing_peak_N: Maybe[float] = None
+    approximate_peak_N: Maybe[float] = None
+    approximate_peak_error: Maybe[float] = None
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
 
 def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme) -> Figure:

@@ -6,7 +6,7 @@ from typing import Literal
 from pydantic import Field
 
 from app.calculations.gear import GearFields
-from app.model import AccuracyOut, Calculation, ResponseModel, Values, quantity
+from app.model import AccuracyOut, Calculation, Maybe, ResponseModel, Values, Whole, quantity
 from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Figure, Theme, axis, curve, layout, series_style
@@ -25,7 +25,7 @@ MAX_POINT_VALUES = 200_000
 class ContactLineRequest(GearFields):
     """A mesh whose contact lines are asked."""
 
-    torque_sign: Literal[-1, 1] | None = quantity(
+    torque_sign: Maybe[Literal[-1, 1]] = quantity(
         "Sign of the torque",
         symbol="",
         group="load",
@@ -33,9 +33,9 @@ class ContactLineRequest(GearFields):
         help="Chooses the loaded flank of rollers whose limits are given in z.",
     )
     include: list[Literal["points"]] = Field(
-        default=[], description="Optional results: what is not named is not computed."
+        default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
-    samples: int = quantity(
+    samples: Whole = quantity(
         "Samples",
         symbol="",
         group="rollers",
@@ -91,7 +91,7 @@ class ContactLineOut(ResponseModel):
     phi_min_deg: float
     phi_max_deg: float
     length_mm: float
-    points: PointsOut | None = None
+    points: Maybe[PointsOut] = None
 
 
 class ContactLineResponse(ResponseModel):

@@ -13,6 +13,7 @@ from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Maybe,
     RequestModel,
     ResponseModel,
     Values,
@@ -46,7 +47,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
 class PinContactFields(ContactFields):
     """Pin, hole and crank."""
 
-    eccentricity_mm: float | None = quantity(
+    eccentricity_mm: Maybe[float] = quantity(
         "Eccentricity",
         symbol="e",
         group="contact",
@@ -70,8 +71,8 @@ class CrankPlanetaryRequest(RequestModel):
     """Mechanism, load and contact, and which sections of the answer are wanted."""
 
     mechanism: CyclogramRequest
-    load: LoadFields | None = None
-    contact: PinContactFields | None = None
+    load: Maybe[LoadFields] = None
+    contact: Maybe[PinContactFields] = None
     crank_angle_deg: Angle = quantity(
         "Crank angle",
         symbol="φ",
@@ -174,7 +175,7 @@ class GeometryOut(ResponseModel):
     pins: list[PointOut]
     pairs: list[PairGeometryOut]
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(
@@ -216,11 +217,11 @@ class GeometryOut(ResponseModel):
 class CrankPlanetaryResponse(ResponseModel):
     """One section for each that was asked."""
 
-    cyclogram: CyclogramResponse | None = None
-    contact_force: ContactForceResponse | None = None
-    hertz: HertzResponse | None = None
-    geometry: GeometryOut | None = None
-    warnings: list[WarningOut] | None = Field(
+    cyclogram: Maybe[CyclogramResponse] = None
+    contact_force: Maybe[ContactForceResponse] = None
+    hertz: Maybe[HertzResponse] = None
+    geometry: Maybe[GeometryOut] = None
+    warnings: Maybe[list[WarningOut]] = Field(
         default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "
         "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "

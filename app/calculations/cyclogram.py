@@ -3,7 +3,7 @@
 import math
 
 from app.calculations.mechanism import MechanismFields
-from app.model import AccuracyOut, Calculation, RequestModel, ResponseModel, Values, quantity
+from app.model import AccuracyOut, Calculation, Maybe, RequestModel, ResponseModel, Values, quantity
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import INK, Figure, Theme, axis, layout, note, series_style
@@ -113,8 +113,8 @@ class CyclogramResponse(ResponseModel):
     max_driving: int
     mean_driving: float
     dead_centres_deg: list[float]
-    dead_zones_deg: list[Range] | None = None
-    assembly: list[AssemblyAngleOut] | None = None
+    dead_zones_deg: Maybe[list[Range]] = None
+    assembly: Maybe[list[AssemblyAngleOut]] = None
     accuracy: AccuracyOut
 
     @classmethod

@@ -5,7 +5,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from app.model import SIZE, RequestModel, field_error, no_dust, quantity
+from app.model import SIZE, Maybe, RequestModel, Whole, field_error, no_dust, quantity
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
@@ -28,7 +28,7 @@ class RollerFields(RequestModel):
         step=15,
         help="Position of the roller on the central wheel.",
     )
-    z_min_mm: Coordinate | None = quantity(
+    z_min_mm: Maybe[Coordinate] = quantity(
         "Working length from",
         symbol="z_min",
         group="rollers",
@@ -36,7 +36,7 @@ class RollerFields(RequestModel):
         step=1,
         help="Start of the working length, along the axis from the precession centre.",
     )
-    z_max_mm: Coordinate | None = quantity(
+    z_max_mm: Maybe[Coordinate] = quantity(
         "Working length to",
         symbol="z_max",
         group="rollers",
@@ -44,7 +44,7 @@ class RollerFields(RequestModel):
         step=1,
         help="End of the working length.",
     )
-    phi_min_deg: float | None = quantity(
+    phi_min_deg: Maybe[float] = quantity(
         "Contact from",
         symbol="φ_min",
         group="rollers",
@@ -54,7 +54,7 @@ class RollerFields(RequestModel):
         step=1,
         help="Polar angle on the roller at which contact starts, instead of a working length.",
     )
-    phi_max_deg: float | None = quantity(
+    phi_max_deg: Maybe[float] = quantity(
         "Contact to",
         symbol="φ_max",
         group="rollers",
@@ -95,7 +95,7 @@ class RollerFields(RequestModel):
 class WheelFields(RequestModel):
     """Evenly spaced rollers with one working length."""
 
-    rollers_total: int = quantity(
+    rollers_total: Whole = quantity(
         "Rollers of the wheel",
         symbol="z₁",
         group="rollers",
@@ -104,7 +104,7 @@ class WheelFields(RequestModel):
         step=1,
         help="Number of rollers of the central wheel.",
     )
-    rollers_in_mesh: int | None = quantity(
+    rollers_in_mesh: Maybe[Whole] = quantity(
         "Rollers in mesh",
         symbol="",
         group="rollers",
@@ -178,7 +178,7 @@ class GearFields(RequestModel):
         step=0.01,
         help="Ratio of the mesh with the input shaft held.",
     )
-    rollers: list[RollerFields] | None = quantity(
+    rollers: Maybe[list[RollerFields]] = quantity(
         "Rollers",
         symbol="",
         group="rollers",
@@ -187,7 +187,7 @@ class GearFields(RequestModel):
         max_length=MAX_ROLLERS,
         help="The rollers in mesh, one by one.",
     )
-    wheel: WheelFields | None = quantity(
+    wheel: Maybe[WheelFields] = quantity(
         "Wheel",
         symbol="",
         group="rollers",

@@ -7,8 +7,10 @@ from pydantic import Discriminator, Field, Tag, field_validator
 
 from app.model import (
     SIZE,
+    UNION_TAGS,
     AccuracyOut,
     Calculation,
+    Maybe,
     RequestModel,
     ResponseModel,
     Values,
@@ -54,7 +56,7 @@ class MaterialFields(RequestModel):
         lt=0.5,
         step=0.01,
     )
-    allowable_pressure_MPa: float | None = quantity(
+    allowable_pressure_MPa: Maybe[float] = quantity(
         "Allowable pressure",
         symbol="p_all",
         group="material",
@@ -87,6 +89,9 @@ Material = Annotated[
     Annotated[MaterialName, Tag("name")] | Annotated[MaterialFields, Tag("values")],
     Discriminator(_kind),
 ]
+
+
+UNION_TAGS.update(("name", "values"))
 
 
 class ContactFields(RequestModel):
@@ -208,7 +213,7 @@ class SafetyOut(ResponseModel):
     body: Literal["pin", "hole"]
     limit_MPa: float
     criterion: Criterion
-    source: str | None = None
+    source: Maybe[str] = None
     safety_factor: float = Field(
         description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
         "is its square, as long as Hertz's pressure governs."
@@ -242,25 +247,25 @@ class HertzResponse(ResponseModel):
     max_shear_depth_mm: float
     reduced_radius_mm: float
     effective_modulus_GPa: float
-    conformal_pressure_MPa: float | None = None
-    conformal_half_angle_deg: float | None = None
-    governing_pressure_MPa: float | None = Field(
+    conformal_pressure_MPa: Maybe[float] = None
+    conformal_half_angle_deg: Maybe[float] = None
+    governing_pressure_MPa: Maybe[float] = Field(
         default=None,
         description="The pressure that is judged: the conformal one where it applies, else "
         "Hertz's; absent where neither theory holds.",
     )
-    safety: list[SafetyOut] | None = Field(
+    safety: Maybe[list[SafetyOut]] = Field(
         default=None,
         description="The bodies whose limit is known, each by its own; absent where none is.",
     )
-    safety_factor: float | None = Field(
+    safety_factor: Maybe[float] = Field(
         default=None,
         description="The smaller of both bodies' safety factors; absent where one is not known. A "
         "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
         "governs.",
     )
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

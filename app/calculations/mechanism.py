@@ -4,7 +4,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from app.model import RequestModel, field_error, quantity
+from app.model import Maybe, RequestModel, Whole, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
@@ -12,6 +12,9 @@ from core.output.mechanism import Mechanism, ratio_from_teeth
 
 MAX_PAIRS = 10_000
 """Most pairs (pins times satellites) of one mechanism."""
+
+MAX_SATELLITES = 100
+"""Most satellites of one mechanism."""
 
 MAX_DRAWN_PAIRS = 240
 """Most pairs that a figure shows."""
@@ -22,7 +25,7 @@ Angle = Annotated[float, Field(ge=-3600, le=3600)]
 class MechanismFields(RequestModel):
     """Pins, satellites, cranks and ratio."""
 
-    pins: int = quantity(
+    pins: Whole = quantity(
         "Pins",
         symbol="N",
         group="mechanism",
@@ -31,17 +34,17 @@ class MechanismFields(RequestModel):
         step=1,
         help="Number of pins of the output link, evenly spaced on the pin circle.",
     )
-    satellites: int = quantity(
+    satellites: Whole = quantity(
         "Satellites",
         symbol="K",
         group="mechanism",
         default=2,
         ge=1,
-        le=100,
+        le=MAX_SATELLITES,
         step=1,
         help="Number of satellites, each on its own crank.",
     )
-    crank_spacing_deg: Angle | None = quantity(
+    crank_spacing_deg: Maybe[Angle] = quantity(
         "Crank spacing",
         symbol="α",
         group="mechanism",
@@ -49,14 +52,16 @@ class MechanismFields(RequestModel):
         step=15,
         help="Angle between neighbouring cranks; 360°/K where not given.",
     )
-    crank_angles_deg: list[Angle] | None = quantity(
+    crank_angles_deg: Maybe[list[Angle]] = quantity(
         "Crank angles",
         symbol="α₁ … α_K",
         group="mechanism",
         default=None,
+        min_length=1,
+        max_length=MAX_SATELLITES,
         help="Angle of each crank, one for each satellite, instead of an even spacing.",
     )
-    ratio: float | None = quantity(
+    ratio: Maybe[float] = quantity(
         "Ratio",
         symbol="u",
         group="mechanism",
@@ -66,7 +71,7 @@ class MechanismFields(RequestModel):
         step=1,
         help="Speed of the crank over speed of the output, u = z₂/(z₃ − z₂).",
     )
-    satellite_teeth: int | None = quantity(
+    satellite_teeth: Maybe[Whole] = quantity(
         "Satellite teeth",
         symbol="z₂",
         group="mechanism",
@@ -76,7 +81,7 @@ class MechanismFields(RequestModel):
         step=1,
         help="Number of teeth of a satellite; gives the ratio and the assembly angles.",
     )
-    ring_teeth: int | None = quantity(
+    ring_teeth: Maybe[Whole] = quantity(
         "Ring teeth",
         symbol="z₃",
         group="mechanism",
@@ -165,7 +170,9 @@ class MechanismFields(RequestModel):
             If there are more than `MAX_DRAWN_PAIRS`.
         """
         if self.pins * self.satellites > MAX_DRAWN_PAIRS:
-            raise InvalidInput("pins", self.pins, "too_many_pairs", **self.most_pins(MAX_DRAWN_PAIRS))
+            raise InvalidInput(
+                "pins", self.pins, "too_many_pairs", **self.most_pins(MAX_DRAWN_PAIRS)
+            )
 
     def ratio_given(self) -> float:
         """Ratio u, as such or by the numbers of teeth.

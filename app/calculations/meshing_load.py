@@ -7,7 +7,16 @@ from pydantic import field_validator
 
 from app.calculations.contact_line import MOST_NAMED
 from app.calculations.gear import Coordinate, GearFields
-from app.model import AccuracyOut, Calculation, ResponseModel, Values, WarningOut, no_dust, quantity
+from app.model import (
+    AccuracyOut,
+    Calculation,
+    Maybe,
+    ResponseModel,
+    Values,
+    WarningOut,
+    no_dust,
+    quantity,
+)
 from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import Figure, Theme, axis, curve, layout
@@ -69,7 +78,7 @@ class MeshingLoadResponse(ResponseModel):
     max_line_load_N_per_mm: float
     total_length_mm: float
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
 
 def meshing_load_figure(

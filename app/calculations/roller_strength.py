@@ -8,10 +8,12 @@ from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Maybe,
     RequestModel,
     ResponseModel,
     Values,
     WarningOut,
+    Whole,
     field_error,
     no_dust,
     quantity,
@@ -48,7 +50,7 @@ class RollerStrengthRequest(RequestModel):
         step=1,
         help="Radius of the circle of the rollers' holes.",
     )
-    rollers: int = quantity(
+    rollers: Whole = quantity(
         "Rollers",
         symbol="n",
         group="load",
@@ -57,7 +59,7 @@ class RollerStrengthRequest(RequestModel):
         step=1,
         help="Number of rollers.",
     )
-    position_tolerance_mm: float | None = quantity(
+    position_tolerance_mm: Maybe[float] = quantity(
         "Position tolerance",
         symbol="χ",
         group="load",
@@ -67,11 +69,12 @@ class RollerStrengthRequest(RequestModel):
         step=0.005,
         help="Positional tolerance of the holes; the worst case has one hole ahead in each part.",
     )
-    gaps_mm: list[Gap] | None = quantity(
+    gaps_mm: Maybe[list[Gap]] = quantity(
         "Gaps",
         symbol="g₁ … g_n",
         group="load",
         default=None,
+        max_length=MAX_ROLLERS,
         help="Gap of each roller before it carries, instead of the worst case of a tolerance.",
     )
     diameter_mm: float = quantity(
@@ -125,7 +128,7 @@ class RollerStrengthRequest(RequestModel):
         default=210.0,
         help="Young's modulus of the rollers.",
     )
-    poissons_ratio: float | None = quantity(
+    poissons_ratio: Maybe[float] = quantity(
         "Poisson's ratio",
         symbol="ν",
         group="material",
@@ -135,7 +138,7 @@ class RollerStrengthRequest(RequestModel):
         step=0.01,
         help="Poisson's ratio of the rollers; gives the shear modulus.",
     )
-    shear_modulus_GPa: float | None = quantity(
+    shear_modulus_GPa: Maybe[float] = quantity(
         "Shear modulus",
         symbol="G",
         group="material",
@@ -199,7 +202,7 @@ class RollerStrengthResponse(ResponseModel):
     bending_stress_MPa: float
     loaded_rollers: int
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
 
 def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:

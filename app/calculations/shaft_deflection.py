@@ -9,6 +9,7 @@ from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Maybe,
     RequestModel,
     ResponseModel,
     Values,
@@ -53,7 +54,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         step=1,
         help="Distance from B to the clamped end of the shaft.",
     )
-    shaft_diameter_mm: float | None = quantity(
+    shaft_diameter_mm: Maybe[float] = quantity(
         "Shaft diameter",
         symbol="d",
         group="shaft",
@@ -62,7 +63,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         step=1,
         help="Diameter of the shaft, the same everywhere.",
     )
-    shaft_sections: list[ShaftSectionFields] | None = quantity(
+    shaft_sections: Maybe[list[ShaftSectionFields]] = quantity(
         "Shaft sections",
         symbol="",
         group="shaft",
@@ -157,12 +158,12 @@ class ShaftDeflectionResponse(ResponseModel):
     reaction_C_N: Plane
     deflection_B_mm: DeflectionOut
     deflection_C_mm: DeflectionOut
-    simplified_deflection_B_mm: DeflectionOut | None = None
-    simplified_deflection_C_mm: DeflectionOut | None = None
-    simplification_error_B: float | None = None
-    simplification_error_C: float | None = None
+    simplified_deflection_B_mm: Maybe[DeflectionOut] = None
+    simplified_deflection_C_mm: Maybe[DeflectionOut] = None
+    simplification_error_B: Maybe[float] = None
+    simplification_error_C: Maybe[float] = None
     accuracy: AccuracyOut
-    warnings: list[WarningOut] | None = None
+    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

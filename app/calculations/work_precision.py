@@ -1,6 +1,6 @@
 """Error against run time: request, answer, figure."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import Field
 
@@ -9,7 +9,7 @@ from app.calculations.contact_line import ContactLineRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
-from app.model import Calculation, RequestModel, ResponseModel, Values
+from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values
 from app.running import run
 from app.theme import DASHES, Figure, Theme, axis, curve, layout, marker
 from app.units import to_si
@@ -36,7 +36,7 @@ class Study(RequestModel):
 class PeakForceStudy(Study):
     """Peak of the contact force."""
 
-    calculation: Literal["peak_force"]
+    calculation: Literal["contact-force", "peak_force"]
     input: ContactForceRequest
 
     def solve(self) -> WorkPrecision:
@@ -49,7 +49,7 @@ class PeakForceStudy(Study):
 class ContactLineStudy(Study):
     """Total length of the contact lines."""
 
-    calculation: Literal["contact_line_length"]
+    calculation: Literal["precession/contact-line", "contact_line_length"]
     input: ContactLineRequest
 
     def solve(self) -> WorkPrecision:
@@ -62,7 +62,7 @@ class ContactLineStudy(Study):
 class MeshingLoadStudy(Study):
     """Force of the mesh."""
 
-    calculation: Literal["meshing_load"]
+    calculation: Literal["precession/meshing-load", "meshing_load"]
     input: MeshingLoadRequest
 
     def solve(self) -> WorkPrecision:
@@ -80,7 +80,7 @@ class MeshingLoadStudy(Study):
 class RollerSharingStudy(Study):
     """Forces of the swinging rollers."""
 
-    calculation: Literal["roller_sharing"]
+    calculation: Literal["roller-strength", "roller_sharing"]
     input: RollerStrengthRequest
 
     def solve(self) -> WorkPrecision:
@@ -100,7 +100,7 @@ class RollerSharingStudy(Study):
 class ShaftDeflectionStudy(Study):
     """Deflection of the shaft at C."""
 
-    calculation: Literal["shaft_deflection"]
+    calculation: Literal["precession/shaft-deflection", "shaft_deflection"]
     input: ShaftDeflectionRequest
 
     def solve(self) -> WorkPrecision:
@@ -118,7 +118,7 @@ class ShaftDeflectionStudy(Study):
 
 def _refuse_many(rollers: int) -> None:
     if rollers > MAX_ROLLERS:
-        raise InvalidInput("rollers", rollers, f"must be at most {MAX_ROLLERS} for a study")
+        raise InvalidInput("rollers", rollers, "service_limit", limit=MAX_ROLLERS)
 
 
 WorkPrecisionRequest = Annotated[
@@ -129,6 +129,13 @@ WorkPrecisionRequest = Annotated[
     | ShaftDeflectionStudy,
     Field(discriminator="calculation"),
 ]
+
+
+UNION_TAGS.update(
+    name
+    for study in get_args(get_args(WorkPrecisionRequest)[0])
+    for name in get_args(study.model_fields["calculation"].annotation)
+)
 
 
 class ReferenceOut(ResponseModel):
@@ -239,4 +246,5 @@ CALCULATION = Calculation(
     answer=WorkPrecisionResponse,
     solve=solve,
     figure=figure,
+    batched=False,
 )

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from app.figures.theme import SERIES
+from app.theme import SERIES
 
 STYLES = Path(__file__).parents[2] / "static/styles/drawing.css"
 

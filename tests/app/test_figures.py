@@ -6,7 +6,7 @@ from itertools import pairwise
 import plotly.graph_objects as go
 import pytest
 
-from app.figures.theme import SERIES
+from app.theme import SERIES
 
 pytestmark = pytest.mark.anyio
 

@@ -11,7 +11,7 @@ import pytest
 
 from app import processes
 from app.main import create_app
-from app.schemas.contact_force import ContactForceRequest
+from app.calculations.contact_force import ContactForceRequest
 from app.settings import Settings
 
 pytestmark = pytest.mark.anyio

@@ -1,0 +1,263 @@
+"""POST /batch: many requests of one calculation, in slices that are handed to processes."""
+
+import asyncio
+import time
+import zlib
+from collections.abc import AsyncIterator, Iterator
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import orjson
+from fastapi import APIRouter, Request
+from fastapi.responses import Response, StreamingResponse
+from pydantic import FailFast, Field, ValidationError
+from pydantic_core import from_json, to_json
+
+from app.endpoint import COMPRESS_LEVEL, JSON, RESPONSES, encoded, received, takes_gzip
+from app.jobs import Jobs, TooLong, Unfinished
+from app.model import Calculation, Maybe, RequestModel, ResponseModel
+from app.problems import Problem, ProblemOut, impossible, too_large, wrong_fields, wrong_json
+from app.processes import in_parts, in_process, refuse_if_busy, why
+from app.record import Record, at_hand
+from app.registry import CALCULATIONS
+from app.running import refusals_named
+from app.settings import Settings
+from core.errors import ImpossibleMechanism, InvalidInput
+
+FIRST_SLICE = 50
+"""Requests that are handed over first; then twice as many as were done in the time of a slice."""
+
+SLICE_S = 0.25
+"""Time after which a process hands back what it has done, so that answers flow and others have
+their turn."""
+
+MAX_ERRORS = 100
+"""Most wrong fields that the answers of a batch name in all; beyond, problems say how many."""
+
+
+MAX_REQUESTS = 10_000
+"""Most requests of a batch."""
+
+LINES = "application/x-ndjson"
+
+BATCHED = {name: each for name, each in CALCULATIONS.items() if each.batched}
+
+SPELLINGS = {name.rpartition("/")[2].replace("-", "_"): name for name in BATCHED} | {
+    name: name for name in BATCHED
+}
+"""Names by which a calculation may be asked: its own, and the last part of it as it was once."""
+
+if TYPE_CHECKING:
+    Spelling = str
+else:
+    Spelling = Literal[tuple(SPELLINGS)]
+
+
+class BatchRequest(RequestModel):
+    """Requests of one calculation, each as its own endpoint takes it."""
+
+    calculation: Spelling
+    requests: Annotated[
+        list[dict[str, Any]], FailFast(), Field(min_length=1, max_length=MAX_REQUESTS)
+    ]
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse more requests than the operator allows.
+
+        Raises
+        ------
+        InvalidInput
+            If there are too many.
+        """
+        if len(self.requests) > settings.max_batch:
+            raise InvalidInput(
+                "requests", len(self.requests), "service_limit", limit=settings.max_batch
+            )
+
+
+class BatchItem(ResponseModel):
+    """What became of one request: its result, or its problem with pointers into that request."""
+
+    result: Maybe[dict[str, Any]] = Field(
+        default=None, description="What the calculation's own endpoint answers."
+    )
+    problem: Maybe[ProblemOut] = None
+
+
+class BatchResponse(ResponseModel):
+    """The answers, in the order of the requests."""
+
+    results: list[BatchItem]
+
+
+router = APIRouter(tags=["batch"])
+
+
+@router.post(
+    "/batch",
+    operation_id="batch",
+    responses=RESPONSES | {200: {"content": {LINES: {"schema": {"type": "string"}}}}},
+    response_model=BatchResponse,
+    openapi_extra={
+        "requestBody": {
+            "required": True,
+            "content": {JSON: {"schema": BatchRequest.model_json_schema()}},
+        }
+    },
+)
+async def batch(request: Request) -> Response:
+    """Answers in the order of the requests, each with its result or its problem.
+
+    With `Accept: application/x-ndjson` a line for each request. Both are sent as they are done.
+    """
+    record, jobs = at_hand.get() or Record(), request.app.state.jobs
+    refuse_if_busy(jobs)
+    content = await received(request, record.settings.max_batch_bytes)
+    record.received = time.perf_counter()
+    calculation, requests = await in_process(jobs, split, content, record.settings, record=record)
+    done = answers(jobs, CALCULATIONS[SPELLINGS[calculation]], requests, record)
+    by_lines = LINES in request.headers.get("accept", "")
+    written = _as_lines(done) if by_lines else _as_object(done)
+    headers = {"vary": "accept-encoding"}
+    if takes_gzip(request):
+        headers["content-encoding"] = "gzip"
+        written = _zipped(written)
+    return StreamingResponse(written, headers=headers, media_type=LINES if by_lines else JSON)
+
+
+def split(content: bytes, settings: Settings) -> Iterator[tuple[str, list[bytes]]]:
+    """The calculation and the requests of a batch, each as JSON of its own.
+
+    Raises
+    ------
+    Problem
+        If it is no batch, or has more requests than the operator allows.
+    """
+    try:
+        body = BatchRequest.model_validate(from_json(content))
+    except ValidationError as error:
+        raise wrong_fields(error) from None
+    except ValueError as error:
+        raise wrong_json(str(error)) from None
+    with refusals_named(body):
+        body.refuse_beyond(settings)
+    enough = settings.max_body_bytes + 1  # to see that a request is too large
+    yield (
+        body.calculation,
+        [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests],
+    )
+
+
+async def answers(
+    jobs: Jobs, calculation: Calculation, requests: list[bytes], record: Record
+) -> AsyncIterator[list[bytes]]:
+    """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``, some at a time.
+
+    Each request is read and calculated once. Only where its process is killed it is tried once
+    more, and only a request that has had `Settings.max_seconds` for itself is refused for its time.
+    """
+    settings = record.settings
+    limit_s = SLICE_S + settings.max_seconds  # the last one may start at the end of the slice
+    done, size, errors, stopped_at = 0, FIRST_SLICE, MAX_ERRORS, -1
+    while done < len(requests):
+        some = requests[done : done + size]
+        unfinished: Unfinished | None = None
+        try:
+            told = await in_parts(
+                jobs,
+                _lines,
+                calculation.name,
+                some,
+                settings,
+                errors,
+                record=record,
+                limit_s=limit_s,
+            )
+        except Unfinished as error:
+            unfinished, told = error, error.parts
+        lines = [line for line, _ in told]
+        errors -= sum(named for _, named in told)
+        if unfinished is not None:
+            culprit = done + len(lines)
+            if isinstance(unfinished, TooLong) or culprit == stopped_at:
+                lines.append(_problem(why(unfinished, record)))
+            stopped_at = culprit
+        if lines:
+            yield lines
+        done += len(lines)
+        size = max(1, 2 * len(lines))
+
+
+def _lines(
+    name: str, requests: list[bytes], settings: Settings, errors: int
+) -> Iterator[tuple[bytes, int]]:
+    """Answers to the first requests, to as many as there is time for, and how many wrong fields
+    each names.
+    """
+    end = time.monotonic() + SLICE_S
+    for request in requests:
+        line, named = _line(CALCULATIONS[name], request, settings, errors)
+        yield line, named
+        errors -= named
+        if time.monotonic() > end:
+            break
+
+
+def _line(
+    calculation: Calculation, request: bytes, settings: Settings, errors: int
+) -> tuple[bytes, int]:
+    try:
+        body = _body(calculation.request, request, settings)
+        return b'{"result":' + encoded(calculation.solve(body)) + b"}", 0
+    except ImpossibleMechanism as error:
+        problem = impossible(error)
+    except Problem as refusal:
+        problem = refusal.naming_at_most(errors)
+    return _problem(problem), len(problem.errors)
+
+
+def _body(model: type[RequestModel], request: bytes, settings: Settings) -> RequestModel:
+    """A request as its model.
+
+    Raises
+    ------
+    Problem
+        If it is none.
+    """
+    if len(request) > settings.max_body_bytes:
+        raise too_large(settings.max_body_bytes)
+    try:
+        body = model.model_validate_json(request)
+    except ValidationError as error:
+        raise wrong_fields(error) from None
+    with refusals_named(body):
+        body.refuse_beyond(settings)
+    return body
+
+
+def _problem(problem: Problem) -> bytes:
+    return orjson.dumps({"problem": problem.body()})
+
+
+async def _as_lines(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:
+    async for some in answers:
+        yield b"\n".join([*some, b""])
+
+
+async def _as_object(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:
+    before = b'{"results":['
+    async for some in answers:
+        yield before + b",".join(some)
+        before = b","
+    yield b"]}"
+
+
+async def _zipped(written: AsyncIterator[bytes]) -> AsyncIterator[bytes]:
+    """The same compressed, each part as soon as it is there, and not in the event loop."""
+    packer = zlib.compressobj(COMPRESS_LEVEL, wbits=zlib.MAX_WBITS + 16)
+
+    def packed(part: bytes) -> bytes:
+        return packer.compress(part) + packer.flush(zlib.Z_SYNC_FLUSH)
+
+    async for part in written:
+        yield await asyncio.to_thread(packed, part)
+    yield packer.flush()

@@ -1,1 +1,0 @@
-"""Endpoints: each calls one calculation and words nothing of its own."""
