@@ -12,7 +12,6 @@ from typing import Any, Literal
 import numpy as np
 
 from core.arrays import (
-    BoolArray,
     FloatArray,
     Number,
     atan,
@@ -224,16 +223,14 @@ def hertz(
     ratio = half_width / pin_radius
 
     conformal = half_angle = None
-    governing, evaluations = max_pressure, 1
-    known: bool | BoolArray = ratio <= 1
+    governing, known, evaluations = max_pressure, ratio <= 1, 1
     alike = _identical(pin_material, hole_material) & (line_load > 0)
     if some(alike):
         load = where(alike, line_load, 1.0)
         factor, tangent, evaluations = conformal_pressure_ratio(
             load_parameter=pin_material.plane_modulus * (difference / load)
         )
-        difference_to_hertz: Any = abs(factor - 1)
-        applies = alike & (difference_to_hertz > HERTZ_TOLERANCE)
+        applies = alike & (abs(factor - 1) > HERTZ_TOLERANCE)
         if some(applies):
             conformal = known_where(applies, factor * max_pressure)
             half_angle = known_where(applies, 2 * atan(tangent))
@@ -380,8 +377,7 @@ def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Numbe
     b, y = half_angle_tangent, position
     inner, outer = sqrt((b - y) * (b + y)), sqrt(1 + b * b)
     ends = 2 * inner / (math.pi * outer * (1 + y * y))
-    pressure: Number = ends + atanh(inner / outer) / (math.pi * b * b * outer * outer)
-    return pressure
+    return ends + atanh(inner / outer) / (math.pi * b * b * outer * outer)
 
 
 def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
@@ -431,4 +427,4 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
     shape = conformal_pressure(position=places, half_angle_tangent=end)
     middle = conformal_pressure(position=0.0, half_angle_tangent=end)
     radius = contact.half_width / contact.half_width_ratio
-    return radius * angles, np.asarray(contact.conformal_pressure / middle * shape)
+    return radius * angles, contact.conformal_pressure / middle * shape

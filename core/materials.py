@@ -49,11 +49,7 @@ class ElasticMaterial:
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)
-        allowed = (self.poissons_ratio >= 0) & (self.poissons_ratio < 0.5)
-        if not every(allowed):
-            refuse(
-                "poissons_ratio", self.poissons_ratio, allowed, "must be at least 0 and below 0.5"
-            )
+        check_poissons_ratio(self.poissons_ratio)
 
     @property
     def plane_modulus(self) -> Number:
@@ -64,6 +60,24 @@ class ElasticMaterial:
     def shear_modulus(self) -> Number:
         """Shear modulus ``G = E/(2*(1 + v))``, Pa."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
+
+
+def check_poissons_ratio(poissons_ratio: Number) -> None:
+    """Refuse a Poisson's ratio outside ``0 <= v < 0.5``.
+
+    Parameters
+    ----------
+    poissons_ratio : float or array
+        Poisson's ratio.
+
+    Raises
+    ------
+    InvalidInput
+        If it is; of an array the first such entry is named.
+    """
+    allowed = (poissons_ratio >= 0) & (poissons_ratio < 0.5)
+    if not every(allowed):
+        refuse("poissons_ratio", poissons_ratio, allowed, "must be at least 0 and below 0.5")
 
 
 def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> Number:

@@ -56,7 +56,7 @@ class MaterialFields(RequestModel):
         default=None,
         **SIZE,
         step=10,
-        help="Allowable contact pressure; gives the safety factor.",
+        help="Allowable contact pressure: what this body is judged by.",
     )
 
     def material(self) -> ElasticMaterial:
@@ -205,7 +205,8 @@ class SafetyOut(ResponseModel):
     criterion: Criterion
     source: str | None = None
     safety_factor: float = Field(
-        description="A ratio of pressures: the load grows with its square."
+        description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
+        "is its square, as long as Hertz's pressure governs."
     )
 
     @classmethod
@@ -217,9 +218,10 @@ class SafetyOut(ResponseModel):
         return super().values(
             result,
             run_time_us,
+            body=result.body,
             limit_MPa=from_si("limit_MPa", limit.pressure),
             criterion=limit.criterion,
-            source=limit.source,
+            source=limit.source or None,
             **given,
         )
 
@@ -237,8 +239,28 @@ class HertzResponse(ResponseModel):
     effective_modulus_GPa: float
     conformal_pressure_MPa: float | None = None
     conformal_half_angle_deg: float | None = None
-    governing_pressure_MPa: float | None = None
-    safety: list[SafetyOut] | None = None
-    safety_factor: float | None = None
+    governing_pressure_MPa: float | None = Field(
+        default=None,
+        description="The pressure that is judged: the conformal one where it applies, else "
+        "Hertz's; absent where neither theory holds.",
+    )
+    safety: list[SafetyOut] | None = Field(
+        default=None,
+        description="The bodies whose limit is known, each by its own; absent where none is.",
+    )
+    safety_factor: float | None = Field(
+        default=None,
+        description="The smaller of both bodies' safety factors; absent where one is not known. A "
+        "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
+        "governs.",
+    )
     accuracy: AccuracyOut
     warnings: list[WarningOut] | None = None
+
+    @classmethod
+    def values(
+        cls, result: HertzContact, run_time_us: float | None = None, **given: object
+    ) -> Values:
+        """Values of the core's contact."""
+        safety = [SafetyOut.values(each) for each in result.safety]
+        return super().values(result, run_time_us, safety=safety or None, **given)

@@ -11,9 +11,6 @@ from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
 from core.output.mechanism import Mechanism, assembly_angles, ratio_from_teeth
 
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
-
 angles = st.one_of(
     st.floats(-20.0, 20.0),
     st.integers(-48, 48).map(lambda k: math.radians(15 * k)),

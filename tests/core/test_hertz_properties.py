@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -18,9 +18,6 @@ from core.hertz import (
     hertz,
 )
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
-
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 

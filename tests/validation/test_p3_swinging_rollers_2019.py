@@ -8,8 +8,12 @@ import math
 
 import pytest
 
-from core.rollers.roller_curves import load_nonuniformity, relative_stiffness, relative_stress
-from core.rollers.roller_strength import RollerStrength, roller_strength
+from core.rollers.roller_strength import (
+    RollerStrength,
+    load_nonuniformity,
+    relative_stiffness,
+    roller_strength,
+)
 
 FIG_4 = {
     "relative_width": 0.8,
@@ -57,18 +61,6 @@ def test_fig_5_ends_where_one_roller_carries_everything() -> None:
 
 def test_fig_6() -> None:
     assert fig_6(2.0, 2e-4).bending_stress / E == pytest.approx(0.0024213655, abs=1e-10)
-    assert relative_stress(
-        relative_length=2.0,
-        relative_width=0.8,
-        relative_sphere=1.5,
-        friction_coefficient=K,
-        modulus_ratio=2.6,
-        rollers=N,
-        relative_torque=0.001,
-        relative_radius=3.0,
-        relative_tolerance=2e-4,
-        stress_concentration=K_SIGMA,
-    ) == pytest.approx(0.0024213655, abs=1e-10)
 
 
 def test_one_roller_stress_is_eq_14() -> None:

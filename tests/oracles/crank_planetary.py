@@ -19,10 +19,8 @@ import numpy as np
 from flint import arb
 from mpmath import mp, mpf
 
-from tests.reference.balls import from_ball, to_ball
-
-DIGITS = 40
-mp.dps = DIGITS
+from tests.oracles import DIGITS
+from tests.oracles.balls import from_ball, to_ball
 
 
 @dataclass(frozen=True, slots=True)

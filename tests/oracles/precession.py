@@ -11,10 +11,7 @@ from flint import acb, arb, ctx
 from mpmath import mp, mpf
 from mpmath.calculus.quadrature import GaussLegendre
 
-from tests.reference.balls import from_ball, to_ball
-
-DIGITS = 40
-mp.dps = DIGITS
+from tests.oracles.balls import from_ball, to_ball
 
 
 def scale(circle: float, theta: float, u12: float) -> mpf:
