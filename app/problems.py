@@ -80,6 +80,8 @@ PHYSICAL = frozenset(
         "no_arm",
         "not_zero",
         "other_branch",
+        "right_angle",
+        "roller_without_arm",
         "service_limit",
         "smaller_than",
         "to_be_drawn",

@@ -24,6 +24,9 @@ REFUSALS = {
     "not_zero": "must not be 0",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",
+    "right_angle": "must be smaller than a right angle",
+    "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
+    "contact has no arm",
     "smaller_than": "must be smaller than {field}",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",

@@ -34,9 +34,15 @@ NOTICES = {
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
+    "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds "
+    "more than 5 % to its deflection.",
+    "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is "
+    "concentrated there, more than elastic rollers would let it be.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "
     "for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+    "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
+    "loaded one is half a turn of phi further, with the same force.",
 }
 """Limits of validity in English, by code."""
 
@@ -80,3 +86,31 @@ class Notice:
     def detail(self) -> str:
         """What is strained and what it means, in English, with the core's names."""
         return NOTICES[self.code].format(**self.params)
+
+
+HARDLY_KNOWN = 1e-2
+"""Relative error above which a number is no guide."""
+
+
+def poorly_known(accuracy: Accuracy) -> tuple[Notice, ...]:
+    """Notice that hardly anything is known of a result, where its stated error says so.
+
+    Parameters
+    ----------
+    accuracy : Accuracy
+        Of one design.
+
+    Returns
+    -------
+    tuple of Notice
+        One, or none.
+
+    Examples
+    --------
+    >>> poorly_known(Accuracy("closed form", 1e-15, 1))
+    ()
+    >>> [notice.code for notice in poorly_known(Accuracy("closed form", 0.5, 1))]
+    ['hardly_known']
+    """
+    error = float(accuracy.relative_error)
+    return (Notice("hardly_known", {"error": error}),) if error > HARDLY_KNOWN else ()
