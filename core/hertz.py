@@ -30,7 +30,7 @@ from core.arrays import (
 )
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial, effective_modulus
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""
@@ -124,11 +124,12 @@ class HertzContact:
     def notices(self) -> tuple[Notice, ...]:
         """Limits of validity that one contact (not an array of them) strains."""
         ratio = self.half_width_ratio
+        unknown = poorly_known(self.accuracy)
         if ratio <= HALF_WIDTH_RATIO_LIMIT:
-            return ()
+            return unknown
         possible = self.conformal_pressure is not None or ratio <= 1
         code = "hertz_half_width" if possible else "hertz_impossible"
-        return (Notice(code, {"width": 2 * float(ratio)}),)
+        return (Notice(code, {"width": 2 * float(ratio)}), *unknown)
 
 
 def hertz(

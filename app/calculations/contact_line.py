@@ -6,7 +6,16 @@ from typing import Literal
 from pydantic import Field
 
 from app.calculations.gear import GearFields
-from app.model import AccuracyOut, Calculation, Maybe, ResponseModel, Values, Whole, quantity
+from app.model import (
+    AccuracyOut,
+    Calculation,
+    Maybe,
+    ResponseModel,
+    Values,
+    WarningOut,
+    Whole,
+    quantity,
+)
 from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Figure, Theme, axis, curve, layout, series_style
@@ -91,6 +100,7 @@ class ContactLineOut(ResponseModel):
     phi_min_deg: float
     phi_max_deg: float
     length_mm: float
+    relative_error: float = Field(description="Bound of the relative error of its length.")
     points: Maybe[PointsOut] = None
 
 
@@ -100,6 +110,7 @@ class ContactLineResponse(ResponseModel):
     lines: list[ContactLineOut]
     total_length_mm: float
     accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

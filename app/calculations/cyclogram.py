@@ -3,7 +3,16 @@
 import math
 
 from app.calculations.mechanism import MechanismFields
-from app.model import AccuracyOut, Calculation, Maybe, RequestModel, ResponseModel, Values, quantity
+from app.model import (
+    AccuracyOut,
+    Calculation,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Values,
+    WarningOut,
+    quantity,
+)
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import INK, Figure, Theme, axis, layout, note, series_style
@@ -116,6 +125,7 @@ class CyclogramResponse(ResponseModel):
     dead_zones_deg: Maybe[list[Range]] = None
     assembly: Maybe[list[AssemblyAngleOut]] = None
     accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

@@ -10,8 +10,8 @@ import httpx
 import pytest
 
 from app import processes
-from app.main import create_app
 from app.calculations.contact_force import ContactForceRequest
+from app.main import create_app
 from app.settings import Settings
 
 pytestmark = pytest.mark.anyio

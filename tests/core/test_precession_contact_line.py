@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
 from core.precession.contact_line import ContactLine, contact_lines, contact_points
 from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
-from core.results import ROUNDING
+from core.results import HARDLY_KNOWN, ROUNDING
 from tests.oracles.condition import condition
 
 GEAR: dict[str, Any] = {
@@ -178,8 +178,9 @@ def test_a_length_that_is_hardly_known_is_noticed() -> None:
         result = contact_lines(**GEAR, rollers=[roller])
         assert [notice.code for notice in result.notices] == codes
         for notice in result.notices:
-            assert notice.value == result.accuracy.relative_error > notice.limit == 1e-2
-            assert f"{notice.value:.2g}" in notice.detail
+            assert notice.params == {"error": result.accuracy.relative_error}
+            assert result.accuracy.relative_error > HARDLY_KNOWN == 1e-2
+            assert f"{result.accuracy.relative_error:.2g}" in notice.detail
 
 
 def test_a_wheel_knows_its_rollers_no_better_than_its_first_one() -> None:

@@ -194,7 +194,7 @@ def test_a_load_that_is_hardly_known_is_noticed() -> None:
     narrow = RollerByLength(1.0, 0.02, 0.02 * (1 + 2e-14))
     load = meshing_load(**GEAR, rollers=[narrow], torque=10.0, reference_z=0.02)
     assert [notice.code for notice in load.notices] == ["hardly_known"]
-    assert load.notices[0].value == load.accuracy.relative_error
+    assert load.notices[0].params == {"error": load.accuracy.relative_error}
 
 
 def test_small_arm_is_noticed() -> None:
