@@ -21,7 +21,7 @@ from app.model import Calculation, RequestModel
 from app.problems import MEDIA_TYPE, ErrorItem, invalid_input, not_json, too_large, wrong_fields
 from app.record import Record, at_hand
 from app.running import refusals_named
-from app.theme import Figure, Theme
+from app.theme import Figure, Theme, with_words
 from core.errors import ImpossibleMechanism
 
 JSON = "application/json"
@@ -112,7 +112,8 @@ def drawing(calculation: Calculation) -> Callable[[Any, Any], Figure]:
 
 def _content(endpoint: Callable[..., Any], given: tuple[Any, ...], zipped: bool) -> Iterator[bytes]:
     """The answer of an endpoint, compressed where it is large and the client takes that."""
-    content = encoded(endpoint(*given))
+    values = endpoint(*given)
+    content = encoded(with_words(values) if len(given) == 2 else values)
     if zipped and len(content) >= COMPRESS_BYTES:
         content = gzip.compress(content, COMPRESS_LEVEL)
     yield content

@@ -10,7 +10,7 @@ from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
 from app.units import core_name, in_units, shown_unit, to_si, unit_size
-from core.results import NOTICES, Accuracy, Notice
+from core.results import METHODS, NOTICES, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
 """Limits of every positive physical quantity, in its unit: within them no result leaves the range
@@ -303,6 +303,7 @@ class AccuracyOut(BaseModel):
     """How the numbers were got, how wrong they may be, and what they cost."""
 
     method: str
+    method_code: str = Field(json_schema_extra={"enum": [*METHODS]})
     relative_error: float = Field(description="Bound or estimate of the relative error.")
     evaluations: int = Field(description="Evaluations of the function behind the method.")
     run_time_us: float = Field(description="Run time of the calculation, microseconds.")
@@ -311,7 +312,8 @@ class AccuracyOut(BaseModel):
 def _accuracy(accuracy: Accuracy, run_time_us: float) -> Values:
     """Accuracy of a core result with its run time."""
     return {
-        "method": accuracy.method,
+        "method": METHODS[accuracy.method],
+        "method_code": accuracy.method,
         "relative_error": accuracy.relative_error,
         "evaluations": accuracy.evaluations,
         "run_time_us": round(run_time_us, 1),

@@ -4,15 +4,176 @@ Colours are those of Okabe and Ito, darkened for white and lightened for dark pa
 keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
 """
 
-from collections.abc import Sequence
-from typing import Any, Literal
+from collections.abc import Iterator, Sequence
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from core.results import METHODS
+from core.work_precision.study import SETTINGS
+
 Theme = Literal["light", "dark"]
 Figure = dict[str, Any]
 Numbers = Sequence[float] | NDArray[np.floating[Any]]
+
+TEXTS = {
+    "along_arc": "Place along the arc of the pin",
+    "along_axis": "Along the axis z",
+    "along_shaft": "Along the shaft from C to the clamp",
+    "amount": "{amount}",
+    "arc_on_roller": "Arc on the roller x = ρφ",
+    "at_place": "{name}: {value} at {place}",
+    "axis": "{title}, {unit}",
+    "bending_moment": "Bending moment",
+    "bending_stress": "Bending stress",
+    "body_limit": "Limit of the {body}",
+    "body_limit_hover": "Limit of the {body}: {pressure}",
+    "clamp": "clamp",
+    "conformal": "Conformal (Persson)",
+    "contact_force": "Contact force",
+    "contact_line": "{name}: contact line",
+    "contact_pressure": "Contact pressure",
+    "crank_angle": "Crank angle",
+    "dead_centre": "dead centre",
+    "deflection": "Deflection",
+    "design": "This design",
+    "design_nonuniformity": "This design: Ψ = {nonuniformity} at δ = {error}",
+    "design_stiffness": "This design: c/(b·E) = {stiffness}",
+    "design_stress": "This design: {stress}",
+    "driving": "Driving",
+    "driving_pairs": "Driving pairs",
+    "driving_pairs_hover": "Driving pairs: {pairs} at {angle}",
+    "error_in_time": "{method}, {setting}<br>error {error} in {time}",
+    "error_in_time_chosen": "{method}: error {error} in {time}",
+    "hertz": "Hertz",
+    "hole": "hole",
+    "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
+    "length_ratio": "Length over diameter l/d",
+    "line_load": "Line load",
+    "line_load_hover": "{name}: {load} at z = {place}",
+    "nonuniformity": "Non-uniformity Ψ",
+    "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
+    "one_carries": "one roller carries all",
+    "pair_drives": "Satellite {satellite}, pin {pin}<br>drives from {start} to {end}",
+    "pair_force": "Satellite {satellite}, pin {pin}<br>{force} at {angle}",
+    "peak": "Peak",
+    "peak_hover": "Peak {force} at {angle}<br>satellite {satellite}, pin {pin}",
+    "pin": "pin",
+    "plane_xz": "plane xz",
+    "plane_yz": "plane yz",
+    "position_error": "Relative position error δ",
+    "pressure_hover": "{name}<br>{pressure} at {place}",
+    "relative_error": "Relative error",
+    "roller_angle": "φ₁ = {angle}",
+    "roller_circle": "Circle of the roller axes",
+    "run_time": "Run time",
+    "satellite": "Satellite {satellite}",
+    "satellite_pin": "Satellite.pin",
+    "shear_force": "Shear force",
+    "stiffness": "Stiffness",
+    "stiffness_hover": "c/(b·E) = {stiffness} at l/d = {length}",
+    "stiffness_ratio": "Stiffness c/(b·E)",
+    "stress_hover": "{name}: {stress} at l/d = {length}",
+    "tolerance": "χ = {tolerance}",
+    "used": "Used by the calculator",
+}
+"""Texts of figures in English, by id; the page has its own words for each id."""
+
+
+_TEXTS = (
+    TEXTS
+    | {f"methods.{code}": words for code, words in METHODS.items()}
+    | {f"settings.{code}": words for code, words in SETTINGS.items()}
+)
+
+
+class Amount(NamedTuple):
+    """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit.
+
+    Attributes
+    ----------
+    value : float or str
+        The number or the placeholder.
+    unit : str
+        Its unit, empty for none.
+    digits : int
+        Significant digits to show of a number.
+    """
+
+    value: float | str
+    unit: str = ""
+    digits: int = 6
+
+    def __format__(self, _: str) -> str:
+        number = self.value if isinstance(self.value, str) else f"{self.value:.{self.digits}g}"
+        return number + (self.unit if self.unit in ("", "°") else f" {self.unit}")
+
+
+class Text(str):
+    """A text of a figure in English, with the id and parameters by which others word it."""
+
+    id: str
+    params: dict[str, Any]
+
+    def words(self) -> list[Any]:
+        """Id and parameters as they are sent: an `Amount` and a text as objects."""
+        return [
+            self.id,
+            {
+                name: value._asdict()
+                if isinstance(value, Amount)
+                else dict(zip(("id", "params"), value.words(), strict=True))
+                if isinstance(value, Text)
+                else value
+                for name, value in self.params.items()
+            },
+        ]
+
+
+def text(id: str, **params: Any) -> Text:
+    """The text of an id of `TEXTS`, or of a method or its setting.
+
+    Parameters
+    ----------
+    id : str
+        Which; ``methods.`` or ``settings.`` before a method's code or its setting's.
+    **params
+        What it names: numbers, `Amount`, other texts.
+    """
+    return _worded(id, _TEXTS[id].format(**params), params)
+
+
+def _worded(id: str, words: str, params: dict[str, Any]) -> Text:
+    made = Text(words)
+    made.id, made.params = id, params
+    return made
+
+
+def hover(words: str) -> str:
+    """A hover text without the box for the trace's name beside it."""
+    plain = f"{words}<extra></extra>"
+    return _worded(words.id, plain, words.params) if isinstance(words, Text) else plain
+
+
+def with_words(figure: Figure) -> Figure:
+    """A figure, and in its ``layout.meta.words`` where which texts stand: path, id, parameters."""
+    words = [[path, *each.words()] for path, each in _texts(figure, [])]
+    figure["layout"]["meta"] = {"words": words}
+    return figure
+
+
+def _texts(part: Any, path: list[str | int]) -> Iterator[tuple[list[str | int], Text]]:
+    """Texts within a part of a figure, each with its path; lists of numbers are not looked at."""
+    if isinstance(part, Text):
+        yield path, part
+    elif isinstance(part, dict):
+        for key, inner in part.items():
+            yield from _texts(inner, [*path, key])
+    elif isinstance(part, list) and part and isinstance(part[0], (dict, Text)):
+        for index, inner in enumerate(part):
+            yield from _texts(inner, [*path, index])
+
 
 SERIES: dict[Theme, tuple[str, ...]] = {
     "light": ("#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"),
@@ -44,11 +205,12 @@ def series_style(index: int, theme: Theme) -> tuple[str, str, str]:
     return SERIES[theme][index % size], DASHES[index % size], HATCHES[index % size]
 
 
-def axis(theme: Theme, title: str, **more: Any) -> Figure:
-    """An axis with its title (unit included) in the look of the theme."""
+def axis(theme: Theme, title: str, unit: str = "", **more: Any) -> Figure:
+    """An axis with its title and unit in the look of the theme."""
     ink = INK[theme]
+    words = text("axis", title=title, unit=unit) if unit else title
     return {
-        "title": {"text": title, "font": {"size": 13}},
+        "title": {"text": words, "font": {"size": 13}},
         "gridcolor": ink["grid"],
         "linecolor": ink["muted"],
         "zerolinecolor": ink["muted"],
@@ -73,10 +235,10 @@ def layout(theme: Theme, **more: Any) -> Figure:
     }
 
 
-def note(theme: Theme, text: str, **place: Any) -> Figure:
+def note(theme: Theme, words: str, **place: Any) -> Figure:
     """An annotation without arrow unless `place` says otherwise."""
     return {
-        "text": text,
+        "text": words,
         "showarrow": False,
         "font": {"size": 12, "color": INK[theme]["text"]},
         **place,
@@ -105,7 +267,7 @@ def curve(
     y: Numbers,
     index: int,
     theme: Theme,
-    hover: str,
+    hovered: str,
     *,
     colour: int | None = None,
     **more: Any,
@@ -120,12 +282,12 @@ def curve(
         "x": drawn(x),
         "y": drawn(y),
         "line": {"color": ink, "dash": dash, "width": 2},
-        "hovertemplate": f"{hover}<extra></extra>",
+        "hovertemplate": hover(hovered),
         **more,
     }
 
 
-def marker(name: str, x: float, y: float, theme: Theme, hover: str, **more: Any) -> Figure:
+def marker(name: str, x: float, y: float, theme: Theme, hovered: str, **more: Any) -> Figure:
     """The user's own design, or a peak, on a curve."""
     return {
         "type": "scatter",
@@ -139,7 +301,7 @@ def marker(name: str, x: float, y: float, theme: Theme, hover: str, **more: Any)
             "color": INK[theme]["alert"],
             "line": {"width": 2},
         },
-        "hovertemplate": f"{hover}<extra></extra>",
+        "hovertemplate": hover(hovered),
         **more,
     }
 

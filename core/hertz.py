@@ -239,7 +239,7 @@ def hertz(
             smaller(*(each.safety_factor for each in safety)) if len(safety) == 2 else None
         ),
         accuracy=Accuracy(
-            method="closed form" if conformal is None else "closed form, Newton's method",
+            method="closed_form" if conformal is None else "closed_form_newton",
             # rho has the difference of two radii that are known to rounding
             relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference),
             evaluations=evaluations,

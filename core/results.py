@@ -36,8 +36,8 @@ NOTICES = {
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds "
     "more than 5 % to its deflection.",
-    "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is "
-    "concentrated there, more than elastic rollers would let it be.",
+    "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load "
+    "is concentrated there, more than elastic rollers would let it be.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "
     "for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
@@ -47,6 +47,51 @@ NOTICES = {
 """Limits of validity in English, by code."""
 
 
+METHODS = {
+    "adaptive_phi": "adaptive (QUADPACK rule) in phi",
+    "adaptive_z": "adaptive (QUADPACK rule) in z",
+    "approximation": "approximation (2018, eq. 5)",
+    "bisection": "bisection",
+    "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
+    "clenshaw_curtis_shaft": "Clenshaw-Curtis along the shaft",
+    "clenshaw_curtis_z": "Clenshaw-Curtis in z",
+    "closed_form": "closed form",
+    "closed_form_even": "closed form: evenly spaced pairs",
+    "closed_form_gaps": "closed form, contacts closed in the order of their gaps",
+    "closed_form_newton": "closed form, Newton's method",
+    "equal_sharing": "equal sharing (Zyl)",
+    "gauss_legendre_phi": "Gauss-Legendre in phi",
+    "gauss_legendre_shaft": "Gauss-Legendre along the shaft",
+    "gauss_legendre_z": "Gauss-Legendre in z",
+    "golden_section": "sampling, golden section",
+    "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known "
+    "singularities",
+    "graded_z": "graded Gauss-Legendre in z",
+    "mohr": "Mohr's integral in closed form",
+    "multiple_closed_form": "closed form in multiple precision",
+    "multiple_peak": "peak refined in multiple precision",
+    "multiple_sorting": "sorting in multiple precision",
+    "multiple_tanh_sinh": "tanh-sinh quadrature in multiple precision",
+    "newton": "Newton",
+    "sampling": "sampling",
+    "segment_exact": "segment-exact",
+    "segments_cubic": "segment-exact, roots of a cubic",
+    "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
+    "segments_roots": "segment-exact, bracketed roots",
+    "simpson_phi": "Simpson in phi",
+    "simpson_shaft": "Simpson along the shaft",
+    "simpson_z": "Simpson in z",
+    "sorting": "sorting",
+    "tanh_sinh_phi": "tanh-sinh in phi",
+    "tanh_sinh_shaft": "tanh-sinh along the shaft",
+    "tanh_sinh_z": "tanh-sinh in z",
+    "trapezoid_phi": "trapezoid in phi",
+    "trapezoid_shaft": "trapezoid along the shaft",
+    "trapezoid_z": "trapezoid in z",
+}
+"""Methods of the calculations and of their studies in English, by code."""
+
+
 @dataclass(frozen=True, slots=True)
 class Accuracy:
     """How a number was got, how wrong it may be, and what it took.
@@ -54,7 +99,7 @@ class Accuracy:
     Attributes
     ----------
     method : str
-        Name of the method, as an engineer would write it.
+        How, a key of `METHODS`.
     relative_error : float or array
         Bound or honest estimate of the relative error against the exact value for the input
         as given, dimensionless: rounding, truncation and the input's own condition together.
@@ -107,9 +152,9 @@ def poorly_known(accuracy: Accuracy) -> tuple[Notice, ...]:
 
     Examples
     --------
-    >>> poorly_known(Accuracy("closed form", 1e-15, 1))
+    >>> poorly_known(Accuracy("closed_form", 1e-15, 1))
     ()
-    >>> [notice.code for notice in poorly_known(Accuracy("closed form", 0.5, 1))]
+    >>> [notice.code for notice in poorly_known(Accuracy("closed_form", 0.5, 1))]
     ['hardly_known']
     """
     error = float(accuracy.relative_error)

@@ -23,7 +23,19 @@ from app.model import (
 from app.running import run
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
-from app.theme import Figure, Theme, axis, curve, drawn, layout, marker, note, vertical_line
+from app.theme import (
+    Amount,
+    Figure,
+    Theme,
+    axis,
+    curve,
+    drawn,
+    layout,
+    marker,
+    note,
+    text,
+    vertical_line,
+)
 from app.units import from_si, rounded, to_si
 from core.arrays import FloatArray
 from core.errors import InvalidInput
@@ -292,7 +304,9 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
             force,
             pair["pin"] - 1,
             theme,
-            f"satellite {pair['satellite']}, pin {pair['pin']}<br>%{{y:.5g}} N at %{{x:.2f}}°",
+            text(
+                "pair_force", **pair, force=Amount("%{y:.5g}", "N"), angle=Amount("%{x:.2f}", "°")
+            ),
             colour=pair["satellite"] - 1,
         )
         for pair, force in zip(curves["pairs"], forces, strict=True)
@@ -300,12 +314,16 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
     peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
     data.append(
         marker(
-            "Peak",
+            text("peak"),
             peak["x"],
             peak["y"],
             theme,
-            f"peak %{{y:.6g}} N at %{{x:.3f}}°<br>satellite {peak_pair['satellite']}, "
-            f"pin {peak_pair['pin']}",
+            text(
+                "peak_hover",
+                **peak_pair,
+                force=Amount("%{y:.6g}", "N"),
+                angle=Amount("%{x:.3f}", "°"),
+            ),
         )
     )
     return {
@@ -313,13 +331,13 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         "layout": layout(
             theme,
             height=380,
-            xaxis=axis(theme, "Crank angle, °", range=[0, 360], dtick=30),
-            yaxis=axis(theme, "Contact force, N", range=[0, 1.15 * answer["peak_force_N"]]),
+            xaxis=axis(theme, text("crank_angle"), "°", range=[0, 360], dtick=30),
+            yaxis=axis(theme, text("contact_force"), "N", range=[0, 1.15 * answer["peak_force_N"]]),
             shapes=[vertical_line(theme, place) for place in np.round(switching_deg, 4).tolist()],
             annotations=[
                 note(
                     theme,
-                    f"{answer['peak_force_N']:.5g} N",
+                    text("amount", amount=Amount(answer["peak_force_N"], "N", 5)),
                     xref="x",
                     yref="y",
                     **peak,

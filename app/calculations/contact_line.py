@@ -18,7 +18,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
-from app.theme import INK, Figure, Theme, axis, curve, layout, series_style
+from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
 from core.errors import InvalidInput
 from core.precession.contact_line import (
     ContactLines,
@@ -159,7 +159,7 @@ def contact_line_figure(
     for index, line in enumerate(lines):
         points = line["points"]
         colour, _, _ = series_style(index, theme)
-        name = f"φ₁ = {line['position_angle_deg']:g}°"
+        name = text("roller_angle", angle=Amount(line["position_angle_deg"], "°"))
         group: Figure = {
             "legendgroup": str(index),
             "showlegend": len(lines) <= MOST_NAMED,
@@ -171,8 +171,13 @@ def contact_line_figure(
                 points["z_mm"],
                 index,
                 theme,
-                f"{name}, length {line['length_mm']:.5g} mm<br>"
-                "x = %{x:.4g} mm, z = %{y:.4g} mm",
+                text(
+                    "length_of_line",
+                    name=name,
+                    length=Amount(line["length_mm"], "mm", 5),
+                    x=Amount("%{x:.4g}", "mm"),
+                    z=Amount("%{y:.4g}", "mm"),
+                ),
                 **group,
             )
         )
@@ -207,21 +212,22 @@ def contact_line_figure(
             )
             | {"line": {"color": colour, "width": 1}}
         )
+        on_line = text("contact_line", name=name)
         across, upward, along = points["position_mm"].T
         for horizontal, view in ((across, seen), (along, side)):
             data.append(
-                curve(name, horizontal, upward, index, theme, f"{name}: contact line", **view)
+                curve(name, horizontal, upward, index, theme, on_line, **view)
                 | {"line": {"color": colour, "width": 4}}
             )
     x, y = _circle(0.0, 0.0, roller_circle_radius_mm)
     data.append(
         curve(
-            "Roller circle",
+            text("roller_circle"),
             x,
             y,
             2,
             theme,
-            "circle of the roller axes",
+            text("roller_circle"),
             xaxis="x2",
             yaxis="y2",
             showlegend=False,
@@ -233,11 +239,11 @@ def contact_line_figure(
         "layout": layout(
             theme,
             height=820,
-            xaxis=axis(theme, "Arc on the roller x = ρφ, mm", anchor="y"),
-            yaxis=axis(theme, "Along the axis z, mm", domain=[0.6, 1]),
-            xaxis2=axis(theme, "x, mm", anchor="y2", domain=[0, 0.62]),
-            xaxis3=axis(theme, "z, mm", anchor="y2", domain=[0.7, 1]),
-            yaxis2=axis(theme, "y, mm", domain=[0, 0.48], scaleanchor="x2"),
+            xaxis=axis(theme, text("arc_on_roller"), "mm", anchor="y"),
+            yaxis=axis(theme, text("along_axis"), "mm", domain=[0.6, 1]),
+            xaxis2=axis(theme, "x", "mm", anchor="y2", domain=[0, 0.62]),
+            xaxis3=axis(theme, "z", "mm", anchor="y2", domain=[0.7, 1]),
+            yaxis2=axis(theme, "y", "mm", domain=[0, 0.48], scaleanchor="x2"),
         ),
     }
 

@@ -15,7 +15,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import INK, Figure, Theme, axis, layout, note, series_style
+from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, note, series_style, text
 from app.units import UNITS
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
@@ -220,7 +220,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
     notes = [
         note(
             theme,
-            "dead centre",
+            text("dead_centre"),
             x=place,
             y=1,
             xref="x",
@@ -240,10 +240,10 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             bargap=0.3,
             showlegend=satellites > 1,
             height=190 + 22 * len(rows),
-            xaxis=axis(theme, "Crank angle, °", range=[0, end], anchor="y2", **steps),
+            xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
                 theme,
-                "Satellite.pin",
+                text("satellite_pin"),
                 type="category",
                 categoryorder="array",
                 categoryarray=rows[::-1],
@@ -252,7 +252,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             ),
             yaxis2=axis(
                 theme,
-                "Driving",
+                text("driving"),
                 domain=[0, 0.22],
                 rangemode="tozero",
                 dtick=max(1, round(answer["max_driving"] / 4)),
@@ -276,15 +276,22 @@ def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
     return {
         "type": "bar",
         "orientation": "h",
-        "name": f"Satellite {satellite}",
+        "name": text("satellite", satellite=satellite),
         "y": [f"{satellite}.{pin}" for pin, _, _ in phases],
         "base": [round(start, 6) for _, start, _ in phases],
         "x": [round(stop - start, 6) for _, start, stop in phases],
         "customdata": [
             [satellite, pin, round(start, 4), round(stop, 4)] for pin, start, stop in phases
         ],
-        "hovertemplate": "satellite %{customdata[0]}, pin %{customdata[1]}<br>"
-        "drives from %{customdata[2]}° to %{customdata[3]}°<extra></extra>",
+        "hovertemplate": hover(
+            text(
+                "pair_drives",
+                satellite="%{customdata[0]}",
+                pin="%{customdata[1]}",
+                start=Amount("%{customdata[2]}", "°"),
+                end=Amount("%{customdata[3]}", "°"),
+            )
+        ),
         "marker": {
             "color": colour,
             "line": {"color": colour, "width": 1},
@@ -299,7 +306,7 @@ def _count(answer: Values, theme: Theme) -> Figure:
     return {
         "type": "scatter",
         "mode": "lines",
-        "name": "Driving pairs",
+        "name": text("driving_pairs"),
         "xaxis": "x",
         "yaxis": "y2",
         "showlegend": False,
@@ -309,7 +316,9 @@ def _count(answer: Values, theme: Theme) -> Figure:
         "line": {"shape": "hv", "width": 2, "color": INK[theme]["text"]},
         "fill": "tozeroy",
         "fillcolor": INK[theme]["grid"],
-        "hovertemplate": "%{y} driving pairs at %{x:.2f}°<extra></extra>",
+        "hovertemplate": hover(
+            text("driving_pairs_hover", pairs="%{y}", angle=Amount("%{x:.2f}", "°"))
+        ),
     }
 
 

@@ -20,7 +20,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
-from app.theme import INK, Figure, Theme, axis, curve, layout
+from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.hertz import (
@@ -201,9 +201,9 @@ class HertzRequest(ContactFields):
     def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
         contact = self.solve()
-        profiles = [("Hertz", *pressure_profile(contact=contact))]
+        profiles = [("hertz", *pressure_profile(contact=contact))]
         if contact.conformal_pressure is not None:
-            profiles.append(("Conformal (Persson)", *conformal_profile(contact=contact)))
+            profiles.append(("conformal", *conformal_profile(contact=contact)))
         return profiles
 
 
@@ -283,7 +283,7 @@ class PressureCurve:
     Attributes
     ----------
     name : str
-        Whose it is.
+        Whose it is, an id of `app.theme.TEXTS`.
     place_mm, pressure_MPa : array
         Places along the arc of the pin and pressure there.
     """
@@ -312,12 +312,17 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
     """
     data = [
         curve(
-            each.name,
+            text(each.name),
             each.place_mm,
             each.pressure_MPa,
             index,
             theme,
-            f"{each.name}<br>%{{y:.5g}} MPa at %{{x:.4g}} mm",
+            text(
+                "pressure_hover",
+                name=text(each.name),
+                pressure=Amount("%{y:.5g}", "MPa"),
+                place=Amount("%{x:.4g}", "mm"),
+            ),
         )
         for index, each in enumerate(curves)
     ]
@@ -327,11 +332,13 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
         {
             "type": "scatter",
             "mode": "lines",
-            "name": f"Limit of the {body}",
+            "name": text("body_limit", body=text(body)),
             "x": [-widest, widest],
             "y": [limit] * 2,
             "line": {"color": INK[theme]["alert"], "dash": dash, "width": 1.5},
-            "hovertemplate": f"limit of the {body} %{{y:.5g}} MPa<extra></extra>",
+            "hovertemplate": hover(
+                text("body_limit_hover", body=text(body), pressure=Amount("%{y:.5g}", "MPa"))
+            ),
         }
         for (body, limit), dash in zip(limits_MPa.items(), ("longdash", "dot"), strict=False)
         if limit <= 4 * highest
@@ -341,8 +348,8 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
         "layout": layout(
             theme,
             height=300,
-            xaxis=axis(theme, "Place along the arc of the pin, mm"),
-            yaxis=axis(theme, "Contact pressure, MPa", rangemode="tozero"),
+            xaxis=axis(theme, text("along_arc"), "mm"),
+            yaxis=axis(theme, text("contact_pressure"), "MPa", rangemode="tozero"),
         ),
     }
 

@@ -19,7 +19,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
-from app.theme import Figure, Theme, axis, curve, layout
+from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
 from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
@@ -100,7 +100,7 @@ def meshing_load_figure(
     """
     data = []
     for index, (angle, z, load) in enumerate(curves):
-        name = f"φ₁ = {from_si('angle_deg', angle):g}°"
+        name = text("roller_angle", angle=Amount(from_si("angle_deg", angle), "°"))
         data.append(
             curve(
                 name,
@@ -108,7 +108,12 @@ def meshing_load_figure(
                 from_si("load_N_per_mm", load),
                 index,
                 theme,
-                f"{name}: %{{y:.4g}} N/mm at z = %{{x:.4g}} mm",
+                text(
+                    "line_load_hover",
+                    name=name,
+                    load=Amount("%{y:.4g}", "N/mm"),
+                    place=Amount("%{x:.4g}", "mm"),
+                ),
                 showlegend=len(curves) <= MOST_NAMED,
             )
         )
@@ -117,8 +122,8 @@ def meshing_load_figure(
         "layout": layout(
             theme,
             height=340,
-            xaxis=axis(theme, "Along the axis z, mm"),
-            yaxis=axis(theme, "Line load, N/mm", rangemode="tozero"),
+            xaxis=axis(theme, text("along_axis"), "mm"),
+            yaxis=axis(theme, text("line_load"), "N/mm", rangemode="tozero"),
         ),
     }
 

@@ -20,7 +20,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import OVSYANNIKOV_2019
-from app.theme import Figure, Theme, axis, curve, layout, marker, note, vertical_line
+from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, note, text, vertical_line
 from app.units import from_si
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_strength
@@ -225,20 +225,20 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
     stress = from_si("bending_stress_MPa", design.bending_stress)
     data = [
         curve(
-            "Stiffness",
+            text("stiffness"),
             lengths,
             curves.relative_stiffness,
             0,
             theme,
-            "c/(b·E) = %{y:.4g} at l/d = %{x:.3g}",
+            text("stiffness_hover", stiffness=Amount("%{y:.4g}"), length=Amount("%{x:.3g}")),
             showlegend=False,
         ),
         marker(
-            "This design",
+            text("design"),
             design.length_ratio,
             design.relative_stiffness,
             theme,
-            "this design: c/(b·E) = %{y:.5g}",
+            text("design_stiffness", stiffness=Amount("%{y:.5g}")),
         ),
     ]
     data += [
@@ -248,7 +248,12 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             values,
             index,
             theme,
-            f"n = {rollers}: Ψ = %{{y:.4g}} at δ = %{{x:.4g}}",
+            text(
+                "nonuniformity_hover",
+                rollers=rollers,
+                nonuniformity=Amount("%{y:.4g}"),
+                error=Amount("%{x:.4g}"),
+            ),
             xaxis="x2",
             yaxis="y2",
         )
@@ -256,18 +261,22 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
     ]
     data.append(
         marker(
-            "This design",
+            text("design"),
             design.relative_position_error,
             design.load_nonuniformity,
             theme,
-            "this design: Ψ = %{y:.5g} at δ = %{x:.4g}",
+            text(
+                "design_nonuniformity",
+                nonuniformity=Amount("%{y:.5g}"),
+                error=Amount("%{x:.4g}"),
+            ),
             xaxis="x2",
             yaxis="y2",
             showlegend=False,
         )
     )
     for index, (tolerance, values) in enumerate(curves.stress.items()):
-        name = f"χ = {from_si('tolerance_mm', tolerance):.3g} mm"
+        name = text("tolerance", tolerance=Amount(from_si("tolerance_mm", tolerance), "mm", 3))
         data.append(
             curve(
                 name,
@@ -275,7 +284,12 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
                 from_si("stress_MPa", values),
                 index,
                 theme,
-                f"{name}: %{{y:.4g}} MPa at l/d = %{{x:.3g}}",
+                text(
+                    "stress_hover",
+                    name=name,
+                    stress=Amount("%{y:.4g}", "MPa"),
+                    length=Amount("%{x:.3g}"),
+                ),
                 xaxis="x3",
                 yaxis="y3",
                 legend="legend2",
@@ -283,11 +297,11 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         )
     data.append(
         marker(
-            "This design",
+            text("design"),
             design.length_ratio,
             stress,
             theme,
-            "this design: %{y:.5g} MPa",
+            text("design_stress", stress=Amount("%{y:.5g}", "MPa")),
             xaxis="x3",
             yaxis="y3",
             showlegend=False,
@@ -298,12 +312,12 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         "layout": layout(
             theme,
             height=920,
-            xaxis=axis(theme, "Length over diameter l/d", anchor="y"),
-            yaxis=axis(theme, "Stiffness c/(b·E)", domain=[0.79, 1], type="log"),
-            xaxis2=axis(theme, "Relative position error δ", anchor="y2"),
-            yaxis2=axis(theme, "Non-uniformity Ψ", domain=[0.4, 0.61], rangemode="tozero"),
-            xaxis3=axis(theme, "Length over diameter l/d", anchor="y3"),
-            yaxis3=axis(theme, "Bending stress, MPa", domain=[0, 0.22], rangemode="tozero"),
+            xaxis=axis(theme, text("length_ratio"), anchor="y"),
+            yaxis=axis(theme, text("stiffness_ratio"), domain=[0.79, 1], type="log"),
+            xaxis2=axis(theme, text("position_error"), anchor="y2"),
+            yaxis2=axis(theme, text("nonuniformity"), domain=[0.4, 0.61], rangemode="tozero"),
+            xaxis3=axis(theme, text("length_ratio"), anchor="y3"),
+            yaxis3=axis(theme, text("bending_stress"), "MPa", domain=[0, 0.22], rangemode="tozero"),
             shapes=[
                 vertical_line(
                     theme, curves.limit, ink="muted", xref="x2", yref="y2 domain", layer="above"
@@ -312,7 +326,7 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             annotations=[
                 note(
                     theme,
-                    "one roller carries all",
+                    text("one_carries"),
                     x=curves.limit,
                     y=1,
                     xref="x2",

@@ -19,7 +19,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
-from app.theme import Figure, Theme, axis, curve, layout, vertical_line
+from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si, to_si
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
@@ -203,15 +203,15 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
     """
     place = from_si("position_mm", diagram.position)
     panels = (
-        ("Shear force, N", "shear_N", diagram.shear_force, [0.7, 1.0]),
-        ("Bending moment, N·m", "moment_Nm", diagram.bending_moment, [0.36, 0.66]),
-        ("Deflection, mm", "deflection_mm", diagram.deflection, [0.0, 0.32]),
+        ("shear_force", "N", "shear_N", diagram.shear_force, [0.7, 1.0]),
+        ("bending_moment", "N·m", "moment_Nm", diagram.bending_moment, [0.36, 0.66]),
+        ("deflection", "mm", "deflection_mm", diagram.deflection, [0.0, 0.32]),
     )
     data, axes = [], {}
-    for row, (title, field, values, domain) in enumerate(panels, start=1):
+    for row, (title, unit, field, values, domain) in enumerate(panels, start=1):
         suffix = "" if row == 1 else str(row)
-        axes[f"yaxis{suffix}"] = axis(theme, title, domain=domain)
-        for plane, name in enumerate(("plane xz", "plane yz")):
+        axes[f"yaxis{suffix}"] = axis(theme, text(title), unit, domain=domain)
+        for plane, name in enumerate((text("plane_xz"), text("plane_yz"))):
             data.append(
                 curve(
                     name,
@@ -219,7 +219,12 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
                     from_si(field, values[:, plane]),
                     plane,
                     theme,
-                    f"{name}: %{{y:.5g}} at %{{x:.4g}} mm",
+                    text(
+                        "at_place",
+                        name=name,
+                        value=Amount("%{y:.5g}", unit),
+                        place=Amount("%{x:.4g}", "mm"),
+                    ),
                     yaxis=f"y{suffix}",
                     showlegend=row == 1,
                 )
@@ -229,7 +234,7 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
         "layout": layout(
             theme,
             height=680,
-            xaxis=axis(theme, "Along the shaft from C to the clamp, mm", anchor="y3"),
+            xaxis=axis(theme, text("along_shaft"), "mm", anchor="y3"),
             **axes,
             shapes=[vertical_line(theme, bearing_distance_mm, ink="muted", layer="above")],
             annotations=[
@@ -242,7 +247,7 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
                     "yanchor": "bottom",
                     "showarrow": False,
                 }
-                for name, x in (("C", 0.0), ("B", bearing_distance_mm), ("clamp", place[-1]))
+                for name, x in (("C", 0.0), ("B", bearing_distance_mm), (text("clamp"), place[-1]))
             ],
             legend={"orientation": "h", "y": 1.06, "yanchor": "bottom", "x": 0},
         ),

@@ -1,6 +1,6 @@
 """Error against run time: request, answer, figure."""
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field
 
@@ -11,15 +11,16 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values
 from app.running import run
-from app.theme import DASHES, Figure, Theme, axis, curve, layout, marker
+from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
 from core.errors import InvalidInput
+from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.shaft import shaft_deflection_study
-from core.work_precision.study import WorkPrecision
+from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
@@ -142,17 +143,40 @@ class ReferenceOut(ResponseModel):
     """What the errors are measured against."""
 
     method: str
+    method_code: str
     digits: int
+
+    @classmethod
+    def values(cls, result: Reference, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's reference."""
+        return super().values(result, method=METHODS[result.method], method_code=result.method)
 
 
 class WorkPointOut(ResponseModel):
     """One method at one setting."""
 
     method: str
+    method_code: str
     setting: str
+    setting_code: str
+    setting_value: float
     relative_error: float
     run_time_us: float
     evaluations: int
+
+    @classmethod
+    def values(cls, result: WorkPoint, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's point."""
+        code, value = result.setting
+        return super().values(
+            result,
+            method=METHODS[result.method],
+            method_code=result.method,
+            setting=SETTINGS[code].format(value=value),
+            setting_code=code,
+            setting_value=value,
+            run_time_us=result.run_time_us,
+        )
 
 
 class WorkPrecisionResponse(ResponseModel):
@@ -165,6 +189,9 @@ class WorkPrecisionResponse(ResponseModel):
 
 EXACT = 1e-17
 """Where an error of nothing is drawn: below the rounding of any double."""
+
+POWERS = {"type": "log", "exponentformat": "e", "tickformat": ""}
+"""Ticks of an axis: all powers of ten alike, 1e-4 as 1e-14, and only digits between them."""
 
 SYMBOLS = ("circle", "square", "triangle-up")
 """Marks that tell methods apart whose colours and dashes repeat."""
@@ -187,31 +214,46 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
     """
     methods: dict[str, list[Values]] = {}
     for point in answer["points"]:
-        methods.setdefault(point["method"], []).append(point)
+        methods.setdefault(point["method_code"], []).append(point)
     data = []
-    for index, (method, points) in enumerate(methods.items()):
+    for index, (code, points) in enumerate(methods.items()):
+        method = text(f"methods.{code}")
         line = curve(
             method,
             [point["run_time_us"] for point in points],
             [max(point["relative_error"], EXACT) for point in points],
             index,
             theme,
-            f"{method}, %{{customdata}}<br>error %{{y:.2g}} in %{{x:.3g}} µs",
+            text(
+                "error_in_time",
+                method=method,
+                setting="%{customdata}",
+                error=Amount("%{y:.2g}"),
+                time=Amount("%{x:.3g}", "µs"),
+            ),
         )
         line |= {
             "mode": "lines+markers",
             "marker": {"symbol": SYMBOLS[index // len(DASHES) % len(SYMBOLS)], "size": 7},
-            "customdata": [point["setting"] for point in points],
+            "customdata": [
+                text(f"settings.{point['setting_code']}", value=point["setting_value"])
+                for point in points
+            ],
         }
         data.append(line)
     chosen = answer["chosen"]
     data.append(
         marker(
-            "Used by the calculator",
+            text("used"),
             chosen["run_time_us"],
             max(chosen["relative_error"], EXACT),
             theme,
-            f"{chosen['method']}: error %{{y:.2g}} in %{{x:.3g}} µs",
+            text(
+                "error_in_time_chosen",
+                method=text(f"methods.{chosen['method_code']}"),
+                error=Amount("%{y:.2g}"),
+                time=Amount("%{x:.3g}", "µs"),
+            ),
         )
     )
     return {
@@ -220,8 +262,12 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
             theme,
             height=600,
             # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
-            xaxis=axis(theme, "Run time, µs", type="log", exponentformat="e", tickformat=""),
-            yaxis=axis(theme, "Relative error", type="log", exponentformat="e", tickformat=""),
+            xaxis=axis(
+                theme, text("run_time"), "µs", type="log", exponentformat="e", tickformat=""
+            ),
+            yaxis=axis(
+                theme, text("relative_error"), type="log", exponentformat="e", tickformat=""
+            ),
             legend={"orientation": "h", "y": -0.18, "yanchor": "top", "x": 0, "font": {"size": 11}},
         ),
     }

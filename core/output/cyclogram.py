@@ -162,7 +162,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         dead_centres=dead_centres,
         dead_zones=dead_zones,
         accuracy=Accuracy(
-            method="closed form",
+            method="closed_form",
             relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
             + (phases.error + max(dropped, cut_off)) / shown.waves,
             evaluations=pair_count,

@@ -60,7 +60,7 @@ class ForceLaw:
 class _EqualSharing(ForceLaw):
     """Exponent 0: 1 over the sum of cosines, which has no maximum inside a segment."""
 
-    method = "segment-exact, equal sharing: largest at a switching angle"
+    method = "segments_equal"
 
     def of_best_pair(self, driving: DrivingSet, offset: float) -> float:
         return 1 / driving.sum_of_cosines(offset)
@@ -77,7 +77,7 @@ class _EqualSharing(ForceLaw):
 class _Linear(ForceLaw):
     """Exponent 1: with t = tan(offset) the roots of P*t^3 + (3*P - n)*t - 2*Q = 0."""
 
-    method = "segment-exact, roots of a cubic"
+    method = "segments_cubic"
 
     def of_best_pair(self, driving: DrivingSet, offset: float) -> float:
         return cosine(offset) / driving.sums_of_squares(offset)[0]
@@ -106,7 +106,7 @@ class _Power(ForceLaw):
     see `core.output.force_bounds`.
     """
 
-    method = "segment-exact, bracketed roots"
+    method = "segments_roots"
 
     def __init__(self, parts: Sequence[Segment], exponent: float) -> None:
         super().__init__(parts, exponent)

@@ -136,7 +136,7 @@ def _evenly_spaced_peak(mechanism: Mechanism) -> PeakForce:
         peak_satellite=satellite,
         peak_pin=pin,
         accuracy=Accuracy(
-            method="closed form: evenly spaced pairs",
+            method="closed_form_even",
             relative_error=ROUNDING + 4 * math.pi * phases.error,
             evaluations=1,
         ),

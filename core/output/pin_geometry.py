@@ -235,7 +235,7 @@ def pin_geometry(
         driving=pressure_cosines(mechanism=mechanism, crank_angles=np.array([crank_angle]))[0] > 0,
         clearance=fit.clearance,
         accuracy=Accuracy(
-            method="closed form",
+            method="closed_form",
             relative_error=ROUNDING * (4 + turns + 2 * math.pi),
             evaluations=mechanism.pins * mechanism.satellites,
         ),

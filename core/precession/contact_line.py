@@ -184,7 +184,7 @@ def contact_lines(
         lines.append(_contact_line(curve, roller, index, torque_sign))
     total = math.fsum(line.length for line in lines)
     accuracy = Accuracy(
-        method="Gauss-Legendre quadrature along z, panels graded to the known singularities",
+        method="graded_quadrature",
         relative_error=math.fsum(line.relative_error * line.length for line in lines) / total,
         evaluations=sum(len(line.places.ds) - 2 for line in lines),
     )

@@ -173,7 +173,7 @@ def shaft_deflection(
     reaction_b_error = moment_error / bearing_distance + 2 * ROUNDING * size_b
     reaction_c_error = force_error + reaction_b_error + ROUNDING * size_c
     accuracy = Accuracy(
-        method="Mohr's integral in closed form",
+        method="mohr",
         relative_error=max(
             error_b,
             error_c,

@@ -236,7 +236,7 @@ def roller_strength(
         width_ratio=sphere_width / sphere_diameter,
         deflection_ratio=sharing.largest_force / stiffness / cylinder_length,
         accuracy=Accuracy(
-            method="closed form, contacts closed in the order of their gaps",
+            method="closed_form_gaps",
             # products of positive sums: the roundings, and those of the input, add up
             relative_error=sharing.relative_error + 16 * ROUNDING,
             evaluations=1,

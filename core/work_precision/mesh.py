@@ -110,7 +110,7 @@ def _study(
         for name, setting, nodes, weights in fixed_rules():
             points.append(
                 measured(
-                    method=f"{name} in {variable}",
+                    method=f"{name}_{variable}",
                     setting=setting,
                     calculate=partial(_by_rule, wanted, pieces, nodes, weights),
                     exact=exact,
@@ -120,8 +120,8 @@ def _study(
         for tolerance in (1e-4, 1e-8, 1e-12):
             points.append(
                 measured(
-                    method=f"adaptive (QUADPACK rule) in {variable}",
-                    setting=f"tolerance {tolerance:g}",
+                    method=f"adaptive_{variable}",
+                    setting=("tolerance", tolerance),
                     calculate=partial(_adaptively, wanted, pieces, tolerance),
                     exact=exact,
                     evaluations=sum(
@@ -131,8 +131,7 @@ def _study(
                 )
             )
     chosen = measured(
-        method="graded Gauss-Legendre in z",
-        setting="default",
+        method="graded_z",
         calculate=default,
         exact=exact,
         evaluations=evaluations,
@@ -140,7 +139,7 @@ def _study(
     assert chosen is not None
     points.append(chosen)
     return WorkPrecision(
-        reference=Reference("tanh-sinh quadrature in multiple precision", REFERENCE_DIGITS),
+        reference=Reference("multiple_tanh_sinh", REFERENCE_DIGITS),
         points=tuple(point for point in points if point is not None),
         chosen=chosen,
     )

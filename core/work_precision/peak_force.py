@@ -76,7 +76,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     points: list[WorkPoint | None] = [
         measured(
             method="sampling",
-            setting=f"n = {count}",
+            setting=("points", count),
             calculate=partial(sampled, count),
             exact=exact,
             evaluations=count,
@@ -86,8 +86,8 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     ]
     points += [
         measured(
-            method="sampling, golden section",
-            setting=f"n = {count}",
+            method="golden_section",
+            setting=("points", count),
             calculate=partial(polished, count),
             exact=exact,
             evaluations=count + GOLDEN_STEPS,
@@ -95,8 +95,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
         for count in (16, 64, 256)
     ]
     chosen = measured(
-        method="segment-exact",
-        setting="default",
+        method="segment_exact",
         calculate=lambda: (
             peak_force(mechanism=mechanism, force_exponent=force_exponent).peak_force_ratio
         ),
@@ -106,8 +105,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     points.append(chosen)
     points.append(
         measured(
-            method="approximation (2018, eq. 5)",
-            setting="",
+            method="approximation",
             calculate=lambda: approximate_peak_ratio(
                 pins=mechanism.pins, satellites=mechanism.satellites
             ),
@@ -117,8 +115,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     )
     points.append(
         measured(
-            method="equal sharing (Zyl)",
-            setting="",
+            method="equal_sharing",
             calculate=lambda: peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio,
             exact=exact,
             evaluations=1,
@@ -126,7 +123,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     )
     assert chosen is not None
     return WorkPrecision(
-        reference=Reference("peak refined in multiple precision", REFERENCE_DIGITS),
+        reference=Reference("multiple_peak", REFERENCE_DIGITS),
         points=tuple(point for point in points if point is not None),
         chosen=chosen,
     )

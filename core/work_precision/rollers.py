@@ -56,7 +56,7 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
     points: list[WorkPoint | None] = [
         measured(
             method="bisection",
-            setting=f"{steps} steps",
+            setting=("steps", steps),
             calculate=partial(bisection, steps),
             exact=exact,
             evaluations=steps,
@@ -65,8 +65,8 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
     ]
     points += [
         measured(
-            method="Newton",
-            setting=f"{steps} steps",
+            method="newton",
+            setting=("steps", steps),
             calculate=partial(newton, steps),
             exact=exact,
             evaluations=steps,
@@ -75,7 +75,6 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
     ]
     chosen = measured(
         method="sorting",
-        setting="default",
         calculate=lambda: list(share_load(total=total, stiffness=stiffness, gaps=gaps).forces),
         exact=exact,
         evaluations=1,
@@ -83,7 +82,7 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
     assert chosen is not None
     points.append(chosen)
     return WorkPrecision(
-        reference=Reference("sorting in multiple precision", REFERENCE_DIGITS),
+        reference=Reference("multiple_sorting", REFERENCE_DIGITS),
         points=tuple(point for point in points if point is not None),
         chosen=chosen,
     )

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 
 from core.arrays import FloatArray
+from core.work_precision.study import Setting
 
 Integrand = Callable[[FloatArray], FloatArray]
 
@@ -49,17 +50,17 @@ def _tanh_sinh(level: int) -> tuple[FloatArray, FloatArray]:
     return np.tanh(inner), step * np.pi / 2 * np.cosh(t) / np.cosh(inner) ** 2
 
 
-def fixed_rules() -> Iterator[tuple[str, str, FloatArray, FloatArray]]:
-    """Every fixed rule: name, setting, nodes and weights on [-1, 1]."""
+def fixed_rules() -> Iterator[tuple[str, Setting, FloatArray, FloatArray]]:
+    """Every fixed rule: code, setting, nodes and weights on [-1, 1]."""
     for count in (9, 33, 129, 513, 2049):
-        yield ("trapezoid", f"n = {count}", *_newton_cotes(count, simpson=False))
-        yield ("Simpson", f"n = {count}", *_newton_cotes(count, simpson=True))
+        yield ("trapezoid", ("points", count), *_newton_cotes(count, simpson=False))
+        yield ("simpson", ("points", count), *_newton_cotes(count, simpson=True))
     for count in (2, 4, 8, 16, 32, 64, 128):
-        yield ("Gauss-Legendre", f"n = {count}", *_gauss_legendre(count))
+        yield ("gauss_legendre", ("points", count), *_gauss_legendre(count))
     for count in (4, 8, 16, 32, 64, 128):
-        yield ("Clenshaw-Curtis", f"n = {count}", *_clenshaw_curtis(count))
+        yield ("clenshaw_curtis", ("points", count), *_clenshaw_curtis(count))
     for level in (1, 2, 3, 4, 5):
-        yield ("tanh-sinh", f"level {level}", *_tanh_sinh(level))
+        yield ("tanh_sinh", ("level", level), *_tanh_sinh(level))
 
 
 def integrate(

@@ -79,7 +79,7 @@ def shaft_deflection_study(
     exact = _reference(force, moment, bearing_distance, end, youngs_modulus, sections)
     points: list[WorkPoint | None] = [
         measured(
-            method=f"{name} along the shaft",
+            method=f"{name}_shaft",
             setting=setting,
             calculate=partial(by_rule, nodes, weights),
             exact=exact,
@@ -87,13 +87,11 @@ def shaft_deflection_study(
         )
         for name, setting, nodes, weights in fixed_rules()
     ]
-    chosen = measured(
-        method="closed form", setting="default", calculate=default, exact=exact, evaluations=1
-    )
+    chosen = measured(method="closed_form", calculate=default, exact=exact, evaluations=1)
     assert chosen is not None
     points.append(chosen)
     return WorkPrecision(
-        reference=Reference("closed form in multiple precision", REFERENCE_DIGITS),
+        reference=Reference("multiple_closed_form", REFERENCE_DIGITS),
         points=tuple(point for point in points if point is not None),
         chosen=chosen,
     )

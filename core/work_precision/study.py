@@ -12,6 +12,21 @@ import numpy as np
 REFERENCE_DIGITS = 40
 """Digits of the reference."""
 
+SETTINGS = {
+    "default": "default",
+    "level": "level {value}",
+    "points": "n = {value}",
+    "steps": "{value} steps",
+    "tolerance": "tolerance {value:g}",
+}
+"""Settings of methods in English, by code."""
+
+Setting = tuple[str, float]
+"""A key of `SETTINGS`, and what it names."""
+
+DEFAULT: Setting = ("default", 0.0)
+"""Of a method without a setting."""
+
 _REPEATS = 7
 _BUDGET_S = 0.02
 
@@ -23,8 +38,8 @@ class WorkPoint:
     Attributes
     ----------
     method : str
-        Name of the method.
-    setting : str
+        Which, a key of `core.results.METHODS`.
+    setting : Setting
         Its setting: number of samples, nodes, steps.
     relative_error : float
         Measured relative error against the reference, dimensionless.
@@ -35,7 +50,7 @@ class WorkPoint:
     """
 
     method: str
-    setting: str
+    setting: Setting
     relative_error: float
     run_time_us: float
     evaluations: int
@@ -48,7 +63,7 @@ class Reference:
     Attributes
     ----------
     method : str
-        How it was got.
+        How it was got, a key of `core.results.METHODS`.
     digits : int
         Digits it was calculated with.
     """
@@ -79,7 +94,7 @@ class WorkPrecision:
 def measured(
     *,
     method: str,
-    setting: str,
+    setting: Setting = DEFAULT,
     calculate: Callable[[], float | Sequence[float]],
     exact: Sequence[Any],
     evaluations: int,
@@ -88,8 +103,10 @@ def measured(
 
     Parameters
     ----------
-    method, setting : str
-        Names.
+    method : str
+        Which.
+    setting : Setting
+        Its setting.
     calculate : callable
         Returns the value, or the components of a vector.
     exact : sequence of mpmath numbers
