@@ -4,8 +4,9 @@ Colours are those of Okabe and Ito, darkened for white and lightened for dark pa
 keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
 """
 
-from collections.abc import Iterator, Sequence
-from typing import Any, Literal, NamedTuple
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,7 +89,8 @@ _TEXTS = (
 )
 
 
-class Amount(NamedTuple):
+@dataclass(slots=True)
+class Amount:
     """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit.
 
     Attributes
@@ -117,15 +119,11 @@ class Text(str):
     params: dict[str, Any]
 
     def words(self) -> list[Any]:
-        """Id and parameters as they are sent: an `Amount` and a text as objects."""
+        """Id and parameters as they are sent: an amount as an object, a text as a list."""
         return [
             self.id,
             {
-                name: value._asdict()
-                if isinstance(value, Amount)
-                else dict(zip(("id", "params"), value.words(), strict=True))
-                if isinstance(value, Text)
-                else value
+                name: value.words() if isinstance(value, Text) else value
                 for name, value in self.params.items()
             },
         ]
@@ -158,21 +156,20 @@ def hover(words: str) -> str:
 
 def with_words(figure: Figure) -> Figure:
     """A figure, and in its ``layout.meta.words`` where which texts stand: path, id, parameters."""
-    words = [[path, *each.words()] for path, each in _texts(figure, [])]
+    words: list[Any] = []
+    _gather(figure, [], words)
     figure["layout"]["meta"] = {"words": words}
     return figure
 
 
-def _texts(part: Any, path: list[str | int]) -> Iterator[tuple[list[str | int], Text]]:
-    """Texts within a part of a figure, each with its path; lists of numbers are not looked at."""
-    if isinstance(part, Text):
-        yield path, part
-    elif isinstance(part, dict):
-        for key, inner in part.items():
-            yield from _texts(inner, [*path, key])
-    elif isinstance(part, list) and part and isinstance(part[0], (dict, Text)):
-        for index, inner in enumerate(part):
-            yield from _texts(inner, [*path, index])
+def _gather(part: Any, path: list[str | int], words: list[Any]) -> None:
+    """Texts within a part of a figure; lists of numbers are not looked at."""
+    for key, inner in part.items() if type(part) is dict else enumerate(part):
+        kind = type(inner)
+        if kind is Text:
+            words.append([[*path, key], *inner.words()])
+        elif kind is dict or (kind is list and inner and type(inner[0]) in (dict, Text)):
+            _gather(inner, [*path, key], words)
 
 
 SERIES: dict[Theme, tuple[str, ...]] = {
