@@ -10,7 +10,7 @@ from app.examples import EXAMPLES
 from app.model import NEGLECTED, Calculation, Maybe, ResponseModel
 from app.registry import CALCULATIONS
 from app.units import from_si
-from core.materials import MATERIALS, Criterion, TableMaterial
+from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS, Criterion, TableMaterial
 
 
 class Health(ResponseModel):
@@ -26,6 +26,7 @@ class LimitOut(ResponseModel):
     criterion: Criterion
     pressure_MPa: float
     source: str
+    source_code: str
 
 
 class MaterialOut(ResponseModel):
@@ -34,6 +35,7 @@ class MaterialOut(ResponseModel):
     name: str
     title: str
     group: str
+    group_code: str
     youngs_modulus_GPa: float
     poissons_ratio: float
     allowable_pressure_MPa: Maybe[float] = Field(
@@ -50,14 +52,16 @@ class MaterialOut(ResponseModel):
             LimitOut(
                 criterion=limit.criterion,
                 pressure_MPa=from_si("pressure_MPa", limit.pressure),
-                source=limit.source,
+                source=LIMIT_SOURCES[limit.source],
+                source_code=limit.source,
             )
             for limit in entry.limits
         ]
         return cls(
             name=entry.name,
             title=entry.title,
-            group=entry.group,
+            group=GROUPS[entry.group],
+            group_code=entry.group,
             youngs_modulus_GPa=from_si("youngs_modulus_GPa", material.youngs_modulus),
             poissons_ratio=material.poissons_ratio,
             allowable_pressure_MPa=next(

@@ -10,6 +10,26 @@ Criterion = Literal["endurance", "static", "given"]
 under a load at rest, or what whoever gave it has in mind."""
 
 
+GROUPS = {
+    "steel": "Steel",
+    "cast_iron": "Cast iron",
+    "bronze": "Bronze",
+    "brass": "Brass",
+    "plastic": "Plastic",
+}
+"""Kinds of materials in English, by code."""
+
+LIMIT_SOURCES = {
+    "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, "
+    "of the mean pressure",
+    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated",
+    "iso_6336_5": "ISO 6336-5, pitting, grade MQ",
+    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade MQ: 1.313*HV + 373",
+    "iso_76": "ISO 76, roller bearings: permanent set of 1e-4*D",
+}
+"""Where limits of the contact pressure come from, in English, by code."""
+
+
 @dataclass(frozen=True, slots=True)
 class ContactLimit:
     """Limit of the contact pressure of a material, by one criterion.
@@ -21,7 +41,7 @@ class ContactLimit:
     pressure : float or array
         The limit, Pa, > 0; NaN in an array where none is known.
     source : str
-        Where it comes from.
+        Where it comes from, a key of `LIMIT_SOURCES`; empty where it is given.
     """
 
     criterion: Criterion
@@ -118,7 +138,7 @@ class TableMaterial:
     title : str
         Name for people.
     group : str
-        Kind of material.
+        Kind of material, a key of `GROUPS`.
     material : ElasticMaterial
         Its values at room temperature, judged by its endurance limit where it has one.
     limits : tuple of ContactLimit
@@ -155,7 +175,6 @@ def _endurance(pressure_MPa: float, source: str) -> ContactLimit:
 
 _ISO_6336_2 = "ISO 6336-2, table of elasticity factors"
 _WORM = "ISO/TR 14521 (DIN 3996), worm wheel materials"
-_WORM_PITTING = f"{_WORM}: pitting against hardened steel, of the mean pressure"
 
 MATERIALS: dict[str, TableMaterial] = {
     entry.name: entry
@@ -163,99 +182,99 @@ MATERIALS: dict[str, TableMaterial] = {
         _entry(
             "steel_structural",
             "Structural steel (S235, S355)",
-            "Steel",
+            "steel",
             (210.0, 0.3),
             "EN 1993-1-1, 3.2.6",
         ),
         _entry(
             "steel_through_hardened",
             "Through-hardened alloy steel (42CrMo4, 300 HV)",
-            "Steel",
+            "steel",
             (206.0, 0.3),
             _ISO_6336_2,
-            _endurance(1.313 * 300 + 373, "ISO 6336-5, pitting, grade MQ: 1.313*HV + 373"),
+            _endurance(1.313 * 300 + 373, "iso_6336_5_hardness"),
         ),
         _entry(
             "steel_case_hardened",
             "Case-hardened steel (18CrNiMo7-6)",
-            "Steel",
+            "steel",
             (206.0, 0.3),
             _ISO_6336_2,
-            _endurance(1500.0, "ISO 6336-5, pitting, grade MQ"),
+            _endurance(1500.0, "iso_6336_5"),
         ),
         _entry(
             "steel_bearing",
             "Bearing steel (100Cr6, hardened)",
-            "Steel",
+            "steel",
             (207.0, 0.3),
             "ISO/TS 16281",
-            _endurance(1500.0, "ISO 281:2007, fatigue load limit; clean and well lubricated"),
-            ContactLimit("static", 4000e6, "ISO 76, roller bearings: permanent set of 1e-4*D"),
+            _endurance(1500.0, "iso_281"),
+            ContactLimit("static", 4000e6, "iso_76"),
         ),
-        _entry("iron_grey", "Grey cast iron (EN-GJL-250)", "Cast iron", (118.0, 0.3), _ISO_6336_2),
+        _entry("iron_grey", "Grey cast iron (EN-GJL-250)", "cast_iron", (118.0, 0.3), _ISO_6336_2),
         _entry(
             "iron_nodular",
             "Nodular cast iron (EN-GJS-400-15)",
-            "Cast iron",
+            "cast_iron",
             (173.0, 0.3),
             _ISO_6336_2,
         ),
         _entry(
             "bronze_tin",
             "Tin bronze, centrifugally cast (CuSn12-C-GZ)",
-            "Bronze",
+            "bronze",
             (88.3, 0.35),
             _WORM,
-            _endurance(425.0, _WORM_PITTING),
+            _endurance(425.0, "iso_14521"),
         ),
         _entry(
             "bronze_tin_nickel",
             "Tin-nickel bronze, centrifugally cast (CuSn12Ni2-C-GZ)",
-            "Bronze",
+            "bronze",
             (98.1, 0.35),
             _WORM,
-            _endurance(520.0, _WORM_PITTING),
+            _endurance(520.0, "iso_14521"),
         ),
         _entry(
             "bronze_aluminium",
             "Aluminium bronze, centrifugally cast (CuAl10Fe5Ni5-C-GZ)",
-            "Bronze",
+            "bronze",
             (122.6, 0.35),
             _WORM,
-            _endurance(660.0, _WORM_PITTING),
+            _endurance(660.0, "iso_14521"),
         ),
         _entry(
             "brass",
             "Brass (CuZn39Pb3)",
-            "Brass",
+            "brass",
             (97.0, 0.34),
             "Copper Development Association, data sheet of CW614N",
         ),
         _entry(
             "plastic_pom",
             "Acetal (POM-C)",
-            "Plastic",
+            "plastic",
             (2.8, 0.35),
             "typical of data sheets, 23 degrees C, short time",
         ),
         _entry(
             "plastic_pa66",
             "Polyamide 66, conditioned",
-            "Plastic",
+            "plastic",
             (1.7, 0.4),
             "typical of data sheets, 23 degrees C, 50 % humidity, short time",
         ),
         _entry(
             "plastic_pa66_gf30",
             "Polyamide 66, 30 % glass, conditioned",
-            "Plastic",
+            "plastic",
             (7.0, 0.36),
             "typical of data sheets, 23 degrees C, 50 % humidity",
         ),
         _entry(
             "plastic_peek",
             "PEEK, unfilled",
-            "Plastic",
+            "plastic",
             (3.7, 0.38),
             "typical of data sheets, 23 degrees C",
         ),

@@ -124,7 +124,7 @@ class LoadFields(RequestModel):
         le=MAX_SAMPLES,
         step=1,
         advanced=True,
-        help="Number of crank angles of the curves over one turn.",
+        help="Number of points of each curve.",
     )
 
     @model_validator(mode="after")

@@ -53,7 +53,7 @@ class ContactLineRequest(GearFields):
         le=10_001,
         step=1,
         advanced=True,
-        help="Number of points of each contact line.",
+        help="Number of points of each curve.",
     )
 
     def cost_ms(self, *, drawn: bool) -> float:

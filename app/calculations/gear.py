@@ -26,7 +26,7 @@ class RollerFields(RequestModel):
         ge=-3600,
         le=3600,
         step=15,
-        help="Position of the roller on the central wheel.",
+        help="Position of the roller on the central wheel; of a wheel's first.",
     )
     z_min_mm: Maybe[Coordinate] = quantity(
         "Working length from",
@@ -115,13 +115,13 @@ class WheelFields(RequestModel):
         help="How many of them touch the satellite, from the first on; all where not given.",
     )
     position_angle_deg: float = quantity(
-        "Position of the first",
+        "Position angle",
         symbol="φ₁",
         group="rollers",
         ge=-3600,
         le=3600,
         step=5,
-        help="Position angle of the first roller.",
+        help="Position of the roller on the central wheel; of a wheel's first.",
     )
     z_min_mm: Coordinate = quantity(
         "Working length from",

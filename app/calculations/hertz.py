@@ -30,7 +30,7 @@ from core.hertz import (
     hertz,
     pressure_profile,
 )
-from core.materials import MATERIALS, ContactLimit, Criterion, ElasticMaterial
+from core.materials import LIMIT_SOURCES, MATERIALS, ContactLimit, Criterion, ElasticMaterial
 
 if TYPE_CHECKING:
     MaterialName = str
@@ -214,6 +214,7 @@ class SafetyOut(ResponseModel):
     limit_MPa: float
     criterion: Criterion
     source: Maybe[str] = None
+    source_code: Maybe[str] = None
     safety_factor: float = Field(
         description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
         "is its square, as long as Hertz's pressure governs."
@@ -231,7 +232,8 @@ class SafetyOut(ResponseModel):
             body=result.body,
             limit_MPa=from_si("limit_MPa", limit.pressure),
             criterion=limit.criterion,
-            source=limit.source or None,
+            source=LIMIT_SOURCES.get(limit.source),
+            source_code=limit.source or None,
             **given,
         )
 

@@ -40,7 +40,7 @@ class RollerStrengthRequest(RequestModel):
         group="load",
         **SIZE,
         step=10,
-        help="Torque on the output shaft.",
+        help="Torque on the output link.",
     )
     hole_circle_radius_mm: float = quantity(
         "Hole circle radius",
@@ -126,7 +126,6 @@ class RollerStrengthRequest(RequestModel):
         **SIZE,
         step=1,
         default=210.0,
-        help="Young's modulus of the rollers.",
     )
     poissons_ratio: Maybe[float] = quantity(
         "Poisson's ratio",
@@ -136,7 +135,6 @@ class RollerStrengthRequest(RequestModel):
         ge=0,
         lt=0.5,
         step=0.01,
-        help="Poisson's ratio of the rollers; gives the shear modulus.",
     )
     shear_modulus_GPa: Maybe[float] = quantity(
         "Shear modulus",

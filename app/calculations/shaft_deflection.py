@@ -80,7 +80,6 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         default=210.0,
         **SIZE,
         step=1,
-        help="Young's modulus of the shaft.",
     )
 
     @model_validator(mode="after")

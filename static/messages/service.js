@@ -1,0 +1,507 @@
+// Made from the service by tests/app/test_service_words.py: its words in English, by code.
+export default {
+  "refusals": {
+    "at_most": "must be at most {field}",
+    "different_length": "must have {expected} entries, has {actual}",
+    "different_sum": "must have lengths that add up to {field} and {other}",
+    "exclusive": "and {field} exclude each other",
+    "finite_number": "must be a finite number",
+    "greater_than": "must be greater than {limit}",
+    "greater_than_equal": "must be at least {limit}",
+    "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is infinitely long there",
+    "larger_than": "must be larger than {field}",
+    "less_than": "must be less than {limit}",
+    "less_than_equal": "must be at most {limit}",
+    "needed": "is needed: this or {field}",
+    "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
+    "no_conformal_pressure": "must have a conformal pressure",
+    "not_zero": "must not be 0",
+    "other_branch": "must lie on the same side of the pole, a multiple of half a turn less {other}, as {field}: the line is infinitely long there",
+    "right_angle": "must be smaller than a right angle",
+    "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its contact has no arm",
+    "smaller_than": "must be smaller than {field}",
+    "too_many_pairs": "must be at most {limit}, with {satellites} satellites",
+    "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
+    "too_short": "must have at least {limit} entries",
+    "too_short_range": "must be larger: no driving phase is that short",
+    "dead_centre": "The mechanism cannot transmit torque: no pair drives",
+    "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, where the load has no arm about the axis",
+    "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "bool_type": "must be true or false",
+    "dict_type": "must be an object",
+    "dust": "must be 0 or at least {limit} in size",
+    "extra_forbidden": "is not a known field",
+    "float_type": "must be a number",
+    "int_type": "must be a whole number",
+    "json_invalid": "is not valid JSON: {error}",
+    "list_type": "must be a list",
+    "literal_error": "must be one of {expected}",
+    "missing": "is needed",
+    "multiple_of": "must be a multiple of {limit}",
+    "needed_beside": "is needed beside {field}",
+    "needed_for": "is needed for {section}",
+    "not_valid": "is not valid",
+    "only_one": "excludes {field}: give one of them",
+    "service_limit": "must be at most {limit}: this service takes no more",
+    "string_type": "must be a text",
+    "string_unicode": "is not valid text",
+    "to_be_drawn": "must be at most {limit} to be drawn",
+    "too_long": "must have at most {limit} entries",
+    "too_nested": "must hold at most {limit} lists and objects",
+    "with_rollers": "must be at most {limit}, with {rollers} rollers"
+  },
+  "notices": {
+    "approximation_exponent": "The approximation is made for linear contacts, exponent 1.",
+    "approximation_range": "The approximation is stated for {field} from {low} to {high} only; here it is {value}.",
+    "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
+    "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
+    "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin radius, so that clearance or interference would not be seen.",
+    "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
+    "hertz_half_width": "The contact is {width} times as wide as the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for different materials, take it as a rough guide.",
+    "hertz_impossible": "The contact is {width} times as wide as the pin's radius: wider than the pin, so that Hertz does not apply at all, and for different materials no conformal solution is at hand: make the hole larger or the load smaller.",
+    "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
+    "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
+    "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
+    "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
+    "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
+    "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is concentrated there, more than elastic rollers would let it be.",
+    "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere for rigid and the cylinder for the weak section.",
+    "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+    "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is half a turn of phi further, with the same force."
+  },
+  "neglected": {
+    "bearing_elasticity": "play and elasticity of the bearings",
+    "clearance": "clearance of pins and holes, and with it lost motion",
+    "contact_compliance": "the compliance of the contacts of spheres and holes",
+    "deviations": "deviations of the parts from their nominal shape and place",
+    "edge_pressure": "the higher pressure at the ends of the contact",
+    "elasticity": "the elasticity of the parts besides the contacts",
+    "equal_discs": "uneven sharing between the satellites",
+    "friction": "friction",
+    "misalignment": "misalignment, so that the load is even along the contact",
+    "pin_bending": "the bending of the pins",
+    "roller_tilt": "the tilt of the rollers against the discs",
+    "shear": "the shear of the shaft"
+  },
+  "figures": {
+    "along_arc": "Place along the arc of the pin",
+    "along_axis": "Along the axis z",
+    "along_shaft": "Along the shaft from C to the clamp",
+    "amount": "{amount}",
+    "arc_on_roller": "Arc on the roller x = ρφ",
+    "at_place": "{name}: {value} at {place}",
+    "axis": "{title}, {unit}",
+    "bending_moment": "Bending moment",
+    "bending_stress": "Bending stress",
+    "body_limit": "Limit of the {body}",
+    "body_limit_hover": "Limit of the {body}: {pressure}",
+    "clamp": "clamp",
+    "conformal": "Conformal (Persson)",
+    "contact_force": "Contact force",
+    "contact_line": "{name}: contact line",
+    "contact_pressure": "Contact pressure",
+    "crank_angle": "Crank angle",
+    "dead_centre": "dead centre",
+    "deflection": "Deflection",
+    "design": "This design",
+    "design_nonuniformity": "This design: Ψ = {nonuniformity} at δ = {error}",
+    "design_stiffness": "This design: c/(b·E) = {stiffness}",
+    "design_stress": "This design: {stress}",
+    "driving": "Driving",
+    "driving_pairs": "Driving pairs",
+    "driving_pairs_hover": "Driving pairs: {pairs} at {angle}",
+    "error_in_time": "{method}, {setting}<br>error {error} in {time}",
+    "error_in_time_chosen": "{method}: error {error} in {time}",
+    "hertz": "Hertz",
+    "hole": "hole",
+    "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
+    "length_ratio": "Length over diameter l/d",
+    "line_load": "Line load",
+    "line_load_hover": "{name}: {load} at z = {place}",
+    "nonuniformity": "Non-uniformity Ψ",
+    "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
+    "one_carries": "one roller carries all",
+    "pair_drives": "Satellite {satellite}, pin {pin}<br>drives from {start} to {end}",
+    "pair_force": "Satellite {satellite}, pin {pin}<br>{force} at {angle}",
+    "peak": "Peak",
+    "peak_hover": "Peak {force} at {angle}<br>satellite {satellite}, pin {pin}",
+    "pin": "pin",
+    "plane_xz": "plane xz",
+    "plane_yz": "plane yz",
+    "position_error": "Relative position error δ",
+    "pressure_hover": "{name}<br>{pressure} at {place}",
+    "relative_error": "Relative error",
+    "roller_angle": "φ₁ = {angle}",
+    "roller_circle": "Circle of the roller axes",
+    "run_time": "Run time",
+    "satellite": "Satellite {satellite}",
+    "satellite_pin": "Satellite.pin",
+    "shear_force": "Shear force",
+    "stiffness": "Stiffness",
+    "stiffness_hover": "c/(b·E) = {stiffness} at l/d = {length}",
+    "stiffness_ratio": "Stiffness c/(b·E)",
+    "stress_hover": "{name}: {stress} at l/d = {length}",
+    "tolerance": "χ = {tolerance}",
+    "used": "Used by the calculator"
+  },
+  "methods": {
+    "adaptive_phi": "adaptive (QUADPACK rule) in phi",
+    "adaptive_z": "adaptive (QUADPACK rule) in z",
+    "approximation": "approximation (2018, eq. 5)",
+    "bisection": "bisection",
+    "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
+    "clenshaw_curtis_shaft": "Clenshaw-Curtis along the shaft",
+    "clenshaw_curtis_z": "Clenshaw-Curtis in z",
+    "closed_form": "closed form",
+    "closed_form_even": "closed form: evenly spaced pairs",
+    "closed_form_gaps": "closed form, contacts closed in the order of their gaps",
+    "closed_form_newton": "closed form, Newton's method",
+    "equal_sharing": "equal sharing (Zyl)",
+    "gauss_legendre_phi": "Gauss-Legendre in phi",
+    "gauss_legendre_shaft": "Gauss-Legendre along the shaft",
+    "gauss_legendre_z": "Gauss-Legendre in z",
+    "golden_section": "sampling, golden section",
+    "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known singularities",
+    "graded_z": "graded Gauss-Legendre in z",
+    "mohr": "Mohr's integral in closed form",
+    "multiple_closed_form": "closed form in multiple precision",
+    "multiple_peak": "peak refined in multiple precision",
+    "multiple_sorting": "sorting in multiple precision",
+    "multiple_tanh_sinh": "tanh-sinh quadrature in multiple precision",
+    "newton": "Newton",
+    "sampling": "sampling",
+    "segment_exact": "segment-exact",
+    "segments_cubic": "segment-exact, roots of a cubic",
+    "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
+    "segments_roots": "segment-exact, bracketed roots",
+    "simpson_phi": "Simpson in phi",
+    "simpson_shaft": "Simpson along the shaft",
+    "simpson_z": "Simpson in z",
+    "sorting": "sorting",
+    "tanh_sinh_phi": "tanh-sinh in phi",
+    "tanh_sinh_shaft": "tanh-sinh along the shaft",
+    "tanh_sinh_z": "tanh-sinh in z",
+    "trapezoid_phi": "trapezoid in phi",
+    "trapezoid_shaft": "trapezoid along the shaft",
+    "trapezoid_z": "trapezoid in z"
+  },
+  "settings": {
+    "default": "default",
+    "level": "level {value}",
+    "points": "n = {value}",
+    "steps": "{value} steps",
+    "tolerance": "tolerance {value}"
+  },
+  "fields": {
+    "allowable_pressure_MPa": [
+      "Allowable pressure",
+      "Allowable contact pressure: what this body is judged by."
+    ],
+    "bearing_distance_mm": [
+      "Bearing distance",
+      "Distance of the satellite's bearings, from C to B."
+    ],
+    "contact_length_mm": [
+      "Contact length",
+      "Length of the contact along the pin: the width of the satellite."
+    ],
+    "crank_angle_deg": [
+      "Crank angle",
+      "Crank angle of the section geometry."
+    ],
+    "crank_angles_deg": [
+      "Crank angles",
+      "Angle of each crank, one for each satellite, instead of an even spacing."
+    ],
+    "crank_spacing_deg": [
+      "Crank spacing",
+      "Angle between neighbouring cranks; 360°/K where not given."
+    ],
+    "cylinder_length_mm": [
+      "Cylinder length",
+      "Length of one cylinder, from the middle sphere to the end sphere."
+    ],
+    "distribution_factor": [
+      "Distribution factor",
+      "Factor of uneven load sharing between the pairs."
+    ],
+    "dynamic_factor": [
+      "Dynamic factor",
+      "Factor of the dynamic load."
+    ],
+    "eccentricity_mm": [
+      "Eccentricity",
+      "Eccentricity of the cranks; hole radius − pin radius where not given."
+    ],
+    "efficiency": [
+      "Efficiency",
+      "Efficiency of the reducer, needed with the input torque."
+    ],
+    "force_N": [
+      "Contact force",
+      "Force between pin and hole."
+    ],
+    "force_exponent": [
+      "Force exponent",
+      "Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."
+    ],
+    "friction_coefficient": [
+      "Friction coefficient",
+      "Friction between sphere and hole."
+    ],
+    "gaps_mm": [
+      "Gaps",
+      "Gap of each roller before it carries, instead of the worst case of a tolerance."
+    ],
+    "hole_circle_radius_mm": [
+      "Hole circle radius",
+      "Radius of the circle of the rollers' holes."
+    ],
+    "hole_material": [
+      "Hole material",
+      "A name of the table of materials, or values."
+    ],
+    "hole_radius_mm": [
+      "Hole radius",
+      "Radius of the hole in the satellite: pin radius + eccentricity."
+    ],
+    "initial_crank_angle_deg": [
+      "Initial wave angle",
+      "0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what reversing the torque does."
+    ],
+    "input_torque_Nm": [
+      "Input torque",
+      "Torque on the crankshaft; T = T₁·u·η."
+    ],
+    "length_mm": [
+      "Length",
+      ""
+    ],
+    "load.rollers": [
+      "Rollers",
+      "Number of rollers."
+    ],
+    "nutation_angle_deg": [
+      "Nutation angle",
+      "Angle between the axes of the central wheel and the satellite."
+    ],
+    "output_torque_Nm": [
+      "Output torque",
+      "Torque on the output link."
+    ],
+    "overhang_mm": [
+      "Overhang",
+      "Distance from B to the clamped end of the shaft."
+    ],
+    "phi_max_deg": [
+      "Contact to",
+      "Polar angle on the roller at which contact ends."
+    ],
+    "phi_min_deg": [
+      "Contact from",
+      "Polar angle on the roller at which contact starts, instead of a working length."
+    ],
+    "pin_circle_radius_mm": [
+      "Pin circle radius",
+      "Radius of the circle of pin centres."
+    ],
+    "pin_material": [
+      "Pin material",
+      "A name of the table of materials, or values."
+    ],
+    "pin_radius_mm": [
+      "Pin radius",
+      "Radius of the pin, or of its sleeve."
+    ],
+    "pins": [
+      "Pins",
+      "Number of pins of the output link, evenly spaced on the pin circle."
+    ],
+    "poissons_ratio": [
+      "Poisson's ratio",
+      ""
+    ],
+    "position_angle_deg": [
+      "Position angle",
+      "Position of the roller on the central wheel; of a wheel's first."
+    ],
+    "position_tolerance_mm": [
+      "Position tolerance",
+      "Positional tolerance of the holes; the worst case has one hole ahead in each part."
+    ],
+    "ratio": [
+      "Ratio",
+      "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
+    ],
+    "ratio_u12": [
+      "Ratio",
+      "Ratio of the mesh with the input shaft held."
+    ],
+    "reference_z_mm": [
+      "Place of C",
+      "Place of the bearing C along the axis, from the precession centre."
+    ],
+    "revolutions": [
+      "Crank revolutions",
+      "Length of the cyclogram, in turns of the crank."
+    ],
+    "ring_teeth": [
+      "Ring teeth",
+      "Number of teeth of the ring, more than the satellite has."
+    ],
+    "roller.diameter_mm": [
+      "Cylinder diameter",
+      "Diameter of the cylinders between the spheres."
+    ],
+    "roller_circle_radius_mm": [
+      "Roller circle radius",
+      "Radius of the circle of the roller axes."
+    ],
+    "roller_radius_mm": [
+      "Roller radius",
+      "Radius of a roller."
+    ],
+    "rollers.rollers": [
+      "Rollers",
+      "The rollers in mesh, one by one."
+    ],
+    "rollers_in_mesh": [
+      "Rollers in mesh",
+      "How many of them touch the satellite, from the first on; all where not given."
+    ],
+    "rollers_total": [
+      "Rollers of the wheel",
+      "Number of rollers of the central wheel."
+    ],
+    "samples": [
+      "Samples",
+      "Number of points of each curve."
+    ],
+    "satellite_teeth": [
+      "Satellite teeth",
+      "Number of teeth of a satellite; gives the ratio and the assembly angles."
+    ],
+    "satellites": [
+      "Satellites",
+      "Number of satellites, each on its own crank."
+    ],
+    "shaft.diameter_mm": [
+      "Diameter",
+      ""
+    ],
+    "shaft_diameter_mm": [
+      "Shaft diameter",
+      "Diameter of the shaft, the same everywhere."
+    ],
+    "shaft_sections": [
+      "Shaft sections",
+      "Stretches of the shaft from C to the clamp, instead of one diameter; their lengths add up to a + b."
+    ],
+    "shear_modulus_GPa": [
+      "Shear modulus",
+      "Shear modulus of the rollers, instead of Poisson's ratio."
+    ],
+    "sphere_diameter_mm": [
+      "Sphere diameter",
+      "Diameter of the spherical parts."
+    ],
+    "sphere_width_mm": [
+      "Sphere width",
+      "Width of a spherical part along the roller."
+    ],
+    "stress_concentration": [
+      "Stress concentration",
+      "Stress concentration at the step beside the middle sphere."
+    ],
+    "torque_Nm": [
+      "Torque",
+      "Torque on the central wheel; its sign chooses the loaded flanks."
+    ],
+    "torque_sign": [
+      "Sign of the torque",
+      "Chooses the loaded flank of rollers whose limits are given in z."
+    ],
+    "wheel": [
+      "Wheel",
+      "Evenly spaced rollers with one working length, instead of a list."
+    ],
+    "youngs_modulus_GPa": [
+      "Young's modulus",
+      ""
+    ],
+    "z_max_mm": [
+      "Working length to",
+      "End of the working length."
+    ],
+    "z_min_mm": [
+      "Working length from",
+      "Start of the working length, along the axis from the precession centre."
+    ]
+  },
+  "materials": {
+    "steel_structural": "Structural steel (S235, S355)",
+    "steel_through_hardened": "Through-hardened alloy steel (42CrMo4, 300 HV)",
+    "steel_case_hardened": "Case-hardened steel (18CrNiMo7-6)",
+    "steel_bearing": "Bearing steel (100Cr6, hardened)",
+    "iron_grey": "Grey cast iron (EN-GJL-250)",
+    "iron_nodular": "Nodular cast iron (EN-GJS-400-15)",
+    "bronze_tin": "Tin bronze, centrifugally cast (CuSn12-C-GZ)",
+    "bronze_tin_nickel": "Tin-nickel bronze, centrifugally cast (CuSn12Ni2-C-GZ)",
+    "bronze_aluminium": "Aluminium bronze, centrifugally cast (CuAl10Fe5Ni5-C-GZ)",
+    "brass": "Brass (CuZn39Pb3)",
+    "plastic_pom": "Acetal (POM-C)",
+    "plastic_pa66": "Polyamide 66, conditioned",
+    "plastic_pa66_gf30": "Polyamide 66, 30 % glass, conditioned",
+    "plastic_peek": "PEEK, unfilled"
+  },
+  "materialGroups": {
+    "steel": "Steel",
+    "cast_iron": "Cast iron",
+    "bronze": "Bronze",
+    "brass": "Brass",
+    "plastic": "Plastic"
+  },
+  "criteria": {
+    "endurance": "endurance",
+    "static": "static",
+    "given": "given"
+  },
+  "limitSources": {
+    "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, of the mean pressure",
+    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated",
+    "iso_6336_5": "ISO 6336-5, pitting, grade MQ",
+    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade MQ: 1.313*HV + 373",
+    "iso_76": "ISO 76, roller bearings: permanent set of 1e-4*D"
+  },
+  "examples": {
+    "yanchevskiy-2021-fig-6a": "3 pins, 2 satellites at 180°: always 3 pairs (2021, fig. 6 a)",
+    "yanchevskiy-2021-fig-6b": "3 pins, 2 satellites at 120°: 2 or 4 pairs (2021, fig. 6 b)",
+    "yanchevskiy-2021-fig-6c": "3 pins, 2 satellites at 90°: 2, 3 or 4 pairs (2021, fig. 6 c)",
+    "yanchevskiy-2021-fig-6d": "3 pins, 3 satellites at 120°: 3 or 6 pairs (2021, fig. 6 d)",
+    "yanchevskiy-2021-fig-6e": "4 pins, 3 satellites at 120°: always 6 pairs (2021, fig. 6 e)",
+    "yanchevskiy-2021-fig-6f": "3 pins, 4 satellites at 90°: always 6 pairs (2021, fig. 6 f)",
+    "yanchevskiy-2021-fig-7": "Force curve of 3 satellites: complex over the turn (2021, fig. 7)",
+    "yanchevsky-2018-fig-4a": "3 pins, 1 satellite: 1 or 2 pairs (2018, fig. 4 a and 6 a)",
+    "yanchevsky-2018-fig-4b": "3 pins, 2 satellites: always 3 pairs (2018, fig. 4 b and 6 b)",
+    "zyl-6-pins": "Equal sharing, 6 pins: 888.2 N (Zyl)",
+    "zyl-4-pins": "Equal sharing, 4 pins: 1538 N (Zyl)",
+    "ovsyannikov-2019-fig-6": "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)",
+    "ovsyannikov-2019-fig-4": "Stiffness over length, G = 78 GPa (2019, fig. 4)",
+    "ovsyannikov-2019-fig-5": "Beyond the limit one roller carries all (2019, fig. 5)",
+    "khatetovsky-2020-four-rollers": "4 rollers in mesh, shaft of one diameter (2020)",
+    "khatetovsky-2020-wheel": "Wheel of 24 rollers, 9 in mesh, stepped shaft (2020)"
+  },
+  "calculations": {
+    "hertz": "Hertz contact of pin and hole",
+    "contact-force": "Contact force",
+    "roller-strength": "Strength of swinging rollers",
+    "cyclogram": "Cyclogram",
+    "crank-planetary": "Crank-planetary reducer",
+    "precession/contact-line": "Contact lines of the precessional gear",
+    "precession/meshing-load": "Load of the precessional mesh",
+    "precession/shaft-deflection": "Shaft of the precessional gear",
+    "work-precision": "Error against run time"
+  }
+};
