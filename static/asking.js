@@ -1,8 +1,12 @@
-/** What a calculator asks the service for: its sections, each request sent once. */
-import { Problem } from "./api.js";
+/** Asking the service for results: 120 ms after the last key or at once, the newest request only. */
+import { newestOnly, Problem } from "./lib/api.js";
+import { readState, stateFromInput } from "./lib/schema_form.js";
+import { answered, asked, compared, failed } from "./store.js";
+
+const DEBOUNCE_MS = 120;
 
 /** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
-export function postingOnce(client, signal, done = []) {
+function postingOnce(client, signal, done = []) {
   const answers = new Map();
   return (path, body) => {
     const key = `${path} ${JSON.stringify(body)}`;
@@ -17,18 +21,79 @@ export function postingOnce(client, signal, done = []) {
 }
 
 /** Ask for all sections; where the service refuses, for those that do not need the refused one. */
-export async function askSections({ client, calculator, input, tables, signal }) {
+export async function askSections({ client, calculator, input, filled, tables, signal }) {
   const requests = [];
   const post = postingOnce(client, signal, requests);
   let refusal = null;
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      return { answer: await calculator.ask({ post, input, sections, tables }), refusal, requests };
+      return { answer: await calculator.ask({ post, input, filled, sections, tables }), refusal, requests };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
       refusal ??= problem;
     }
   }
   return { answer: null, refusal };
+}
+
+/** `designs` are the kept ones (lib/designs.js). */
+export function createAsking({ store, client, designs }) {
+  const { model, calculator } = store.state.about;
+  const newest = newestOnly();
+  const answers = new Map(); // of the designs that are kept, by their inputs
+  let timer = 0;
+
+  function answerOf(input) {
+    const key = JSON.stringify(input);
+    if (!answers.has(key)) {
+      const { filled } = readState(model, stateFromInput(model, input));
+      answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
+        .then(({ answer }) => answer, () => null));
+    }
+    return answers.get(key);
+  }
+
+  /** The designs kept of this calculator, each with its answer (none where it was refused). */
+  async function compare(said) {
+    const kept = await Promise.all(designs.of(calculator.id)
+      .map(async (design) => ({ ...design, design, answer: await answerOf(design.input) })));
+    store.apply(compared, kept, said);
+  }
+
+  function cancel() {
+    clearTimeout(timer);
+    newest.cancel();
+  }
+
+  async function now() {
+    cancel();
+    store.apply(asked);
+    const { reading: { input, filled, wrong }, tables } = store.state;
+    if (wrong.length > 0) return;
+    const { answer, problem, superseded } = await newest.ask((signal) =>
+      askSections({ client, calculator, input, filled, tables, signal }));
+    if (superseded) return;
+    if (problem) store.apply(failed, problem);
+    else store.apply(answered, answer);
+    if (store.state.shown && !store.state.kept) await compare();
+  }
+
+  return {
+    now,
+    soon() {
+      cancel();
+      timer = setTimeout(now, DEBOUNCE_MS);
+    },
+    cancel,
+    compare,
+    /** The tables of a figure that has its own, of the results on the screen. */
+    async tables(figure) {
+      const { input, filled, answer } = store.state.shown;
+      const sections = calculator.sections.filter((id) => answer[id]);
+      return figure.tables(await calculator.ask({
+        post: postingOnce(client), input, filled, sections, tables: new Set([figure.id]),
+      }));
+    },
+  };
 }

@@ -1,13 +1,13 @@
-/** Wiring: the header, the open calculator, the address, what the browser remembers. */
-import { createClient } from "./api.js";
-import { CALCULATORS } from "./calculators/index.js";
-import { createDesigns } from "./designs.js";
+/** The page: its header, the open calculator, the address, what the browser remembers. */
+import { CALCULATORS, calculatorOf } from "./calculators/index.js";
+import { createClient, newestOnly } from "./lib/api.js";
+import { createDesigns } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
+import { formModel, stateFromInput } from "./lib/schema_form.js";
+import { lasting, parsed, session } from "./lib/storage.js";
+import { setUnits, SYSTEMS } from "./lib/units.js";
+import { decodeState } from "./lib/url_state.js";
 import { LANGUAGES, message, translated, useLanguage } from "./messages/index.js";
-import { preference, setPreference } from "./preferences.js";
-import { formModel, stateFromInput } from "./schema_form.js";
-import { setUnits, SYSTEMS } from "./units.js";
-import { decodeState } from "./url_state.js";
 import { createKeys } from "./views/keys.js";
 import { createSettings } from "./views/settings.js";
 import { createShare } from "./views/share.js";
@@ -15,116 +15,88 @@ import { createTabs } from "./views/tabs.js";
 import { chosenTheme, onSystemTheme, setTheme } from "./views/theme.js";
 import { openWorkbench } from "./workbench.js";
 
-const API = "/api/v1";
-const client = createClient({ base: API });
-const panel = document.getElementById("panel");
-const live = document.getElementById("live");
-const kept = new Map(); // queries of the calculators that were open, also over a reload
 const KEPT = "khv-calc.open";
+const client = createClient();
+/** What the service says of itself; asked for already at the head of the page. */
+const service = Promise.all(["/openapi.json", "/examples", "/materials"].map((path) => client.get(path)));
 
-function storage(name) {
-  try {
-    return globalThis[name];
-  } catch {
-    return null;
-  }
-}
-
-function keep(id, query) {
-  kept.set(id, query);
-  try {
-    storage("sessionStorage")?.setItem(KEPT, JSON.stringify(Object.fromEntries(kept)));
-  } catch {
-    // Then a reload keeps the open calculator only, by its address.
-  }
-}
-
-/** The language asked for: by hand, else the first of the browser's that there is. */
-function chosenLanguage() {
-  const wanted = [preference("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
-  return wanted.find((id) => id in LANGUAGES) ?? "en";
-}
-
-const language = chosenLanguage();
+const languages = [lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
+const language = languages.find((id) => id in LANGUAGES) ?? "en";
+const units = SYSTEMS.find((id) => id === lasting.getItem("units")) ?? SYSTEMS[0];
 await useLanguage(language);
+setUnits(units);
 document.documentElement.lang = language;
 document.querySelector(".skip").textContent = message("page.skip");
-document.getElementById("tabs").setAttribute("aria-label", message("page.calculators"));
-const units = SYSTEMS.find((id) => id === preference("units")) ?? SYSTEMS[0];
-setUnits(units);
 
+const panel = document.getElementById("panel");
+const live = document.getElementById("live");
 const linked = new URLSearchParams(location.search);
-const designs = createDesigns(storage("localStorage"));
-let wanted = null;
-let open = null;
-let build = null; // the open calculator anew, from its address
+const kept = parsed(session.getItem(KEPT), {}); // queries of the calculators that were open, also over a reload
+if (linked.has("calculator")) kept[linked.get("calculator")] = linked.toString();
+const designs = createDesigns(lasting);
+const opening = newestOnly();
+let bench = null; // the calculator at work
+let rebuild = () => {}; // it anew, from its address
 
-try {
-  const remembered = JSON.parse(storage("sessionStorage")?.getItem(KEPT) ?? "{}");
-  for (const [id, query] of Object.entries(remembered)) kept.set(id, query);
-} catch {
-  // What cannot be read is not ours.
-}
-if (linked.has("calculator")) kept.set(linked.get("calculator"), linked.toString());
-
-const service = Promise.all([
-  createClient({ base: "" }).get("/openapi.json"),
-  client.get("/examples"),
-]);
-
-async function cataloguesOf(calculator) {
-  const lists = new Map();
-  for (const name of new Set(Object.values(calculator.catalogues))) {
-    lists.set(name, client.get(`/${name}`).then((answer) => answer[name]));
-  }
-  const entries = Object.entries(calculator.catalogues).map(async ([path, name]) => [path, await lists.get(name)]);
-  return Object.fromEntries(await Promise.all(entries));
+function say(text) {
+  live.textContent = text;
 }
 
-async function openCalculator(id) {
-  if (wanted === id) return;
-  wanted = id;
-  panel.dataset.state = "computing";
-  tabs.setOpen(id);
-  const { load } = CALCULATORS.find((one) => one.id === id);
-  const [{ default: calculator }, [openapi, { examples }]] = await Promise.all([load(), service]);
-  const model = formModel(openapi, { ...calculator, path: API + calculator.path, words: translated });
-  const own = examples.filter((example) => `/${example.calculation}` === calculator.path);
-  const catalogues = await cataloguesOf(calculator);
-  if (wanted !== id) return; // another tab was opened meanwhile
-  open?.close();
-  build = () => openWorkbench({
-    host: panel,
+/** What a calculator needs to be at work. */
+async function partsOf(id) {
+  const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), service]);
+  return {
     calculator,
-    model,
-    client,
-    examples: own,
-    catalogues,
-    designs,
+    model: formModel(openapi, { ...calculator, path: client.base + calculator.path, words: translated }),
+    examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
+    catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
     version: openapi.info.version,
-    state: decodeState(model, new URLSearchParams(kept.get(id)))
-      ?? stateFromInput(model, { ...calculator.start, ...own[0]?.input }),
+  };
+}
+
+function build(id, parts) {
+  const { model, examples } = parts;
+  bench = openWorkbench({
+    ...parts,
+    host: panel,
+    client,
+    designs,
+    typed: decodeState(model, new URLSearchParams(kept[id])) ?? stateFromInput(model, examples[0]?.input ?? {}),
     on: {
-      state(query) {
-        keep(id, query);
-        globalThis.history.replaceState(null, "", `?${query}`);
+      say,
+      address(query) {
+        kept[id] = query;
+        session.setItem(KEPT, JSON.stringify(kept));
+        history.replaceState(null, "", `?${query}`);
       },
       history({ canUndo, canRedo }) {
         undo.disabled = !canUndo;
         redo.disabled = !canRedo;
       },
-      say(text) {
-        live.textContent = text;
-      },
     },
   });
-  open = build();
 }
 
-function failed(error) {
-  open?.close();
-  wanted = open = build = null;
-  panel.textContent = message("page.failed", { detail: error.message });
+function close() {
+  bench?.close();
+  bench = null;
+}
+
+async function open(id) {
+  tabs.setOpen(id);
+  panel.dataset.state = "computing";
+  try {
+    const { answer: parts, problem, superseded } = await opening.ask(() => partsOf(id));
+    if (superseded) return;
+    if (problem) throw problem;
+    close();
+    rebuild = () => build(id, parts);
+    rebuild();
+  } catch (error) {
+    close();
+    tabs.setOpen(null);
+    panel.textContent = message("page.failed", { detail: error.message });
+  }
 }
 
 function tool(sign, words, act) {
@@ -134,53 +106,44 @@ function tool(sign, words, act) {
   return button;
 }
 
-const undo = tool("↶", message("page.undo"), () => open?.undo());
-const redo = tool("↷", message("page.redo"), () => open?.redo());
+const undo = tool("↶", message("page.undo"), () => bench?.undo());
+const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
   const act = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
-  if (!act || !open) return;
+  if (!act || !bench) return;
   event.preventDefault();
-  open[act]();
+  bench[act]();
 });
 
-const ids = CALCULATORS.map(({ id }) => id);
-const tabs = createTabs({
-  host: document.getElementById("tabs"),
-  panel,
-  ids,
-  on: { opened: (id) => openCalculator(id).catch(failed) },
-});
+const tabs = createTabs({ host: document.getElementById("tabs"), panel, ids: CALCULATORS, on: { opened: open } });
 const settings = createSettings({
   current: { theme: chosenTheme(), units, language },
   on: {
     theme(chosen) {
       setTheme(chosen);
-      setPreference("theme", chosen);
-      open?.redraw();
+      lasting.setItem("theme", chosen);
+      bench?.retheme();
     },
     units(chosen) {
-      open?.close(); // its state, in the old units, goes into the address
+      close(); // its state, in the old units, goes into the address
       setUnits(chosen);
-      setPreference("units", chosen);
-      open = build?.() ?? null; // at once: what is typed next goes into the new form
+      lasting.setItem("units", chosen);
+      rebuild(); // at once: what is typed next goes into the new form
     },
     language(chosen) {
-      setPreference("language", chosen);
-      open?.close();
+      lasting.setItem("language", chosen);
+      close();
       location.reload();
     },
   },
 });
-const share = createShare({
-  exchange: () => open?.exchange() ?? null,
-  say: (text) => { live.textContent = text; },
-});
+const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
 document.getElementById("tools").append(undo, redo, share.button, settings.button, createKeys().button);
 document.body.append(settings.sheet);
-onSystemTheme(() => open?.redraw());
-addEventListener("pagehide", () => open?.close());
+onSystemTheme(() => bench?.retheme());
+addEventListener("pagehide", () => bench?.close());
 
 const asked = linked.get("calculator");
-openCalculator(ids.includes(asked) ? asked : ids[0]).catch(failed);
+open(CALCULATORS.includes(asked) ? asked : CALCULATORS[0]);

@@ -1,6 +1,7 @@
-/** The calculators in the order of their tabs. A new one is its own file here and a line below. */
-export const CALCULATORS = [
-  { id: "crank-planetary", load: () => import("./crank_planetary.js") },
-  { id: "rollers", load: () => import("./rollers.js") },
-  { id: "precession", load: () => import("./precession.js") },
-];
+/** The calculators in the order of their tabs. A new one is a folder of its own here and a name below. */
+export const CALCULATORS = ["crank-planetary", "rollers", "precession"];
+
+/** Each is loaded when it is opened. */
+export async function calculatorOf(id) {
+  return (await import(`./${id}/index.js`)).default;
+}

@@ -4,7 +4,7 @@
  * What the service says in English (titles of fields, figures, refusals) has its words in the
  * files of the other languages, under `service`; what these don't know stays as it was said.
  */
-import { setDecimal } from "../format.js";
+import { setDecimal } from "../lib/format.js";
 import en from "./en.js";
 
 /** The languages by their own names; a new one is its own file here and a word below. */

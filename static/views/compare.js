@@ -1,11 +1,13 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
 import { element, fill, html } from "../lib/html.js";
-import { formatNumber, quantityParts, unitOf } from "../format.js";
+import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
-import { readState, shownFields, stateFromInput, textIn } from "../schema_form.js";
-import { MOST } from "../designs.js";
-import { shownUnit } from "../units.js";
-import { download } from "./download.js";
+import { readState, shownFields, stateFromInput, textIn } from "../lib/schema_form.js";
+import { MOST } from "../lib/designs.js";
+import { shownUnit } from "../lib/units.js";
+import { following } from "../store.js";
+import { download } from "./files.js";
+import { sign } from "./parts.js";
 
 const DIGITS = 5;
 
@@ -56,8 +58,7 @@ function resultRows(sections, elsewhere, designs) {
 /** Said above a design that cannot be built: its numbers are no reason to prefer it. */
 function refusedMark(calculator, { input, answer }) {
   const reasons = answer && calculator.impossible ? calculator.impossible(answer, { input }) : [];
-  return reasons.length > 0 && html`<span class="refused" title="${reasons.join(" ")}"><span
-    class="sign bad" aria-hidden="true">✕</span>${message("state.refused")}</span>`;
+  return reasons.length > 0 && html`<span class="refused" title="${reasons.join(" ")}">${sign("bad")}${message("state.refused")}</span>`;
 }
 
 function tableRows(rows) {
@@ -103,24 +104,23 @@ export function createCompare({ model, calculator, on }) {
   return {
     root,
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
-    /** `kept`: the designs with their answers; `own`: `{ input, answer }` of the one at hand. */
-    update(kept, own) {
-      designs = kept;
-      pin.disabled = !own || kept.length >= MOST;
-      if (kept.length === 0 || !own) {
+    update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
+      designs = kept ?? [];
+      pin.disabled = !own || designs.length >= MOST;
+      if (designs.length === 0 || !own) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;
       }
-      const all = [own, ...kept];
+      const all = [own, ...designs];
       fill(table, html`
         <table class="data">
-          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")} ${refusedMark(calculator, own)}</th>${kept.map((design, i) => html`
+          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")} ${refusedMark(calculator, own)}</th>${designs.map((design, i) => html`
             <th scope="col" data-design="${i}"><input class="box free-text" value="${design.name}" maxlength="24" aria-label="${message("compare.name", design)}">
               <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", design)}">${message("compare.open")}</button>
               <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", design)}">×</button></span>${refusedMark(calculator, design)}</th>`)}</tr></thead>
           <tbody>${tableRows(inputRows(model, all))}</tbody>
           <tbody>${tableRows(resultRows(calculator.sections, calculator.elsewhere, all))}</tbody>
         </table>`);
-    },
+    }),
   };
 }

@@ -1,8 +1,10 @@
 /** The papers' examples to start from, and where the chosen one comes from. */
 import { element, html } from "../lib/html.js";
 import { message, translated } from "../messages/index.js";
+import { following } from "../store.js";
 
-export function createExamples({ examples, on }) {
+/** `queries` are those of the examples' inputs, as in the address. */
+export function createExamples({ examples, queries, on }) {
   const root = element(html`
     <div class="examples card">
       <label for="example">${message("examples.label")}</label>
@@ -22,9 +24,10 @@ export function createExamples({ examples, on }) {
   return {
     root,
     /** The example that the inputs are, if they are one. */
-    setCurrent(example) {
+    update: following(({ address }) => [address], ({ address }) => {
+      const example = examples[queries.indexOf(address)];
       select.value = example?.id ?? "";
       source.textContent = example ? message("examples.source", { source: example.source }) : "";
-    },
+    }),
   };
 }

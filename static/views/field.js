@@ -1,8 +1,8 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
-import { element, html } from "../lib/html.js";
+import { element, fill, html } from "../lib/html.js";
 import { translated } from "../messages/index.js";
-import { shownUnit } from "../units.js";
-import { symbolMarkup } from "./symbol.js";
+import { shownUnit } from "../lib/units.js";
+import { symbolMarkup } from "./parts.js";
 
 function box(field, id) {
   if (field.kind === "name" || field.kind === "option") {
@@ -76,10 +76,10 @@ export function createField(field, { suggestion, on }) {
       const all = known ? names : [...names, { name: current, title: current, group: "" }];
       const option = ({ name, title }) => html`<option value="${name}">${translated(title ?? name)}</option>`;
       const groups = [...new Set(all.map(({ group }) => group ?? ""))];
-      input.innerHTML = groups.map((group) => {
+      fill(input, html`${groups.map((group) => {
         const members = all.filter((one) => (one.group ?? "") === group).map(option);
-        return group === "" ? html`${members}` : html`<optgroup label="${translated(group)}">${members}</optgroup>`;
-      }).join("");
+        return group === "" ? members : html`<optgroup label="${translated(group)}">${members}</optgroup>`;
+      })}`);
       input.value = current;
     },
   };

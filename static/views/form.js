@@ -1,8 +1,9 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
-import { exactText, formatNumber, formatQuantity, quantityParts } from "../format.js";
+import { exactText, formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
 import { message, translated } from "../messages/index.js";
-import { textIn } from "../schema_form.js";
+import { textIn } from "../lib/schema_form.js";
+import { following, readingText, unread } from "../store.js";
 import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
@@ -14,15 +15,6 @@ function choiceAbout(choice) {
     title: own ? own.title : choice.title,
     options: choice.options.map(({ id }) => ({ id, title: own ? own[id] : message(`form.${id}`) })),
   };
-}
-
-/** What is wrong with a box, in words; nothing for one that can be read. */
-export function problemText(reading) {
-  if (!reading?.problem) return "";
-  const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
-  const words = message(`problem.${reading.problem}`, { limit });
-  if (reading.row === undefined) return words;
-  return message("rows.problem", { row: reading.row + 1, title: reading.column.title, words });
 }
 
 /** What a table knows about a name: shown under the box as the values that will be used. */
@@ -40,10 +32,7 @@ function properties(entry) {
   });
 }
 
-/**
- * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.chosen(choice, option)` and
- * `on.apply()` report what the user does; `update` shows a state.
- */
+/** `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`, `on.apply()`. */
 export function createForm({ model, calculator, catalogues, on }) {
   const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
   root.addEventListener("submit", (event) => {
@@ -56,6 +45,12 @@ export function createForm({ model, calculator, catalogues, on }) {
     on.apply();
   });
 
+  root.addEventListener("focusout", ({ target, relatedTarget }) => {
+    const at = target.closest("[data-path]");
+    if (at && !at.contains(relatedTarget)) on.left(at.dataset.path);
+  });
+
+  const { suggestions = {} } = calculator;
   const fields = new Map();
   const choices = new Map();
   let suggested = {};
@@ -63,7 +58,7 @@ export function createForm({ model, calculator, catalogues, on }) {
   function addField(field, host) {
     const create = field.kind === "records" ? createRows : createField;
     const view = create(field, {
-      suggestion: calculator.suggestions[field.path],
+      suggestion: suggestions[field.path],
       on: {
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
@@ -101,47 +96,56 @@ export function createForm({ model, calculator, catalogues, on }) {
     root.append(part);
   }
 
-  function noteOf(field, reading, state) {
+  function noteOf(field, reading, text) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: exactText(reading.readAs) });
     const entries = catalogues[field.path];
-    return entries ? properties(entries.find(({ name }) => name === state.texts[field.path])) : "";
+    return entries ? properties(entries.find(({ name }) => name === text)) : "";
+  }
+
+  /** Texts, choices and messages. A field that nobody has touched asks: it is not called wrong. */
+  function show(state) {
+    const { typed: { texts, chosen }, reading: { readings }, refusal } = state;
+    const { missing } = unread(state);
+    for (const [id, view] of choices) view.setChosen(chosen[id]);
+    for (const [path, field] of model.fields) {
+      const view = fields.get(path);
+      const reading = missing.includes(path) ? {} : readings[path];
+      if (field.advanced && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
+      const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
+      if (names) view.setNames(names, texts[path]);
+      view.setText(texts[path]);
+      const refused = refusal?.at[path];
+      view.setMessage({
+        error: readingText(reading) || (refused?.words ?? ""),
+        note: noteOf(field, reading, texts[path]),
+        place: reading?.row === undefined ? refused?.place : { row: reading.row, column: reading.column.name },
+      });
+    }
+  }
+
+  /** What the theory gives from the other boxes. */
+  function suggest(filled) {
+    suggested = {};
+    for (const [path, { formula, value }] of Object.entries(suggestions)) {
+      const amount = value(filled);
+      const possible = Number.isFinite(amount);
+      if (possible) suggested[path] = amount;
+      const { title, required, unit } = model.fields.get(path);
+      const shown = possible ? formatQuantity(amount, unit) : formula;
+      fields.get(path).setSuggestion({
+        possible,
+        label: message("form.suggestion", { title, formula, value: shown }),
+      });
+      if (!required) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
+    }
   }
 
   return {
     root,
     focus: (path) => fields.get(path).focus(),
-    /** Show texts, choices and messages; `refused` holds the service's words by field path. */
-    update({ state, input, readings, refused }) {
-      for (const [id, view] of choices) view.setChosen(state.chosen[id]);
-      for (const [path, field] of model.fields) {
-        const view = fields.get(path);
-        const reading = readings[path];
-        const special = field.advanced && state.texts[path] !== textIn(field, field.default);
-        if (special) view.root.closest("details").open = true;
-        const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
-        if (names) view.setNames(names, state.texts[path]);
-        view.setText(state.texts[path]);
-        view.setMessage({
-          error: problemText(reading) || (refused[path]?.words ?? ""),
-          note: noteOf(field, reading, state),
-          place: reading?.problem && reading.row !== undefined
-            ? { row: reading.row, column: reading.column.name }
-            : refused[path]?.place,
-        });
-      }
-      suggested = {};
-      for (const [path, { formula, value }] of Object.entries(calculator.suggestions)) {
-        const amount = value(input);
-        const possible = Number.isFinite(amount);
-        if (possible) suggested[path] = amount;
-        const { title, required, unit } = model.fields.get(path);
-        const shown = possible ? formatQuantity(amount, unit) : formula;
-        fields.get(path).setSuggestion({
-          possible,
-          label: message("form.suggestion", { title, formula, value: shown }),
-        });
-        if (!required) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
-      }
-    },
+    update: following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
+      show(state);
+      suggest(state.reading.filled);
+    }),
   };
 }

@@ -1,12 +1,11 @@
 /** The report on paper and as one HTML file: what the page shows, its inputs as a table, all steps open. */
-import { quantityParts } from "../format.js";
+import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
+import { listedInputs } from "../lib/schema_form.js";
 import { message, translated } from "../messages/index.js";
-import { shownUnit } from "../units.js";
-import { listedInputs } from "../worked/inputs.js";
-import { download } from "./download.js";
-import { symbolMarkup } from "./symbol.js";
-import { tableMarkup } from "./table.js";
+import { shownUnit } from "../lib/units.js";
+import { download } from "./files.js";
+import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .now, .say, .cursor, [hidden], script, link";
@@ -66,8 +65,8 @@ function svgOf(url) {
 }
 
 /**
- * On paper `plain`, the verdict in words, follows the numbers. `shown()` gives `{ input, state }` of
- * the results on the screen, null where there are none; `light()` draws the figures for paper,
+ * On paper `plain`, the verdict in words, follows the numbers. `shown()` gives the results on the
+ * screen (store.js), null where there are none; `light()` draws the figures for paper,
  * `back()` as they were; `failed(problem)` says that no file could be made.
  */
 export function createReport({ calculator, model, catalogues, version, outputs, figures, plain, worked, shown, light, back, failed }) {
@@ -86,7 +85,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made">${message("report.made", { version, date: new Date().toISOString().slice(0, 10) })}</p>
       <p class="made">${location.href}</p>
       <h2>${message("report.inputs")}</h2>
-      <div class="givens">${inputsMarkup(listedInputs(model, now.state, now.input), catalogues)}</div>`);
+      <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
     outputs.querySelector(".verdict").after(plain);
     worked.unfold();
     for (const figure of figures) figure.toPaper(PAPER_WIDTH);

@@ -1,12 +1,12 @@
 /** All results as tables, a section each; warnings above, accuracy and cost below. */
-import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../format.js";
+import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
+import { shownUnit } from "../lib/units.js";
+import { levelOf } from "../lib/warnings.js";
 import { message, translated } from "../messages/index.js";
-import { shownUnit } from "../units.js";
-import { inWords } from "../wording.js";
-import { IMPOSSIBLE } from "../worked/contact.js";
-import { symbolMarkup } from "./symbol.js";
-import { tableMarkup } from "./table.js";
+import { warningText } from "../service_texts.js";
+import { following } from "../store.js";
+import { sign, symbolMarkup, tableMarkup } from "./parts.js";
 
 const ASIDE = ["accuracy", "warnings"]; // have their own place in each section
 
@@ -66,15 +66,12 @@ function accuracyMarkup({ method, relative_error: error, evaluations, run_time_u
   })}</p>`;
 }
 
-function warningsMarkup(warnings = [], words) {
-  if (warnings.length === 0) return "";
-  return html`<ul class="warnings">${warnings.map(({ code, detail }) => {
-    const bad = IMPOSSIBLE.includes(code);
-    return html`<li><span class="sign ${bad ? "bad" : "warning"}" aria-hidden="true">${bad ? "✕" : "▲"}</span><span>${inWords(detail, words)}</span></li>`;
-  })}</ul>`;
+function warningsMarkup(warnings = [], titles) {
+  return warnings.length > 0 && html`<ul class="warnings">${warnings.map((warning) =>
+    html`<li>${sign(levelOf(warning.code))}<span>${warningText(warning, titles)}</span></li>`)}</ul>`;
 }
 
-function sectionMarkup(id, section, elsewhere, words) {
+function sectionMarkup(id, section, elsewhere, titles) {
   if (!section) {
     return html`<section class="card result" data-section="${id}"><h2>${message(`section.${id}`)}</h2>
       <p class="missing">${message("results.missing")}</p></section>`;
@@ -86,7 +83,7 @@ function sectionMarkup(id, section, elsewhere, words) {
   return html`
     <section class="card result" data-section="${id}">
       <h2>${message(`section.${id}`)}</h2>
-      ${warningsMarkup(section.warnings, words)}
+      ${warningsMarkup(section.warnings, titles)}
       <table class="quantities">
         <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
           <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
@@ -105,20 +102,17 @@ function notesMarkup(notes) {
 }
 
 /**
- * `calculator.elsewhere` names the values that are shown elsewhere or not at all; `words` the
- * titles that stand for API names in warnings.
+ * `calculator.elsewhere` names the values that are shown elsewhere or not at all; `titles` stand for
+ * API names in warnings.
  */
-export function createResults({ calculator, words }) {
+export function createResults({ calculator, titles }) {
   const root = element(html`<div class="results" aria-label="${message("results.label")}" role="region"></div>`);
   return {
     root,
-    update: (answer) => fill(root, html`${calculator.sections.map((id) =>
-      sectionMarkup(id, answer[id], calculator.elsewhere, words))}${notesMarkup(calculator.notes)}`),
+    update: following(({ shown }) => [shown], ({ shown }) => {
+      if (!shown) return;
+      fill(root, html`${calculator.sections.map((id) =>
+        sectionMarkup(id, shown.answer[id], calculator.elsewhere, titles))}${notesMarkup(calculator.notes)}`);
+    }),
   };
-}
-
-/** Every warning of an answer and of its sections, once. */
-export function warningsOf(answer) {
-  const all = [answer, ...Object.values(answer)].flatMap((part) => part?.warnings ?? []);
-  return [...new Map(all.map((warning) => [`${warning.code} ${warning.detail}`, warning])).values()];
 }

@@ -1,9 +1,9 @@
 /** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { cellsOf, stepped, textOfCells } from "../schema_form.js";
-import { shownUnit } from "../units.js";
-import { symbolMarkup } from "./symbol.js";
+import { cellsOf, stepped, textOfCells } from "../lib/schema_form.js";
+import { shownUnit } from "../lib/units.js";
+import { symbolMarkup } from "./parts.js";
 
 function about({ title, help }) {
   return help ? message("rows.help", { title, help }) : title;

@@ -1,7 +1,7 @@
 /** What is chosen once: theme, units, language, in a sheet under one button. */
 import { element, html } from "../lib/html.js";
 import { LANGUAGES, message } from "../messages/index.js";
-import { SYSTEMS } from "../units.js";
+import { SYSTEMS } from "../lib/units.js";
 
 function choice(name, options, current) {
   return html`

@@ -1,11 +1,9 @@
 /** What the user may take along: the link, the request for other programs, request and answer as files. */
-import { flatValues } from "../answers.js";
-import { csvOf } from "../csv.js";
+import { csvOf, curlLine, flatValues, pythonCode } from "../lib/exports.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { curlLine, pythonCode } from "../snippets.js";
 import { createDialog } from "./dialog.js";
-import { download } from "./download.js";
+import { download } from "./files.js";
 
 function resultsCsv(answer) {
   return csvOf({

@@ -6,10 +6,17 @@ export function createTabs({ host, panel, ids, on }) {
   const buttons = ids.map((id, i) => element(html`
     <button type="button" role="tab" id="tab-${id}" aria-controls="${panel.id}"
       aria-keyshortcuts="Alt+${i + 1}">${message(`calculator.${id}`)}</button>`));
+  host.setAttribute("aria-label", message("page.calculators"));
   host.append(...buttons);
+  let current = null;
+
+  function choose(id) {
+    if (id !== current) on.opened(id);
+  }
+
   host.addEventListener("click", (event) => {
     const button = event.target.closest("[role=tab]");
-    if (button) on.opened(ids[buttons.indexOf(button)]);
+    if (button) choose(ids[buttons.indexOf(button)]);
   });
   host.addEventListener("keydown", (event) => {
     const here = buttons.indexOf(document.activeElement);
@@ -20,17 +27,20 @@ export function createTabs({ host, panel, ids, on }) {
     event.preventDefault();
     const next = (to + ids.length) % ids.length;
     buttons[next].focus();
-    on.opened(ids[next]);
+    choose(ids[next]);
   });
   document.addEventListener("keydown", (event) => {
     const number = /^Digit([1-9])$/.exec(event.code)?.[1];
     if (!event.altKey || event.ctrlKey || event.metaKey || !number || number > ids.length) return;
     event.preventDefault();
     buttons[number - 1].focus();
-    on.opened(ids[number - 1]);
+    choose(ids[number - 1]);
   });
   return {
+    /** Show which is open; none after a failure, so that any may be tried again. */
     setOpen(open) {
+      current = open;
+      if (open === null) return;
       ids.forEach((id, i) => {
         buttons[i].setAttribute("aria-selected", String(id === open));
         buttons[i].tabIndex = id === open ? 0 : -1;

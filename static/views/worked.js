@@ -1,10 +1,11 @@
 /** Every result worked from its formula: a section each, folded, built when it is opened. */
-import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../format.js";
+import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, translated } from "../messages/index.js";
-import { mathml, mathSymbol, plainSymbol, plainText } from "../worked/mathml.js";
-import { parse } from "../worked/notation.js";
-import { shownUnit } from "../units.js";
+import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
+import { parse } from "../lib/formula/notation.js";
+import { shownUnit } from "../lib/units.js";
+import { following } from "../store.js";
 
 function math(content, said) {
   return html`<math aria-label="${said}"><mrow>${content}</mrow></math>`;
@@ -73,7 +74,7 @@ export function createWorked({ calculator, materialOf, on }) {
   const host = root.querySelector(".worked-groups");
   root.querySelector(".print").addEventListener("click", () => on.print());
   root.querySelector(".save-report").addEventListener("click", () => on.save());
-  let shown = null; // { input, answer, groups } of the results on the screen
+  let shown = null; // { answer, groups } of the results on the screen
   let opened = []; // for paper only
 
   function build(details) {
@@ -89,9 +90,11 @@ export function createWorked({ calculator, materialOf, on }) {
 
   return {
     root,
-    update(input, answer) {
+    update: following((state) => [state.shown], (state) => {
+      if (!state.shown) return;
+      const { filled: input, answer } = state.shown;
       const open = new Set(all().filter((details) => details.open).map(({ dataset }) => dataset.section));
-      shown = { input, answer, groups: calculator.worked({ input, answer, materialOf }) };
+      shown = { answer, groups: calculator.worked({ input, answer, materialOf }) };
       fill(host, html`${shown.groups.map(({ section, steps }) => html`
         <details data-section="${section}"><summary>${message("worked.group", {
           section: message(`section.${section}`), count: steps.length,
@@ -101,7 +104,7 @@ export function createWorked({ calculator, materialOf, on }) {
         if (details.open) build(details);
         else fill(details.querySelector(".worked-steps"), html``);
       }
-    },
+    }),
     /** Build and open everything for paper; `fold` undoes it. */
     unfold() {
       opened = all().filter((details) => !details.open);

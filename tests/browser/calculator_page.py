@@ -6,6 +6,8 @@ from pathlib import Path
 import httpx
 from playwright.sync_api import Locator, Page, expect
 
+CALCULATORS = {"crank-planetary", "rollers", "precession"}
+
 
 def show(page: Page, service: str, calculator: str, **fields: str) -> None:
     """Open a calculator (with these inputs) and wait until it has computed."""

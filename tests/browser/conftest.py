@@ -56,6 +56,9 @@ def browser() -> Iterator[sync_api.Browser]:
         browser.close()
 
 
+DESCRIPTION = [f"/api/v1/{name}" for name in ("openapi.json", "examples", "materials")]
+
+
 @dataclass
 class Watch:
     """What a page asked for and complained about."""
@@ -68,8 +71,10 @@ class Watch:
         return [urlsplit(url).path for url in self.requests]
 
     def calculations(self) -> list[str]:
-        """Paths of what was asked of the API."""
-        return [path for path in self.paths() if path.startswith("/api/")]
+        """Paths of the calculations that were asked for, figures included."""
+        return [
+            path for path in self.paths() if path.startswith("/api/") and path not in DESCRIPTION
+        ]
 
 
 WATCH_SCRIPT = """

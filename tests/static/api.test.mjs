@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createClient, newestOnly, Problem } from "../../static/api.js";
+import { createClient, newestOnly, Problem } from "../../static/lib/api.js";
 
 const answering = (status, body, type = "application/json") => {
   const calls = [];

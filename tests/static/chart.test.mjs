@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-import { curveTables, inShownUnits, overlaid, inLanguage } from "../../static/chart.js";
-import { setUnits } from "../../static/units.js";
+import { curveTables, inShownUnits, overlaid, inLanguage } from "../../static/lib/chart.js";
+import { setUnits } from "../../static/lib/units.js";
 
 afterEach(() => setUnits("metric"));
 

@@ -2,12 +2,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { flatValues } from "../../static/answers.js";
-import calculator from "../../static/calculators/crank_planetary.js";
+import { flatValues } from "../../static/lib/exports.js";
+import calculator from "../../static/calculators/crank-planetary/index.js";
 import { useLanguage } from "../../static/messages/index.js";
-import { warningsOf } from "../../static/views/results.js";
-import { NARROW } from "../../static/worked/contact.js";
-import { sentencesOf } from "../../static/worked/sentences.js";
+import { warningsOf } from "../../static/lib/warnings.js";
+import { NARROW } from "../../static/calculators/crank-planetary/judgement.js";
+import { sentences as sentencesOf } from "../../static/calculators/crank-planetary/sentences.js";
 
 const ACCURACY = { method: "closed form", relative_error: 1e-15, evaluations: 1, run_time_us: 10 };
 const CYCLOGRAM = {
@@ -44,13 +44,13 @@ function judgedDesign(pressure, { bodies = DEFAULT, hertz = {}, warnings, sizes 
     pressure: cells[2],
     wanted: calculator.wanted(answer, context),
     impossible: calculator.impossible(answer, context),
-    sentences: sentencesOf("crank-planetary", answer, context),
+    sentences: sentencesOf(answer, context).filter(Boolean),
   };
 }
 
 /** The body that the calculator posts. */
 function asked(input, sections, tables = new Set()) {
-  return calculator.ask({ post: (path, body) => body, input, sections, tables });
+  return calculator.ask({ post: (path, body) => body, input, filled: input, sections, tables });
 }
 
 test("only what is shown is asked, and nothing of what a refused section needs", async () => {
@@ -179,7 +179,7 @@ test("what cannot be built is red with the reason, and nothing beside it is good
     assert.equal(impossible.length, codes.length);
     assert.match(impossible[0], reason);
     assert.deepEqual(sentences, impossible.map((text) => ["bad", text]));
-    const moving = sentencesOf("crank-planetary", { ...answer, cyclogram: CYCLOGRAM }, context);
+    const moving = sentencesOf({ ...answer, cyclogram: CYCLOGRAM }, context).filter(Boolean);
     assert.ok(moving.length > sentences.length && moving.every(([level]) => level !== "good"));
   }
   assert.deepEqual(judgedDesign(548.6, { warnings: ["clearance"] }).impossible, []);
@@ -188,7 +188,7 @@ test("what cannot be built is red with the reason, and nothing beside it is good
 test("no part of the page gets the safety of what cannot be built", async () => {
   const ask = (warnings) => calculator.ask({
     post: async () => judgedDesign(548.6, { warnings }).answer,
-    input: { mechanism: { pins: 6 }, load: {}, contact: {} }, sections: calculator.sections, tables: new Set(),
+    input: {}, filled: { mechanism: { pins: 6, satellites: 2 } }, sections: calculator.sections, tables: new Set(),
   });
   const { hertz } = await ask(["holes_overlap"]);
   assert.ok(!("safety" in hertz) && !("safety_factor" in hertz) && hertz.governing_pressure_MPa === 548.6);
@@ -232,7 +232,7 @@ test("an option starts from the same design", () => {
   const [satellite, ring] = [teeth["mechanism.satellite_teeth"], teeth["mechanism.ring_teeth"]];
   assert.equal(satellite / (ring - satellite), 20);
   assert.deepEqual(calculator.seeds["ratio.teeth"]({ mechanism: { ratio: Math.PI } }), {});
-  assert.deepEqual(calculator.seeds["ratio.teeth"]({}), {});
+  assert.deepEqual(calculator.seeds["ratio.teeth"]({ mechanism: {} }), {});
   const torque = calculator.seeds["torque.input"](input);
   assert.equal(torque["load.input_torque_Nm"] * 20 * torque["load.efficiency"], 50);
 });

@@ -2,8 +2,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
-  crankDirections, drivingAt, forcesAt, mechanismOf, moved, pinCentres, pitchRadii, roundBelow, valueAt,
-} from "../../static/drawing/crank.js";
+  crankDirections, drivingAt, forcesAt, mechanismOf, moved, pinCentres, pitchRadii, valueAt,
+} from "../../static/calculators/crank-planetary/mechanism.js";
+import { roundBelow } from "../../static/lib/svg.js";
 
 const RADIAN = Math.PI / 180;
 const close = (a, b, within = 1e-9) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createDrawing as crank } from "../../static/drawing/crank_planetary.js";
-import { createDrawing as precession, shaftStretches } from "../../static/drawing/precession.js";
-import { createDrawing as rollers, rollerPlace, sphereOutline } from "../../static/drawing/rollers.js";
+import { createDrawing as crank } from "../../static/calculators/crank-planetary/drawing.js";
+import { createDrawing as precession, shaftStretches } from "../../static/calculators/precession/drawing.js";
+import { createDrawing as rollers, rollerPlace, sphereOutline } from "../../static/calculators/rollers/drawing.js";
 
 const PAPERS = [{ width: 944, height: 500 }, { width: 326, height: 554 }];
 const SIZES = [1e-12, 1e-3, 1, 1e6, 1e12];
@@ -26,7 +26,7 @@ test("a mechanism of any size, and with sizes that do not fit each other", () =>
           for (const hole of [pin / 2, 1.25 * pin]) {
             drawable(crank({
               input: {
-                mechanism: { pins: 3, satellites: 1, ratio },
+                mechanism: { pins: 3, satellites: 1, ratio, initial_crank_angle_deg: 0 },
                 load: { pin_circle_radius_mm: R },
                 contact: { pin_radius_mm: pin, hole_radius_mm: hole },
               },

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import {
   formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
-} from "../../static/format.js";
+} from "../../static/lib/format.js";
 
 const NARROW = "\u202f";
 

@@ -2,10 +2,10 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { afterEach, test } from "node:test";
 
-import { formatNumber, parseNumber } from "../../static/format.js";
+import { formatNumber, parseNumber } from "../../static/lib/format.js";
 import en from "../../static/messages/en.js";
 import { chartWords, LANGUAGES, message, translated, useLanguage } from "../../static/messages/index.js";
-import { inWords } from "../../static/wording.js";
+import { warningText } from "../../static/service_texts.js";
 
 afterEach(() => useLanguage("en"));
 
@@ -42,8 +42,8 @@ for (const language of OTHERS) {
     await useLanguage(language);
     const titles = new Map([["pin_radius_mm", translated("Pin radius")]]);
     assert.match(translated("Pin radius"), /^Рад/);
-    assert.match(inWords("must be larger than pin_radius_mm", titles), /[бБ]ільше|[бБ]ольше/);
-    assert.ok(!/[a-z]{3}/.test(inWords("must be larger than pin_radius_mm", titles)));
+    assert.match(warningText({ detail: "must be larger than pin_radius_mm" }, titles), /[бБ]ільше|[бБ]ольше/);
+    assert.ok(!/[a-z]{3}/.test(warningText({ detail: "must be larger than pin_radius_mm" }, titles)));
     const hover = chartWords("satellite %{customdata[0]}, pin %{customdata[1]}<br>drives from %{customdata[2]}° to %{x}°");
     assert.ok(!/satellite|pin|drives/.test(hover), hover);
     assert.match(hover, /%\{customdata\[2\]\}°/);

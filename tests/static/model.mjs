@@ -1,5 +1,5 @@
 /** A small service schema with every kind of field, as FastAPI writes it. */
-import { formModel } from "../../static/schema_form.js";
+import { formModel } from "../../static/lib/schema_form.js";
 
 export const OPENAPI = {
   paths: {
@@ -83,3 +83,23 @@ export const INPUT = {
   mechanism: { pins: 3, ratio: 20 },
   contact: { pin_radius_mm: 5, pin_material: "steel" },
 };
+
+/** What the service's schema fills in where an input leaves it out. */
+const DEFAULTS = {
+  "crank-planetary": {
+    mechanism: { satellites: 2, initial_crank_angle_deg: 0 },
+    load: { force_exponent: 1 },
+    contact: {
+      pin_material: "steel_bearing", hole_material: "steel_through_hardened", dynamic_factor: 1, distribution_factor: 1,
+    },
+  },
+  rollers: { stress_concentration: 1 },
+  precession: {},
+};
+
+export function filled(calculator, input) {
+  const defaults = DEFAULTS[calculator];
+  const parts = Object.entries(input).map(([name, part]) =>
+    [name, typeof defaults[name] === "object" ? { ...defaults[name], ...part } : part]);
+  return { ...defaults, ...Object.fromEntries(parts) };
+}

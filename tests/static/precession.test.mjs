@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import calculator from "../../static/calculators/precession.js";
+import calculator from "../../static/calculators/precession/index.js";
 
 const rollersAt = (...angles) =>
   angles.map((angle) => ({ position_angle_deg: angle, z_min_mm: 15, z_max_mm: 25 }));

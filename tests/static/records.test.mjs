@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fieldAtPointer, formModel, readState, stateFromInput } from "../../static/schema_form.js";
-import { decodeState, encodeState } from "../../static/url_state.js";
+import { fieldAtPointer, formModel, readState, stateFromInput } from "../../static/lib/schema_form.js";
+import { decodeState, encodeState } from "../../static/lib/url_state.js";
 
 const number = (title, more = {}) => ({ type: "number", title, group: "rollers", ...more });
 const OPENAPI = {

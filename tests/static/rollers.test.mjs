@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import calculator from "../../static/calculators/rollers.js";
+import calculator from "../../static/calculators/rollers/index.js";
 
 const SECTION = {
   max_force_N: 3500, mean_force_N: 875, load_nonuniformity: 4, loaded_rollers: 1, forces_N: [3500, 0, 0, 0],

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import {
   fieldAtPointer, readField, readState, shownFields, stateFromInput, stepped,
-} from "../../static/schema_form.js";
+} from "../../static/lib/schema_form.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 const field = (path) => MODEL.fields.get(path);

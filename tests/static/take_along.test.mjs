@@ -2,11 +2,10 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 
-import { flatValues } from "../../static/answers.js";
-import { csvOf, csvOfTables } from "../../static/csv.js";
-import { createDesigns } from "../../static/designs.js";
-import { createHistory } from "../../static/history.js";
-import { curlLine, pythonCode } from "../../static/snippets.js";
+import { csvOf, csvOfTables, curlLine, flatValues, pythonCode } from "../../static/lib/exports.js";
+import { createDesigns } from "../../static/lib/designs.js";
+import { begun, recorded, redone, undone } from "../../static/lib/history.js";
+import { lasting } from "../../static/lib/storage.js";
 
 const BODY = { pins: 3, name: "it's \"steel\"", list: [1.5, -2e-9], nested: { yes: true, nothing: null, long: Array(40).fill(1.25) } };
 
@@ -80,28 +79,27 @@ test("a file of designs loads elsewhere; names that are taken get a free one", (
 });
 
 test("a storage with something else in it, or none, does no harm", () => {
-  assert.deepEqual(createDesigns(memory({ "khv-calc.designs": "{]" })).of("job"), []);
-  const designs = createDesigns(null);
+  for (const text of ["{]", "null", "{}", '[null, { "name": "A" }]']) {
+    assert.deepEqual(createDesigns(memory({ "khv-calc.designs": text })).of("job"), []);
+  }
+  const designs = createDesigns(lasting); // which Node.js has not
   designs.add("job", {});
   assert.equal(designs.of("job").length, 1);
 });
 
 test("undo and redo step over whole changes; typing in one box is one change", () => {
-  let time = 0;
-  const history = createHistory("a", () => time);
-  history.record("b", "pins");
-  time += 100;
-  history.record("bc", "pins");
-  history.record("d");
-  assert.equal(history.undo(), "bc");
-  assert.equal(history.undo(), "a");
-  assert.equal(history.undo(), null);
-  assert.equal(history.canUndo, false);
-  assert.equal(history.redo(), "bc");
-  history.record("e", "pins");
-  assert.equal(history.canRedo, false);
-  time += 10_000;
-  history.record("f", "pins");
-  assert.equal(history.undo(), "e");
-  assert.equal(history.undo(), "bc");
+  let history = recorded(begun("a"), "b", "pins", 0);
+  history = recorded(history, "bc", "pins", 100);
+  history = undone(recorded(history, "d", undefined, 100));
+  assert.equal(history.present, "bc");
+  const first = undone(history);
+  assert.equal(first.present, "a");
+  assert.equal(undone(first), first);
+  history = redone(first);
+  assert.equal(history.present, "bc");
+  assert.equal(redone(redone(history)).present, "d");
+  history = recorded(history, "e", "pins", 200);
+  assert.equal(redone(history), history);
+  history = undone(recorded(history, "f", "pins", 10_200));
+  assert.deepEqual([history.present, undone(history).present], ["e", "bc"]);
 });

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-import { formatQuantity, quantityParts } from "../../static/format.js";
-import { readField, readState, stateFromInput, stepped, textIn } from "../../static/schema_form.js";
-import { canonicalValue, setUnits, shownStep, shownUnit, shownValue, spell } from "../../static/units.js";
-import { decodeState, encodeState, query } from "../../static/url_state.js";
+import { formatQuantity, quantityParts } from "../../static/lib/format.js";
+import { readField, readState, stateFromInput, stepped, textIn } from "../../static/lib/schema_form.js";
+import { canonicalValue, setUnits, shownStep, shownUnit, shownValue, spell } from "../../static/lib/units.js";
+import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 afterEach(() => setUnits("metric"));

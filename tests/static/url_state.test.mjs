@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { readState, stateFromInput } from "../../static/schema_form.js";
-import { decodeState, encodeState, query } from "../../static/url_state.js";
+import { readState, stateFromInput } from "../../static/lib/schema_form.js";
+import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 const through = (state) => decodeState(MODEL, new URLSearchParams(query("job", MODEL, state)));

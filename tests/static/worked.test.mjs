@@ -2,22 +2,22 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { formatNumber } from "../../static/format.js";
-import { evaluate } from "../../static/worked/evaluate.js";
-import { mathml, plainText } from "../../static/worked/mathml.js";
-import { parse } from "../../static/worked/notation.js";
-import { definition, fromSI, quantity as q } from "../../static/worked/quantity.js";
+import { formatNumber } from "../../static/lib/format.js";
+import { evaluate } from "../../static/lib/formula/evaluate.js";
+import { mathml, plainText } from "../../static/lib/formula/mathml.js";
+import { parse } from "../../static/lib/formula/notation.js";
+import { definition, fromSI, quantity as q } from "../../static/lib/formula/evaluate.js";
+import { filled } from "./model.mjs";
 
 // What the service answers to its examples and some more; kept up by a test of the service.
 const { materials, cases } = JSON.parse(readFileSync(new URL("worked_examples.json", import.meta.url)));
-const FILES = { "crank-planetary": "crank_planetary", rollers: "rollers", precession: "precession" };
 
 const materialOf = (path, given) =>
   (typeof given === "string" ? materials.find(({ name }) => name === given) : given);
 
 async function stepsOf({ calculator, input, answer }) {
-  const { workedSteps } = await import(`../../static/worked/${FILES[calculator]}.js`);
-  return workedSteps({ input, answer, materialOf });
+  const { workedSteps } = await import(`../../static/calculators/${calculator}/worked.js`);
+  return workedSteps({ input: filled(calculator, input), answer, materialOf });
 }
 
 /** The values as they are written, rounded to their digits. */

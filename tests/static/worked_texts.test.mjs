@@ -18,9 +18,11 @@ function found(text, pattern) {
 }
 
 test("every warning of the calculations says what it tests, why it matters, how to mend it", () => {
-  const codes = found(textsOf("core", ".py"), /\bcode(?:, \w+)? ?= ?"([a-z_]+)"/g);
-  assert.ok(codes.length >= 15, codes.join());
-  assert.deepEqual(Object.keys(en.warnings).sort(), codes);
+  const core = textsOf("core", ".py");
+  const codes = found(core, /\bcode ?= ?"([a-z_]+)"/g);
+  assert.ok(codes.length >= 10, codes.join());
+  for (const code of codes) assert.ok(code in en.warnings, code);
+  for (const code of Object.keys(en.warnings)) assert.ok(core.includes(`"${code}"`), code);
   for (const [code, texts] of Object.entries(en.warnings)) {
     assert.deepEqual(Object.keys(texts), ["title", "tests", "why", "mend"], code);
     for (const text of Object.values(texts)) assert.ok(text.length > 5, code);
@@ -28,7 +30,7 @@ test("every warning of the calculations says what it tests, why it matters, how 
 });
 
 test("every text of the worked steps is used, and none is missing", () => {
-  const steps = textsOf("static/worked", ".js");
+  const steps = textsOf("static/calculators", "worked.js");
   for (const [part, pattern] of [
     ["note", /\bnote: "(\w+)"/g],
     ["erratum", /\berratum: "(\w+)"/g],

@@ -1,0 +1,268 @@
+/** The crank-planetary mechanism to scale at a crank angle: the whole, and one pair enlarged. */
+import { formatQuantity } from "../../lib/format.js";
+import { fill, html } from "../../lib/html.js";
+import { message } from "../../messages/index.js";
+import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, WIDE_PX } from "../../lib/svg.js";
+import { crankDirections, drivingAt, forcesAt, mechanismOf, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
+
+const MOST_PAIRS = 240; // as in the figures
+const STYLES = 6; // of satellites, as in the figures
+const ARROW = 0.42; // the longest arrow, of the pin circle's radius
+const MARGIN = 26; // px
+
+const FIELD = {
+  R: "load.pin_circle_radius_mm",
+  pin: "contact.pin_radius_mm",
+  hole: "contact.hole_radius_mm",
+  e: "contact.eccentricity_mm",
+  pins: "mechanism.pins",
+  satellites: "mechanism.satellites",
+  ratio: "mechanism.ratio mechanism.satellite_teeth mechanism.ring_teeth",
+  spacing: "mechanism.crank_spacing_deg mechanism.crank_angles_deg",
+  start: "mechanism.initial_crank_angle_deg",
+};
+
+/** Where the two views stand on a paper of this size. */
+function places(width, height) {
+  const wide = width >= WIDE_PX;
+  const main = wide ? Math.min(height, width * 0.58) : Math.min(width, height * 0.58);
+  const half = main / 2;
+  return wide
+    ? { main: { x: half, y: height / 2, half }, detail: { x: (main + width) / 2, y: height / 2, half: Math.min((width - main) / 2, height / 2) } }
+    : { main: { x: width / 2, y: half, half }, detail: { x: width / 2, y: (main + height) / 2, half: Math.min((height - main) / 2, width / 2) } };
+}
+
+function mainStill(view, centre, half, m) {
+  const at = view.at;
+  const pitch = pitchRadii(m);
+  const shownPitch = m.eccentricity && view.size(pitch.ring) < half;
+  const body = m.eccentricity && pitch.satellite > m.radius + m.holeRadius;
+  return html`
+    ${shownPitch && html`${body && circle(centre, view.size(pitch.ring * 1.05), "ring", FIELD.ratio)}
+      ${body && circle(centre, view.size(pitch.ring), "bore")}
+      ${circle(centre, view.size(pitch.ring), "pitch", FIELD.ratio)}`}
+    ${line([centre[0] - half + 4, centre[1]], [centre[0] + half - 4, centre[1]], "centre")}
+    ${line([centre[0], centre[1] - half + 4], [centre[0], centre[1] + half - 4], "centre")}
+    ${circle(centre, view.size(m.radius), "centre pin-circle", FIELD.R)}
+    ${m.cranks.map((_, j) => html`<g class="satellite series-${(j % STYLES) + 1}" data-field="${FIELD.satellites}">
+      ${shownPitch && circle(centre, view.size(pitch.satellite), "pitch", FIELD.ratio)}
+      ${m.eccentricity && Array.from({ length: m.pins }, (_, n) => {
+        const turned = (2 * Math.PI * n) / m.pins;
+        const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
+        return html`<circle class="hole" data-pair="${j + 1}.${n + 1}" data-field="${FIELD.hole}" cx="${x}" cy="${y}" r="${view.size(m.holeRadius)}"/>`;
+      })}</g>`)}
+    <g class="pins">${Array.from({ length: m.pins }, (_, n) => {
+      const turned = (2 * Math.PI * n) / m.pins;
+      const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
+      return circle([x, y], m.pinRadius ? view.size(m.pinRadius) : 4, "pin", `${FIELD.pins} ${FIELD.pin}`);
+    })}</g>
+    ${Array.from({ length: m.pins }, (_, n) => html`<text class="number pin-number" text-anchor="middle">${n + 1}</text>`)}
+    ${m.cranks.map((_, j) => html`<g class="crank series-${(j % STYLES) + 1}"><line/><circle r="2.5"/><text class="number" text-anchor="middle">${j + 1}</text></g>`)}
+    <g class="angle phi" data-field="${FIELD.start}"><path class="arc"/><path class="head"/>${label([0, 0], m.start === 0 ? "φ" : "φ + φ₀")}</g>
+    ${m.cranks.length > 1 && html`<g class="angle alpha" data-field="${FIELD.spacing}"><path class="arc"/><path class="head"/>${label([0, 0], "α")}</g>`}
+    ${m.pairs.map((pair) => html`<g class="arrow force series-${((pair.satellite - 1) % STYLES) + 1}" data-pair="${pair.satellite}.${pair.pin}"><line class="shaft"/><path class="head"/></g>`)}
+    ${radius(centre, view.size(m.radius), m.pins > 1 ? -180 / m.pins : -60, "R", { value: mm(m.radius), field: FIELD.R, lead: 16, least: 84 })}`;
+}
+
+function detailStill(m, spot) {
+  return html`
+    <g class="detail">
+      ${line([spot.x - spot.half + 6, spot.y], [spot.x + spot.half - 6, spot.y], "centre")}
+      ${line([spot.x, spot.y - spot.half + 30], [spot.x, spot.y + spot.half - 24], "centre")}
+      <circle class="hole" data-field="${FIELD.hole}"/><circle class="pin" data-field="${FIELD.pin}"/>
+      <line class="velocity"/><g class="angle gamma"><path class="arc"/>${label([0, 0], "γ")}</g>
+      <g class="moving"></g>
+      <g class="arrow force"><line class="shaft"/><path class="head"/></g>
+      <circle class="contact" r="3"/>
+      <text class="words title" x="${spot.x - spot.half + 6}" y="${spot.y - spot.half + 18}"></text>
+    </g>`;
+}
+
+function set(node, values) {
+  for (const [name, value] of Object.entries(values)) node.setAttribute(name, value);
+}
+
+function setArrow({ root, shaft, head }, from, to, shown) {
+  root.classList.toggle("none", !shown);
+  if (!shown) return;
+  set(shaft, { x1: from[0], y1: from[1], x2: to[0], y2: to[1] });
+  head.setAttribute("d", headPath(from, to, 1.25));
+}
+
+function setAngle(root, centre, size, from, to) {
+  const sweep = (((to - from) % 360) + 360) % 360;
+  const [arc, head] = root.querySelectorAll("path");
+  arc.setAttribute("d", arcPath(centre, size, from, from + sweep));
+  const place = (turned, by) => [
+    centre[0] + by * Math.sin((turned * Math.PI) / 180), centre[1] - by * Math.cos((turned * Math.PI) / 180),
+  ];
+  head?.setAttribute("d", sweep * size > 600 ? headPath(place(from + sweep - 400 / size, size), place(from + sweep, size)) : "");
+  const [x, y] = place(from + sweep / 2, size + 12);
+  set(root.querySelector("text"), { x, y: y + 4 });
+}
+
+/** Show the mechanism in a state; runs for every frame of the slider. */
+function placeMain(parts, { m, angle, directions, pins, driving, force }) {
+  const { view, main, arrowScale } = parts;
+  const centre = [main.x, main.y];
+  const turned = -pinAngle(m, angle);
+  const eccentricity = m.eccentricity ?? 0;
+  parts.satellites.forEach((satellite, j) => {
+    const [x, y] = directions[j];
+    const by = view.scale * eccentricity;
+    satellite.setAttribute("transform", `translate(${x * by} ${-y * by}) rotate(${turned} ${main.x} ${main.y})`);
+  });
+  parts.pins.setAttribute("transform", `rotate(${turned} ${main.x} ${main.y})`);
+  pins.forEach((pin, n) => {
+    const [x, y] = view.at(pin);
+    set(parts.numbers[n], { x, y: y + 4 });
+  });
+  const reach = main.half * 0.3;
+  parts.cranks.forEach(({ line: ray, dot, text }, j) => {
+    const [x, y] = directions[j];
+    set(ray, { x1: main.x, y1: main.y, x2: main.x + x * reach, y2: main.y - y * reach });
+    set(dot, { cx: main.x + x * view.scale * eccentricity, cy: main.y - y * view.scale * eccentricity });
+    set(text, { x: main.x + x * (reach + 10), y: main.y - y * (reach + 10) + 4 });
+  });
+  const first = angle + m.start + m.cranks[0];
+  setAngle(parts.angles.phi, centre, reach * 0.6, m.cranks[0], first);
+  if (parts.angles.alpha) setAngle(parts.angles.alpha, centre, reach * 0.85, first, first + m.cranks[1] - m.cranks[0]);
+  const contactRadius = m.pinRadius ?? 0;
+  parts.arrows.forEach((arrow, i) => {
+    const direction = directions[Math.floor(i / m.pins)];
+    const touch = moved(pins[i % m.pins], direction, -contactRadius);
+    parts.holes[i]?.classList.toggle("driving", driving[i]);
+    const shown = driving[i] && force && force[i] > 0;
+    setArrow(arrow, shown ? view.at(moved(touch, direction, -force[i] * arrowScale)) : null, view.at(touch), shown);
+  });
+}
+
+/** Show one pair enlarged. */
+function placeDetail(parts, { m, directions, pins, driving, force }, i) {
+  const { close, detail, one } = parts;
+  const satellite = Math.floor(i / m.pins);
+  const direction = directions[satellite];
+  const centre = [detail.x, detail.y];
+  const touch = close.at(moved([0, 0], direction, -m.pinRadius));
+  const hole = close.at(moved([0, 0], direction, m.eccentricity));
+  one.root.setAttribute("class", `detail series-${(satellite % STYLES) + 1}`);
+  set(one.hole, { cx: hole[0], cy: hole[1], r: close.size(m.holeRadius) });
+  one.hole.classList.toggle("driving", driving[i]);
+  set(one.pin, { cx: centre[0], cy: centre[1], r: close.size(m.pinRadius) });
+  set(one.contact, { cx: touch[0], cy: touch[1] });
+  const value = force?.[i] ?? 0;
+  const length = value * parts.arrowScale * parts.view.scale; // the bar of the forces holds here too
+  const tail = [touch[0] - direction[0] * length, touch[1] + direction[1] * length];
+  setArrow(one.arrow, tail, touch, value > 0);
+  const [px, py] = pins[i % m.pins];
+  const speed = [-py / m.radius, px / m.radius]; // the pins turn against the clock
+  const way = detail.half * 0.55;
+  set(one.velocity, { x1: centre[0], y1: centre[1], x2: centre[0] + speed[0] * way, y2: centre[1] - speed[1] * way });
+  const clock = ([x, y]) => (Math.atan2(x, y) * 180) / Math.PI;
+  const [from, to] = [clock(speed), clock(direction)];
+  const opening = (((to - from) % 360) + 360) % 360;
+  one.gamma.classList.toggle("none", !driving[i]);
+  if (opening <= 180) setAngle(one.gamma, centre, way * 0.5, from, to);
+  else setAngle(one.gamma, centre, way * 0.5, to, from);
+  // Dimensions lie away from the line through the centres, where the force and the contact are.
+  const away = clock(direction);
+  fill(one.moving, html`
+    ${line(centre, hole, "crank-line", FIELD.e)}
+    ${circle(hole, 2.5, "dot", FIELD.e)}
+    ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
+    ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { value: mm(m.pinRadius), field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
+    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { value: mm(m.holeRadius), field: FIELD.hole, lead: 14 })}`);
+  one.title.textContent = message(driving[i] ? "drawing.drives" : "drawing.idle", {
+    ...m.pairs[i], force: formatQuantity(value, "N", 4),
+  });
+}
+
+/** The moving elements of what has been put on the page. */
+function partsOf(host, still) {
+  const all = (selector) => [...host.querySelectorAll(selector)];
+  const arrowOf = (root) => ({ root, shaft: root.querySelector(".shaft"), head: root.querySelector(".head") });
+  const one = host.querySelector(".detail");
+  const of = (selector) => one.querySelector(selector);
+  return {
+    ...still,
+    satellites: all(".satellite"),
+    holes: all(".satellite .hole"),
+    pins: host.querySelector(".pins"),
+    numbers: all(".pin-number"),
+    cranks: all(".crank").map((root) => ({ line: root.querySelector("line"), dot: root.querySelector("circle"), text: root.querySelector("text") })),
+    arrows: all("svg > .force.arrow").map(arrowOf),
+    angles: { phi: host.querySelector(".phi"), alpha: host.querySelector(".alpha") },
+    one: one && {
+      root: one, hole: of(".hole"), pin: of(".pin"), velocity: of(".velocity"), gamma: of(".gamma"),
+      moving: of(".moving"), arrow: arrowOf(of(".arrow")), contact: of(".contact"), title: of(".title"),
+    },
+  };
+}
+
+function caption(m) {
+  const pitch = pitchRadii(m).satellite;
+  const holes = m.radius + m.holeRadius;
+  if (!m.eccentricity) return `${message("drawing.toScale")} ${message("drawing.noContact")}`;
+  if (pitch > holes) return message("drawing.toScale");
+  return `${message("drawing.toScale")} ${message("drawing.pitchInside", { pitch: mm(pitch), holes: mm(holes) })}`;
+}
+
+/**
+ * The drawing of an answer on a paper of a size in pixels; null for too many pairs. `attach(host)`
+ * makes it move: `move(angle, pair)` with the name of the pair that is selected, or null.
+ */
+export function createDrawing({ input, answer, curves, width, height }) {
+  const m = mechanismOf(input, answer);
+  if (m.pairs.length > MOST_PAIRS) return null;
+  const { main, detail } = places(width, height);
+  const pitch = pitchRadii(m);
+  const holes = m.radius + m.holeRadius;
+  const reach = m.eccentricity
+    ? Math.max(holes + m.eccentricity, pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
+    : m.radius * 1.2;
+  const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
+  const close = m.eccentricity
+    ? createView({ ...detail, scale: (detail.half * 0.62) / (m.holeRadius + m.eccentricity) })
+    : null;
+  const { peak_force_N: peak, peak_pair: most } = answer.contact_force ?? {};
+  const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton
+  const round = peak && roundBelow(peak / 2);
+  const bar = roundBelow(m.radius);
+  const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
+  const usual = most ? names.indexOf(`${most.satellite}.${most.pin}`) : 0;
+  const scales = [
+    scaleBar([12, height - 14], view.size(bar), mm(bar)),
+    peak && scaleBar([view.size(bar) + 110, height - 14], view.size(round * arrowScale), formatQuantity(round, "N", 3), "force"),
+  ];
+  return {
+    markup: paper(width, height, html`
+      ${mainStill(view, [main.x, main.y], main.half, m)}${close && detailStill(m, detail)}${scales}`, {
+      "px-per-mm": view.scale, "mm-per-n": arrowScale,
+    }),
+    caption: caption(m),
+    pairs: names,
+    end: m.end,
+    attach(host) {
+      const parts = partsOf(host, { view, close, main, detail, arrowScale });
+      let shown = null;
+      return {
+        move(angle, pair) {
+          const state = {
+            m, angle,
+            directions: crankDirections(m, angle),
+            pins: pinCentres(m, angle),
+            driving: drivingAt(m, angle),
+            force: forcesAt(m, curves, angle),
+          };
+          if (pair !== shown) {
+            shown = pair;
+            host.classList.toggle("choosing", pair !== null);
+            for (const part of host.querySelectorAll("[data-pair]")) part.classList.toggle("selected", part.dataset.pair === pair);
+          }
+          placeMain(parts, state);
+          if (close) placeDetail(parts, state, pair === null ? usual : names.indexOf(pair));
+        },
+      };
+    },
+  };
+}

@@ -1,0 +1,113 @@
+/**
+ * The crank-planetary mechanism at a crank angle, from the inputs, defaults filled in, and the service's answer. No DOM.
+ *
+ * Lengths in mm, angles in degrees; Y up through pin 1 at crank angle 0, X to the right. The crank
+ * turns clockwise, the pins the other way, as the nomenclature has it.
+ */
+const RADIAN = Math.PI / 180;
+
+function modulo(value, period) {
+  return value - period * Math.floor(value / period);
+}
+
+export function ratioOf({ ratio, satellite_teeth: z2, ring_teeth: z3 }) {
+  return ratio ?? z2 / (z3 - z2);
+}
+
+/** Angles of the cranks against the first, degrees. */
+export function cranksOf({ satellites, crank_spacing_deg: spacing, crank_angles_deg: angles }) {
+  return angles ?? Array.from({ length: satellites }, (_, j) => j * (spacing ?? 360 / satellites));
+}
+
+export function eccentricityOf({ eccentricity_mm: eccentricity, hole_radius_mm: hole, pin_radius_mm: pin }) {
+  return eccentricity ?? hole - pin;
+}
+
+/** What of the inputs and their answer the drawing needs; sizes that make no mechanism are left out. */
+export function mechanismOf({ mechanism, load = {}, contact = {} }, { cyclogram }) {
+  const { pin_radius_mm: pinRadius, hole_radius_mm: holeRadius } = contact;
+  const eccentricity = eccentricityOf(contact);
+  return {
+    pins: mechanism.pins,
+    cranks: cranksOf(mechanism),
+    ratio: ratioOf(mechanism),
+    start: mechanism.initial_crank_angle_deg,
+    radius: load.pin_circle_radius_mm,
+    ...(holeRadius > pinRadius && eccentricity > 0 && { pinRadius, holeRadius, eccentricity }),
+    end: cyclogram.driving_count.at(-1).to_deg,
+    period: cyclogram.period_deg,
+    pairs: cyclogram.pairs,
+  };
+}
+
+/** Radii of the pitch circles of satellite and ring, whose difference is the eccentricity. */
+export function pitchRadii({ eccentricity, ratio }) {
+  return { satellite: eccentricity * ratio, ring: eccentricity * (ratio + 1) };
+}
+
+/** Angle of pin 1 from Y, against the clock. */
+export function pinAngle({ ratio }, angle) {
+  return modulo(angle, 360 * ratio) / ratio;
+}
+
+/** Directions of the cranks, from the reducer's centre to the satellites'. */
+export function crankDirections({ cranks, start }, angle) {
+  return cranks.map((crank) => {
+    const turned = modulo(angle + start + crank, 360) * RADIAN;
+    return [Math.sin(turned), Math.cos(turned)];
+  });
+}
+
+/** Centres of the pins. */
+export function pinCentres(mechanism, angle) {
+  const first = pinAngle(mechanism, angle) * RADIAN;
+  return Array.from({ length: mechanism.pins }, (_, n) => {
+    const turned = first + (2 * Math.PI * n) / mechanism.pins;
+    return [-mechanism.radius * Math.sin(turned), mechanism.radius * Math.cos(turned)];
+  });
+}
+
+/** The centre moved by a distance in a direction. */
+export function moved([x, y], [across, up], distance) {
+  return [x + across * distance, y + up * distance];
+}
+
+/** The angle as it lies within the first driving period, as far as the cyclogram reaches. */
+function withinPeriod({ end, period }, angle) {
+  return end >= period ? modulo(angle, period) : angle;
+}
+
+/** Which pairs drive, in the order of the cyclogram's pairs. */
+export function drivingAt(mechanism, angle) {
+  const at = withinPeriod(mechanism, angle);
+  return mechanism.pairs.map(({ driving_deg: phases }) => phases.some(([from, to]) => from <= at && at < to));
+}
+
+/** Value of a curve `{ x, y }` with ascending x at a place; the later of two values at one place. */
+export function valueAt({ x, y }, place) {
+  let low = 0;
+  let high = x.length - 1;
+  if (place <= x[0]) return y[0];
+  if (place >= x[high]) return y[high];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= place) low = middle;
+    else high = middle;
+  }
+  return y[low] + ((y[high] - y[low]) * (place - x[low])) / (x[high] - x[low]);
+}
+
+/**
+ * Forces of all pairs at a crank angle, N, from the curves of the figure of forces: `[{ name, x, y }]`
+ * by satellite and pin, with a value on both sides of every switching angle. None without curves.
+ */
+export function forcesAt(mechanism, curves, angle) {
+  if (curves.length === 0) return null;
+  const at = withinPeriod(mechanism, angle);
+  const driving = drivingAt(mechanism, angle);
+  const named = new Map(curves.map((curve) => [curve.name, curve]));
+  return mechanism.pairs.map(({ satellite, pin }, i) => {
+    const curve = driving[i] && named.get(`${satellite}.${pin}`);
+    return curve ? valueAt(curve, at) : 0;
+  });
+}

@@ -1,0 +1,187 @@
+/** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
+import { cell, stated } from "../../lib/cell.js";
+import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
+import { message } from "../../messages/index.js";
+import { createDrawing } from "./drawing.js";
+import { sentences } from "./sentences.js";
+import { workedSteps } from "./worked.js";
+
+const GEAR = [
+  "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
+];
+
+function pick(input, names) {
+  return Object.fromEntries(names.filter((name) => name in input).map((name) => [name, input[name]]));
+}
+
+/** The lines are asked for on the flanks that the torque loads. */
+function lineBody(input) {
+  const sign = Math.sign(input.torque_Nm ?? 0);
+  return { ...pick(input, GEAR), ...(sign !== 0 && { torque_sign: sign }) };
+}
+
+function loadBody(input) {
+  return pick(input, [...GEAR, "torque_Nm", "reference_z_mm"]);
+}
+
+function lengthCell(section) {
+  return {
+    ...stated(section, section.total_length_mm, "mm", 4),
+    note: message("verdict.lines", { count: section.lines.length }),
+  };
+}
+
+function loadCell(section) {
+  return {
+    ...stated(section, section.max_line_load_N_per_mm, "N/mm", 4),
+    note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N", 4) }),
+  };
+}
+
+function deflectionCell(section) {
+  const reaction = (at) => formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N", 4);
+  return {
+    ...stated(section, section.deflection_C_mm.total, "mm", 3),
+    note: message("verdict.deflectionB", {
+      deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3), B: reaction("B"), C: reaction("C"),
+    }),
+  };
+}
+
+function lineTables({ contact_line: { lines } }) {
+  const columns = [
+    "position_angle_deg", "z_min_mm", "z_max_mm", "phi_min_deg", "phi_max_deg", "length_mm",
+  ];
+  return [{
+    title: message("figure.contactLines"),
+    columns: columns.map((name) => ({ title: message(`quantity.${name}`)[0], unit: unitOf(name) })),
+    rows: lines.map((line) => columns.map((name) => line[name])),
+  }];
+}
+
+/** Number of evenly spaced rollers of which these are neighbours; none where they are not. */
+function wheelOf(rollers) {
+  const angles = rollers.map((roller) => roller.position_angle_deg);
+  const total = tidy(360 / (angles[1] - angles[0]));
+  const even = angles.every((angle, i) => Math.abs(angle - angles[0] - (360 * i) / total) < 1e-9);
+  return Number.isInteger(total) && total > 0 && even ? total : undefined;
+}
+
+/** What all rollers have in common; nothing where they differ. */
+function same(rollers, name) {
+  return new Set(rollers.map((roller) => roller[name])).size === 1 ? rollers[0][name] : undefined;
+}
+
+export default {
+  id: "precession",
+  path: "/precession/shaft-deflection",
+  groups: ["gear", "rollers", "load", "shaft"],
+  inline: ["wheel"],
+  choices: [
+    {
+      id: "rollersBy",
+      options: [
+        { id: "list", fields: ["rollers"] },
+        {
+          id: "wheel",
+          fields: [
+            "wheel.rollers_total", "wheel.rollers_in_mesh", "wheel.position_angle_deg",
+            "wheel.z_min_mm", "wheel.z_max_mm",
+          ],
+          optional: ["wheel.rollers_in_mesh"],
+        },
+      ],
+    },
+    {
+      id: "shaftBy",
+      options: [
+        { id: "diameter", fields: ["shaft_diameter_mm"] },
+        { id: "sections", fields: ["shaft_sections"] },
+      ],
+    },
+  ],
+
+  /** The same design said in an option's own fields. */
+  seeds: {
+    "rollersBy.wheel": ({ rollers = [] }) => ({
+      "wheel.rollers_total": wheelOf(rollers),
+      "wheel.rollers_in_mesh": rollers.length || undefined,
+      "wheel.position_angle_deg": rollers[0]?.position_angle_deg,
+      "wheel.z_min_mm": same(rollers, "z_min_mm"),
+      "wheel.z_max_mm": same(rollers, "z_max_mm"),
+    }),
+    "rollersBy.list": ({ wheel }) => wheel && {
+      rollers: Array.from({ length: wheel.rollers_in_mesh ?? wheel.rollers_total }, (_, i) => ({
+        position_angle_deg: tidy(wheel.position_angle_deg + (360 * i) / wheel.rollers_total),
+        z_min_mm: wheel.z_min_mm,
+        z_max_mm: wheel.z_max_mm,
+      })),
+    },
+    "shaftBy.sections": ({ bearing_distance_mm: a, overhang_mm: b, shaft_diameter_mm: diameter }) => ({
+      shaft_sections: [
+        { length_mm: a, diameter_mm: diameter },
+        { length_mm: b, diameter_mm: diameter },
+      ],
+    }),
+    "shaftBy.diameter": ({ shaft_sections: sections = [] }) => ({
+      shaft_diameter_mm: Math.min(...sections.map(({ diameter_mm: diameter }) => diameter)),
+    }),
+  },
+
+  /** Each says more than the one before, and is refused where that is. */
+  sections: ["contact_line", "meshing_load", "shaft_deflection"],
+
+  async ask({ post, input, sections }) {
+    const bodies = {
+      contact_line: ["/precession/contact-line", lineBody(input)],
+      meshing_load: ["/precession/meshing-load", loadBody(input)],
+      shaft_deflection: ["/precession/shaft-deflection", input],
+    };
+    const answer = {};
+    for (const id of sections) answer[id] = await post(...bodies[id]);
+    return answer;
+  },
+
+  verdict: (answer) => [
+    cell("lineLength", answer.contact_line, lengthCell),
+    cell("lineLoad", answer.meshing_load, loadCell),
+    cell("deflection", answer.shaft_deflection, deflectionCell),
+  ],
+
+  elsewhere: ["lines"],
+
+  drawing: { create: createDrawing, section: "contact_line", figure: "shaft" },
+
+  figures: [
+    {
+      id: "contactLines",
+      section: "contact_line",
+      path: "/precession/contact-line/chart",
+      body: lineBody,
+      height: 840,
+      tables: lineTables,
+    },
+    {
+      id: "lineLoad",
+      section: "meshing_load",
+      path: "/precession/meshing-load/chart",
+      compared: true,
+      body: loadBody,
+      height: 360,
+    },
+    {
+      id: "shaft",
+      section: "shaft_deflection",
+      path: "/precession/shaft-deflection/chart",
+      compared: true,
+      height: 700,
+    },
+    { id: "workLength", section: "contact_line", measures: "contact_line_length", body: lineBody },
+    { id: "workLoad", section: "meshing_load", measures: "meshing_load", body: loadBody },
+    { id: "workShaft", section: "shaft_deflection", measures: "shaft_deflection" },
+  ],
+
+  worked: workedSteps,
+  sentences,
+  notes: ["khatetovsky"],
+};

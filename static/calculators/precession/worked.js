@@ -1,0 +1,268 @@
+/** Worked steps of the calculator of the precessional gear. No DOM, no texts. */
+import { definition, quantity as q } from "../../lib/formula/evaluate.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
+
+const SOURCE = "khatetovsky2020";
+// The unrolled line's length per length of axis, and the directions of the load over its arm.
+const STRETCH = "sqrt(1+(ρ*A*sin(φ_1)/(A^2+2*A*z*cos(φ_1)+z^2))^2)";
+
+function scaleStep(input) {
+  return intermediate("scale", "A", "mm", {
+    formula: "R_C*(cos(θ)-u_12)/sin(θ)",
+    values: {
+      R_C: q("R_C", input.roller_circle_radius_mm, "mm"),
+      θ: q("θ", input.nutation_angle_deg, "°"),
+      u_12: q("u_12", input.ratio_u12),
+    },
+    source: SOURCE,
+    equation: "1",
+  });
+}
+
+/** Values of all lines, for sums over them. */
+function lineValues(input, lines, A) {
+  return {
+    A,
+    ρ: q("ρ", input.roller_radius_mm, "mm"),
+    φ_1: q("φ_1,i", lines.map((line) => line.position_angle_deg), "°"),
+    z_a: q("z_a,i", lines.map((line) => line.z_min_mm), "mm"),
+    z_b: q("z_b,i", lines.map((line) => line.z_max_mm), "mm"),
+    f: definition("s′_i", STRETCH),
+    y: definition("y_i", "z+A*cos(φ_1)"),
+  };
+}
+
+/** The first roller's line worked: the others go the same way. */
+function firstLine(input, line, A) {
+  const φ_1 = q("φ_1", line.position_angle_deg, "°");
+  const given = (input.rollers ?? [input.wheel])[0];
+  const byAngle = given.phi_min_deg !== undefined;
+  const values = { A, ρ: q("ρ", input.roller_radius_mm, "mm"), φ_1 };
+  const ends = byAngle
+    ? endsByAngle(line, values)
+    : endsByLength(line, values);
+  return [
+    ...ends,
+    result("length_mm", "s_1", line.length_mm, "mm", {
+      formula: `integral(${STRETCH};z;z_a;z_b)`,
+      values: { ...values, z_a: q("z_a", line.z_min_mm, "mm"), z_b: q("z_b", line.z_max_mm, "mm") },
+      source: SOURCE,
+      equation: "4, 5",
+      erratum: "slope",
+      note: "quadrature",
+      method: true,
+    }),
+  ];
+}
+
+function endsByLength(line, { A, φ_1 }) {
+  // Half-turns between the branch of the arctangent and the flank that carries.
+  return [["phi_min_deg", "φ_min"], ["phi_max_deg", "φ_max"]].map(([name, symbol]) => {
+    const z = [line.z_min_mm, line.z_max_mm].find((end) => lies(end, line[name], A.value, φ_1.value)) ?? line.z_min_mm;
+    const angle = (Math.atan((-z * sine(φ_1.value)) / (A.value + z * cosine(φ_1.value))) * 180) / Math.PI;
+    return result(name, symbol, line[name], "°", {
+      formula: "atan(-z*sin(φ_1)/(A+z*cos(φ_1)))+k*h",
+      values: {
+        z: q("z", z, "mm"), φ_1, A, k: q("k", Math.round((line[name] - angle) / 180)), h: q("180°", 180, "°"),
+      },
+      source: SOURCE,
+      equation: "1",
+      note: "flank",
+    });
+  });
+}
+
+const sine = (degrees) => Math.sin((degrees * Math.PI) / 180);
+const cosine = (degrees) => Math.cos((degrees * Math.PI) / 180);
+
+/** Whether the contact point at z has this polar angle, up to half-turns. */
+function lies(z, phi, scale, position) {
+  const angle = (Math.atan((-z * sine(position)) / (scale + z * cosine(position))) * 180) / Math.PI;
+  return Math.abs(sine(phi - angle)) < 1e-9;
+}
+
+function endsByAngle(line, { A, φ_1 }) {
+  return [["z_min_mm", "z_a"], ["z_max_mm", "z_b"]].map(([name, symbol]) => {
+    const at = (phi) => (-A.value * sine(phi)) / sine(phi + φ_1.value);
+    const phi = [line.phi_min_deg, line.phi_max_deg]
+      .reduce((one, other) => (Math.abs(at(other) - line[name]) < Math.abs(at(one) - line[name]) ? other : one));
+    return result(name, symbol, line[name], "mm", {
+      formula: "-A*sin(φ)/sin(φ+φ_1)", values: { A, φ: q("φ", phi, "°"), φ_1 }, source: SOURCE, equation: "1",
+    });
+  });
+}
+
+function lineSteps(section, input) {
+  const scale = scaleStep(input);
+  const { lines } = section;
+  return [
+    scale,
+    ...firstLine(input, lines[0], asValue(scale)),
+    result("total_length_mm", "S", section.total_length_mm, "mm", {
+      formula: "sum(s_i)",
+      values: { s_i: q("s_i", lines.map((line) => line.length_mm), "mm") },
+      source: SOURCE,
+      equation: "8",
+      note: "others",
+    }),
+  ];
+}
+
+function loadSteps(section, { lines }, input) {
+  const scale = scaleStep(input);
+  const [Fx, Fy] = section.force_N;
+  const [Mx, My, Mz] = section.moment_Nm;
+  const M_1 = q("M_1", input.torque_Nm, "N·m");
+  const S = q("S", section.total_length_mm, "mm");
+  const R_C = q("R_C", input.roller_circle_radius_mm, "mm");
+  const l = q("l", input.reference_z_mm, "mm");
+  const full = intermediate("fullArm", "q_C", "N/mm", {
+    formula: "M_1/(S*R_C)", values: { M_1, S, R_C }, source: SOURCE, equation: "8",
+  });
+  const sum = (term, lever) => ({
+    formula: `q_C*sum(integral(${term};z;z_a;z_b))`,
+    values: { q_C: asValue(full), ...lineValues(input, lines, asValue(scale)), ...(lever && { l }) },
+    source: SOURCE,
+    erratum: "normal",
+    note: "stretch",
+  });
+  const along = "A/z*f";
+  const across = "y/(z*sin(φ_1))*f";
+  const least = lines.flatMap((line) => [line.phi_min_deg, line.phi_max_deg])
+    .reduce((one, other) => (Math.abs(sine(other)) < Math.abs(sine(one)) ? other : one));
+  return [
+    full,
+    result("force_N", "F_x", Fx, "N", { ...sum(along), equation: "12" }),
+    result("force_N", "F_y", Fy, "N", { ...sum(`-${across}`), equation: "13" }),
+    result("force_N", "F_z", section.force_N[2], "N", { note: "noAxial", source: SOURCE, equation: "14" }),
+    result("moment_Nm", "M_Cx", Mx, "N·m", { ...sum(`${across}*(z-l)`, true), equation: "15" }),
+    result("moment_Nm", "M_Cy", My, "N·m", { ...sum(`${along}*(z-l)`, true), equation: "16" }),
+    result("moment_Nm", "M_Cz", Mz, "N·m", { formula: "M_1", values: { M_1 }, source: SOURCE, equation: "17" }),
+    result("max_line_load_N_per_mm", "q", section.max_line_load_N_per_mm, "N/mm", {
+      formula: "abs(M_1)/(S*R_C*abs(sin(φ)))",
+      values: { M_1, S, R_C, φ: q("φ", least, "°") },
+      source: SOURCE,
+      equation: "8",
+      note: "leastArm",
+    }),
+  ];
+}
+
+/** The shaft's stretches of one diameter from C on, cut at B. */
+function pieces(input) {
+  const a = input.bearing_distance_mm;
+  const sections = input.shaft_sections
+    ?? [{ length_mm: a + input.overhang_mm, diameter_mm: input.shaft_diameter_mm }];
+  const found = [];
+  let at = 0;
+  for (const { length_mm: length, diameter_mm: diameter } of sections) {
+    const end = at + length;
+    if (at < a && end > a * (1 + 1e-12)) found.push([at, a, diameter], [a, end, diameter]);
+    else found.push([at, end, diameter]);
+    at = end;
+  }
+  return found.map(([from, to, d]) => ({ from, to, d, loaded: from >= a * (1 - 1e-9) }));
+}
+
+/** Mohr's integrals of one diameter in closed form, or summed over the stretches. */
+const ONE_DIAMETER = {
+  B: "-64/(π*E*d^4)*(C_i*(b^3/3+a*b^2/2)+B_i*b^3/3)",
+  C: "-64/(π*E*d^4)*(C_i*(a+b)^3/3+B_i*(b^3/3+a*b^2/2))",
+};
+const STEPPED = {
+  B: "-64/(π*E)*sum((C_i*((t^3-s^3)/3-a*(t^2-s^2)/2)+B_i*((t-a)^3-(s-a)^3)/3)/d^4)",
+  C: "-64/(π*E)*(C_i*sum((v^3-u^3)/(3*h^4))+B_i*sum(((t^3-s^3)/3-a*(t^2-s^2)/2)/d^4))",
+};
+
+function shaftValues(input, stepped) {
+  const common = {
+    E: q("E", input.youngs_modulus_GPa, "GPa"),
+    a: q("a", input.bearing_distance_mm, "mm"),
+    b: q("b", input.overhang_mm, "mm"),
+  };
+  const all = pieces(input);
+  if (!stepped) return { ...common, d: q("d", Math.min(...all.map(({ d }) => d)), "mm") };
+  const loaded = all.filter((piece) => piece.loaded);
+  const list = (symbol, some, name) => q(symbol, some.map((piece) => piece[name]), "mm");
+  return {
+    ...common,
+    u: list("s_i", all, "from"), v: list("t_i", all, "to"), h: list("d_i", all, "d"),
+    s: list("s_i", loaded, "from"), t: list("t_i", loaded, "to"), d: list("d_i", loaded, "d"),
+  };
+}
+
+function deflectionSteps(section, input, at, { simplified = false } = {}) {
+  const stepped = !simplified && new Set(pieces(input).map(({ d }) => d)).size > 1;
+  const name = `${simplified ? "simplified_" : ""}deflection_${at}_mm`;
+  const deflection = section[name];
+  const shared = shaftValues(input, stepped);
+  const prime = simplified ? "′" : "";
+  const parts = ["x", "y"].map((axis, i) => result(name, `${axis}${prime}_${at}`, deflection[axis], "mm", {
+    formula: (stepped ? STEPPED : ONE_DIAMETER)[at],
+    values: {
+      ...shared,
+      B_i: q(`B_${axis}`, section.reaction_B_N[i], "N"),
+      C_i: q(`C_${axis}`, section.reaction_C_N[i], "N"),
+    },
+    source: SOURCE,
+    equation: axis === "x" ? "35, 36" : "33, 34",
+    erratum: "mohr",
+    ...(stepped ? { note: "stretches" } : simplified && { note: "smallest" }),
+  }));
+  return [...parts, result(name, `Δ${prime}_${at}`, deflection.total, "mm", {
+    formula: "sqrt(x^2+y^2)",
+    values: { x: asValue(parts[0]), y: asValue(parts[1]) },
+    source: SOURCE,
+    equation: "32",
+  })];
+}
+
+function shaftSteps(section, load, input) {
+  const a = q("a", input.bearing_distance_mm, "mm");
+  const [Fx, Fy] = load.force_N;
+  const [Mx, My] = load.moment_Nm;
+  const [Bx, By] = section.reaction_B_N;
+  const [Cx, Cy] = section.reaction_C_N;
+  const source = { source: SOURCE };
+  const found = [
+    result("reaction_B_N", "B_x", Bx, "N", {
+      formula: "-M_Cy/a", values: { M_Cy: q("M_Cy", My, "N·m"), a }, ...source, equation: "30",
+    }),
+    result("reaction_B_N", "B_y", By, "N", {
+      formula: "M_Cx/a", values: { M_Cx: q("M_Cx", Mx, "N·m"), a }, ...source, equation: "31",
+    }),
+    result("reaction_C_N", "C_x", Cx, "N", {
+      formula: "-F_x-B_x", values: { F_x: q("F_x", Fx, "N"), B_x: q("B_x", Bx, "N") },
+      ...source, equation: "28", erratum: "reaction",
+    }),
+    result("reaction_C_N", "C_y", Cy, "N", {
+      formula: "-F_y-B_y", values: { F_y: q("F_y", Fy, "N"), B_y: q("B_y", By, "N") }, ...source, equation: "29",
+    }),
+    ...deflectionSteps(section, input, "B"),
+    ...deflectionSteps(section, input, "C"),
+  ];
+  if (section.simplified_deflection_C_mm === undefined) return found;
+  for (const at of ["B", "C"]) {
+    found.push(...deflectionSteps(section, input, at, { simplified: true }));
+    const error = section[`simplification_error_${at}`];
+    if (error === undefined) continue;
+    found.push(result(`simplification_error_${at}`, `ε_${at}`, error, "", {
+      formula: "D/Δ-1",
+      values: {
+        D: q(`Δ′_${at}`, section[`simplified_deflection_${at}_mm`].total, "mm"),
+        Δ: q(`Δ_${at}`, section[`deflection_${at}_mm`].total, "mm"),
+      },
+    }));
+  }
+  return found;
+}
+
+/** `[{ section, steps }]` of what was answered. */
+export function workedSteps({ input, answer }) {
+  const { contact_line: line, meshing_load: load, shaft_deflection: shaft } = answer;
+  return [
+    line && { section: "contact_line", steps: lineSteps(line, input) },
+    load && { section: "meshing_load", steps: loadSteps(load, line, input) },
+    shaft && { section: "shaft_deflection", steps: shaftSteps(shaft, load, input) },
+  ].filter(Boolean);
+}

@@ -1,0 +1,98 @@
+/** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
+import { cell, stated } from "../../lib/cell.js";
+import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { message } from "../../messages/index.js";
+import { createDrawing } from "./drawing.js";
+import { sentences } from "./sentences.js";
+import { gapsOf, workedSteps } from "./worked.js";
+
+function forceCell(section) {
+  return {
+    ...stated(section, section.max_force_N, "N", 5),
+    note: message("verdict.rollerMean", { mean: formatQuantity(section.mean_force_N, "N", 4) }),
+  };
+}
+
+function sharingCell({ forces_N: forces, loaded_rollers: loaded, load_nonuniformity: ratio }) {
+  return {
+    value: formatNumber(ratio, 4),
+    note: message("verdict.rollersLoaded", { loaded, all: forces.length }),
+    ...(loaded < forces.length && { level: loaded === 1 ? "bad" : "warning" }),
+  };
+}
+
+function stressCell(section) {
+  return {
+    ...stated(section, section.bending_stress_MPa, "MPa", 4),
+    note: message("verdict.bendingMoment", { moment: formatQuantity(section.bending_moment_Nm, "N·m", 4) }),
+  };
+}
+
+export default {
+  id: "rollers",
+  path: "/roller-strength",
+  groups: ["load", "roller", "material"],
+  inline: [],
+  choices: [
+    {
+      id: "errors",
+      options: [
+        { id: "tolerance", fields: ["position_tolerance_mm"] },
+        { id: "gaps", fields: ["gaps_mm"] },
+      ],
+    },
+    {
+      id: "shear",
+      options: [
+        { id: "poisson", fields: ["poissons_ratio"] },
+        { id: "modulus", fields: ["shear_modulus_GPa"] },
+      ],
+    },
+  ],
+
+  /** The same design said in an option's own fields. */
+  seeds: {
+    "errors.gaps": ({ rollers, position_tolerance_mm: tolerance }) => ({
+      gaps_mm: gapsOf(rollers ?? 1, tolerance ?? 0),
+    }),
+    "shear.modulus": ({ youngs_modulus_GPa: young, poissons_ratio: ratio }) => ({
+      shear_modulus_GPa: Number((young / (2 * (1 + ratio))).toPrecision(6)),
+    }),
+  },
+
+  sections: ["roller_strength"],
+
+  async ask({ post, input }) {
+    return { roller_strength: await post("/roller-strength", input) };
+  },
+
+  verdict: ({ roller_strength: section }) => [
+    cell("rollerForce", section, forceCell),
+    cell("nonuniformity", section, sharingCell),
+    cell("bendingStress", section, stressCell),
+  ],
+
+  elsewhere: ["forces_N"],
+
+  drawing: { create: createDrawing, section: "roller_strength" },
+
+  figures: [
+    {
+      id: "rollers",
+      section: "roller_strength",
+      path: "/roller-strength/chart",
+      compared: true,
+      height: 940,
+      tables: ({ roller_strength: { forces_N: forces } }) => [{
+        title: message("figure.rollerForces"),
+        columns: [{ title: message("figure.roller") }, { title: message("figure.rollerForce"), unit: "N" }],
+        rows: forces.map((force, i) => [i + 1, force]),
+      }],
+    },
+    { id: "workSharing", section: "roller_strength", measures: "roller_sharing" },
+  ],
+
+  worked: workedSteps,
+  sentences,
+  notes: ["ovsyannikov"],
+};

@@ -1,0 +1,138 @@
+/** Worked steps of the calculator of swinging rollers. No DOM, no texts. */
+import { quantity as q } from "../../lib/formula/evaluate.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
+
+const SOURCE = "ovsyannikov2019";
+
+/** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
+export function gapsOf(count, tolerance) {
+  return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
+}
+
+function modulusSteps(input, E) {
+  if (input.shear_modulus_GPa !== undefined) return { G: q("G", input.shear_modulus_GPa, "GPa"), steps: [] };
+  const step = intermediate("shearModulus", "G", "GPa", {
+    formula: "E/(2*(1+μ))", values: { E, μ: q("μ", input.poissons_ratio) }, source: SOURCE,
+  });
+  return { G: asValue(step), steps: [step] };
+}
+
+function complianceSteps({ l, b, D, d, k, E, G }) {
+  const source = { source: SOURCE, equation: "9", erratum: "compliance" };
+  return [
+    intermediate("bendingCompliance", "s_M", "mm/N", {
+      formula: "64*l/(π*E*d^4)*((k*D+b)*l/4+l^2/3+b*(l+k*D+b)/4)", values: { l, E, d, k, D, b }, ...source,
+    }),
+    intermediate("shearCompliance", "s_Q", "mm/N", {
+      formula: "4*1.11/(π*G*d^2)*(l+b/2)", values: { G, d, l, b }, ...source,
+    }),
+  ];
+}
+
+/** Forces from a tolerance. */
+function toleranceSteps(section, { n, c, F_m, tolerance }) {
+  const δ = q("δ", section.relative_position_error);
+  const Ψ = q("Ψ", section.load_nonuniformity);
+  return [
+    result("relative_position_error", "δ", section.relative_position_error, "", {
+      formula: "c*χ/F_m", values: { c, χ: q("χ", tolerance, "mm"), F_m }, source: SOURCE,
+    }),
+    result("load_nonuniformity", "Ψ", section.load_nonuniformity, "", {
+      formula: "min(n,1+4*(n-1)/n*δ)", values: { n, δ }, source: SOURCE, equation: "6", erratum: "single",
+    }),
+    result("max_force_N", "F_1", section.max_force_N, "N", {
+      formula: "Ψ*F_m", values: { Ψ, F_m }, source: SOURCE, equation: "6",
+    }),
+  ];
+}
+
+/** Forces from a list of gaps: the contacts close one after the other. */
+function gapSteps(section, { n, c, F_m, gaps, Δ }) {
+  const first = Math.min(...gaps);
+  return [
+    result("relative_position_error", "δ", section.relative_position_error, "", {
+      formula: gaps.length > 1 ? "c*sum(g_i-g_min)/(4*(n-1))/F_m" : "c*sum(g_i-g_min)/4/F_m",
+      values: { c, g_i: q("g_i", gaps, "mm"), g_min: q("g_min", first, "mm"), n, F_m },
+      source: SOURCE,
+      equation: "6",
+      note: "meanGap",
+    }),
+    result("max_force_N", "F_1", section.max_force_N, "N", {
+      formula: "c*(Δ-g_min)", values: { c, Δ, g_min: q("g_min", first, "mm") }, source: SOURCE, equation: "5",
+    }),
+    result("load_nonuniformity", "Ψ", section.load_nonuniformity, "", {
+      formula: "F_1/F_m", values: { F_1: q("F_1", section.max_force_N, "N"), F_m }, source: SOURCE, equation: "6",
+    }),
+  ];
+}
+
+function strengthSteps(section, input) {
+  const E = q("E", input.youngs_modulus_GPa, "GPa");
+  const sizes = {
+    l: q("l", input.cylinder_length_mm, "mm"),
+    b: q("b", input.sphere_width_mm, "mm"),
+    D: q("D", input.sphere_diameter_mm, "mm"),
+    d: q("d", input.diameter_mm, "mm"),
+    k: q("k", input.friction_coefficient),
+  };
+  const { l, b, D, d, k } = sizes;
+  const n = q("n", input.rollers);
+  const { G, steps } = modulusSteps(input, E);
+  const [bending, shear] = complianceSteps({ ...sizes, E, G });
+  const c = q("c", section.stiffness_N_per_mm, "N/mm");
+  const F_m = q("F_m", section.mean_force_N, "N");
+  const F_1 = q("F_1", section.max_force_N, "N");
+  const Δ = q("Δ", section.displacement_mm, "mm");
+  const tolerance = input.position_tolerance_mm;
+  const gaps = input.gaps_mm ?? gapsOf(input.rollers, tolerance);
+  const carrying = [...gaps].sort((one, other) => one - other).slice(0, section.loaded_rollers);
+  return [
+    ...steps,
+    bending,
+    shear,
+    result("stiffness_N_per_mm", "c", section.stiffness_N_per_mm, "N/mm", {
+      formula: "1/(s_M+s_Q)", values: { s_M: asValue(bending), s_Q: asValue(shear) }, source: SOURCE, equation: "9",
+    }),
+    result("relative_stiffness", "c_r", section.relative_stiffness, "", {
+      formula: "c/(b*E)", values: { c, b, E }, source: SOURCE, equation: "10",
+    }),
+    result("mean_force_N", "F_m", section.mean_force_N, "N", {
+      formula: "T/(2*R*n)",
+      values: { T: q("T", input.output_torque_Nm, "N·m"), R: q("R", input.hole_circle_radius_mm, "mm"), n },
+      source: SOURCE,
+      equation: "2",
+    }),
+    result("loaded_rollers", "m", section.loaded_rollers, "", { note: "sharing", source: SOURCE, equation: "5" }),
+    result("displacement_mm", "Δ", section.displacement_mm, "mm", {
+      formula: "(n*F_m/c+sum(g_i))/m",
+      values: { n, F_m, c, g_i: q("g_i", carrying, "mm"), m: q("m", section.loaded_rollers) },
+      source: SOURCE,
+      equation: "5, 7",
+      note: "gaps",
+    }),
+    ...(input.gaps_mm
+      ? gapSteps(section, { n, c, F_m, gaps, Δ })
+      : toleranceSteps(section, { n, c, F_m, tolerance })),
+    result("centre_force_N", "F_0", section.centre_force_N, "N", {
+      formula: "2*F_1", values: { F_1 }, source: SOURCE, equation: "1, 2",
+    }),
+    result("bending_moment_Nm", "M", section.bending_moment_Nm, "N·m", {
+      formula: "(l+b/2+k*D/2)*F_1", values: { l, b, k, D, F_1 }, source: SOURCE, equation: "3, 4",
+    }),
+    result("bending_stress_MPa", "σ", section.bending_stress_MPa, "MPa", {
+      formula: "K_σ*32*M/(π*d^3)",
+      values: {
+        K_σ: q("K_σ", input.stress_concentration), M: q("M", section.bending_moment_Nm, "N·m"), d,
+      },
+      source: SOURCE,
+      equation: "12",
+      erratum: "compliance",
+    }),
+  ];
+}
+
+/** `[{ section, steps }]` of what was answered. */
+export function workedSteps({ input, answer }) {
+  const section = answer.roller_strength;
+  return section ? [{ section: "roller_strength", steps: strengthSteps(section, input) }] : [];
+}

@@ -1,0 +1,78 @@
+/** The REST service as promises. The only module that calls `fetch`. No DOM. */
+
+/** What the service (or the way to it) refused: RFC 9457, with the pointers of the wrong fields. */
+export class Problem extends Error {
+  constructor({ status = 0, title = "", detail = "", errors = [] }) {
+    super(detail || title);
+    this.name = "Problem";
+    this.status = status;
+    this.title = title;
+    this.detail = detail;
+    this.errors = errors;
+  }
+}
+
+async function problemOf(response) {
+  const kind = response.headers.get("content-type") ?? "";
+  const body = kind.includes("json") ? await response.json().catch(() => ({})) : {};
+  return new Problem({
+    status: response.status,
+    title: body.title ?? response.statusText,
+    detail: body.detail ?? "",
+    errors: Array.isArray(body.errors) ? body.errors : [],
+  });
+}
+
+/** `get(path)` and `post(path, body, { signal, query })` below `base`. */
+export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
+  async function ask(path, options) {
+    try {
+      const response = await fetch(base + path, options);
+      if (!response.ok) throw await problemOf(response);
+      return await response.json();
+    } catch (error) {
+      if (error instanceof Problem || error.name === "AbortError") throw error;
+      throw new Problem({ title: "unreachable" });
+    }
+  }
+  return {
+    base,
+    get: (path) => ask(path), // without headers: so it takes what the page's head has asked for
+    post: (path, body, { signal, query } = {}) =>
+      ask(query ? `${path}?${new URLSearchParams(query)}` : path, {
+        method: "POST",
+        signal,
+        headers: { accept: "application/json", "content-type": "application/json" },
+        body: JSON.stringify(body),
+      }),
+  };
+}
+
+/**
+ * Let only the newest request answer. A new `ask` aborts the one before; what was superseded
+ * settles as `{ superseded: true }`, whether its abort was heeded or its answer came too late.
+ */
+export function newestOnly() {
+  let newest = 0;
+  let controller = null;
+  return {
+    async ask(request) {
+      controller?.abort();
+      controller = new AbortController();
+      const id = ++newest;
+      try {
+        const answer = await request(controller.signal);
+        return id === newest ? { id, answer } : { id, superseded: true };
+      } catch (problem) {
+        if (id !== newest) return { id, superseded: true };
+        if (!(problem instanceof Problem)) throw problem;
+        return { id, problem };
+      }
+    },
+    cancel() {
+      newest += 1;
+      controller?.abort();
+      controller = null;
+    },
+  };
+}

@@ -1,0 +1,257 @@
+/**
+ * A calculator at work: its state, and the transitions that give the next one. Pure: no DOM, no
+ * service, no storage; what happens outside is in asking.js, workbench.js and the views.
+ *
+ * `about`    what never changes: `{ model, calculator, catalogues, titles, materialOf }`
+ * `typed`    what the boxes say, `{ texts, chosen }`, and `reading`, the same read and checked
+ * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
+ * `phase`    "incomplete", "wrong", "computing", "offline", "refused" or "fresh"
+ * `address`  the query of what was asked last, and `pending`, its inputs
+ * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
+ * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells, impossible }`, or null
+ * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
+ * `kept`     the designs that are kept, each with its answer; null until these are known
+ * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
+ * `turn`     crank angle and pair selected in the drawing
+ * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
+ */
+import { formatNumber } from "./lib/format.js";
+import { begun, recorded, redone, undone } from "./lib/history.js";
+import { readState, shownFields, textIn } from "./lib/schema_form.js";
+import { query } from "./lib/url_state.js";
+import { warningsOf } from "./lib/warnings.js";
+import { message } from "./messages/index.js";
+import { ofTitle, problemText, refusalTexts, warningText } from "./service_texts.js";
+
+/** What is wrong with a box, in words; nothing for one that can be read. */
+export function readingText(reading) {
+  if (!reading?.problem) return "";
+  const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
+  const words = message(`problem.${reading.problem}`, { limit });
+  if (reading.row === undefined) return words;
+  return message("rows.problem", { row: reading.row + 1, title: reading.column.title, words });
+}
+
+/** Paths of the boxes that cannot be read: those that are `wrong`, and those that nobody has filled in yet. */
+export function unread({ reading: { wrong, readings }, touched, insisted }) {
+  const asks = (path) => readings[path].problem === "required" && !insisted && !touched.has(path);
+  return { wrong: wrong.filter((path) => !asks(path)), missing: wrong.filter(asks) };
+}
+
+/** Say what stands in the way of an answer; else one is to come. */
+function checked(state) {
+  const { about: { model: { fields } }, reading: { readings } } = state;
+  const { wrong, missing } = unread(state);
+  const titles = missing.map((path) => fields.get(path).title).join(", ");
+  const text = [
+    ...wrong.map((path) => ofTitle(fields.get(path).title, readingText(readings[path]))),
+    ...(missing.length > 0 ? [message("verdict.needed", { titles })] : []),
+  ].join("; ");
+  if (wrong.length > 0) return { ...state, phase: "wrong", line: ["bad", text] };
+  return missing.length > 0 ? { ...state, phase: "incomplete", line: ["", text] } : { ...state, phase: "computing" };
+}
+
+function read(state, history) {
+  const typed = history.present;
+  return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
+}
+
+export function opened(about, typed, theme) {
+  const state = read({
+    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, curves: null,
+    kept: null, tables: new Set(), turn: { angle: 0, pair: null }, line: ["", ""], said: "",
+  }, begun(typed));
+  return { ...state, pending: state.reading.filled };
+}
+
+/** A box typed in. */
+export function typedIn(state, path, text, time) {
+  const { typed, touched, refusal } = state;
+  const { [path]: _, ...at } = refusal?.at ?? {};
+  return read(
+    { ...state, touched: new Set(touched).add(path), refusal: refusal && { ...refusal, at } },
+    recorded(state.history, { ...typed, texts: { ...typed.texts, [path]: text } }, path, time),
+  );
+}
+
+/** An option chosen; its fields start from the same design, where it can be said so. */
+export function chose(state, id, option, time) {
+  const { typed, about: { model } } = state;
+  const seeded = seeds(state, model.choices.find((choice) => choice.id === id), option);
+  const next = { texts: { ...typed.texts, ...seeded }, chosen: { ...typed.chosen, [id]: option } };
+  return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
+}
+
+function seeds({ typed: { texts }, reading: { filled }, about: { model, calculator, catalogues } }, choice, option) {
+  const { fields } = choice.options.find(({ id }) => id === option);
+  if (!fields.every((field) => ["", textIn(field, field.default)].includes(texts[field.path]))) return {};
+  const values = choice.auto
+    ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id])
+    : calculator.seeds[`${choice.id}.${option}`]?.(filled) ?? {};
+  return Object.fromEntries(Object.entries(values)
+    .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))
+    .map(([path, value]) => [path, textIn(model.fields.get(path), value)]));
+}
+
+/** A table's first entry, or the values of the entry that was chosen. */
+function fromCatalogue(fields, id, option, entries, chosen) {
+  if (option === "named") return { [id]: entries[0]?.name };
+  const entry = entries.find(({ name }) => name === chosen) ?? {};
+  return Object.fromEntries(fields.map(({ path, name }) => [path, entry[name]]));
+}
+
+/** A whole design taken over at once. */
+export function taken(state, typed, time) {
+  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null };
+  return read(untouched, recorded(state.history, typed, undefined, time));
+}
+
+function moved(state, history) {
+  return history === state.history ? state : read({ ...state, refusal: null }, history);
+}
+
+export const steppedBack = (state) => moved(state, undone(state.history));
+export const steppedOn = (state) => moved(state, redone(state.history));
+
+/** The user has been at a box and left it. */
+export function left(state, path) {
+  if (state.touched.has(path)) return state;
+  const next = { ...state, touched: new Set(state.touched).add(path) };
+  return state.reading.wrong.length > 0 ? checked(next) : next;
+}
+
+/** The user wants an answer of what there is. */
+export function insisted(state) {
+  const next = { ...state, insisted: true };
+  return state.reading.wrong.length > 0 ? checked(next) : next;
+}
+
+/** The service is asked, unless boxes cannot be read. */
+export function asked(state) {
+  const { about: { model, calculator }, typed, reading: { filled, wrong } } = state;
+  const next = { ...state, address: query(calculator.id, model, typed) };
+  return wrong.length > 0 ? { ...next, said: state.line[1] } : { ...next, phase: "computing", pending: filled };
+}
+
+/** The service has answered what was asked last, or a part of it, and refused the rest. */
+export function answered(state, { answer, refusal, requests }) {
+  const { about: { calculator, materialOf }, typed, reading: { input, filled } } = state;
+  const context = { input: filled, materialOf };
+  const shown = answer === null ? state.shown : {
+    typed, input, filled, answer, requests,
+    cells: calculator.verdict(answer, context),
+    impossible: calculator.impossible?.(answer, context) ?? [],
+  };
+  return refusal
+    ? refused({ ...state, shown }, refusal)
+    : { ...state, shown, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown) };
+}
+
+function refused(state, refusal) {
+  const { model, titles } = state.about;
+  const { at, elsewhere } = refusalTexts(refusal, shownFields(model, state.typed), titles);
+  const atBoxes = Object.entries(at).map(([path, { words }]) => ofTitle(model.fields.get(path).title, words));
+  const text = [...elsewhere, ...atBoxes].join("; ");
+  const phase = atBoxes.length > 0 ? "wrong" : "refused";
+  return { ...state, phase, refusal: { at, text }, line: ["bad", text], said: text };
+}
+
+/** What cannot be built, what is not known, what is strained; or that there is nothing of the kind. */
+function warningLine({ calculator, titles, materialOf }, { filled, answer, cells, impossible }) {
+  if (impossible.length > 0) return ["bad", impossible.join(" ")];
+  const sentences = [
+    ...calculator.wanted?.(answer, { input: filled, materialOf }) ?? [],
+    ...warningsOf(answer).map((warning) => warningText(warning, titles)),
+  ];
+  if (sentences.length === 0) {
+    return [cells.some(({ level }) => level === "bad") ? "" : "good", message("verdict.noWarnings")];
+  }
+  const key = sentences.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
+  return ["warning", message(key, { count: sentences.length, first: sentences[0] })];
+}
+
+/** The verdict in one sentence, for those who hear it. */
+function announced({ cells, impossible }) {
+  const words = cells.filter(({ note }) => note !== undefined)
+    .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
+  return [...impossible, message("verdict.announce", { cells: `${words.join(". ")}.` })].join(" ");
+}
+
+/** The service could not be asked. */
+export function failed(state, problem) {
+  const text = problemText(problem, state.about.titles);
+  return { ...state, phase: "offline", line: ["bad", text], said: text };
+}
+
+export const compared = (state, kept, said = state.said) => ({ ...state, kept, said });
+export const announcing = (state, said) => ({ ...state, said });
+export const themed = (state, theme) => ({ ...state, theme });
+export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle } });
+export const selected = (state, pair) => ({ ...state, turn: { ...state.turn, pair } });
+
+export function tabled(state, id, on) {
+  const tables = new Set(state.tables);
+  if (on) tables.add(id);
+  else tables.delete(id);
+  return { ...state, tables };
+}
+
+/** A figure was drawn: its curves, if they are those that the drawing waits for. */
+export function charted(state, id, data) {
+  if (id !== state.about.calculator.drawing.figure) return state;
+  return { ...state, curves: { of: state.shown, data: data.filter(({ mode }) => mode === "lines") } };
+}
+
+/** Whether the numbers on the screen are of other inputs than those on the screen, or may be. */
+export function stale({ phase, shown, typed }) {
+  return phase === "computing" || phase === "offline" || shown?.typed !== typed;
+}
+
+/** How it stands, and what the numbers are of: these inputs, a part of them, older ones, none yet. */
+export function standing(state) {
+  const { phase, shown } = state;
+  if (stale(state)) return { phase, numbers: shown ? "older" : "none" };
+  if (phase !== "fresh") return { phase, numbers: "part" };
+  return { phase: shown.impossible.length > 0 ? "refused" : phase, numbers: "fresh" };
+}
+
+/** What the drawing shows: results with the curves it needs; null while these are to come. */
+export function drawable({ about: { calculator }, shown, curves, tables }) {
+  const { section, figure, curves: curvesOf } = calculator.drawing;
+  if (!shown?.answer[section]) return null;
+  const source = calculator.figures.find(({ id }) => id === figure);
+  const { filled: input, answer } = shown;
+  if (!source || !answer[source.section] || tables.has(figure)) return { input, answer, curves: curvesOf?.(answer) ?? [] };
+  return curves?.of === shown ? { input, answer, curves: curves.data } : null;
+}
+
+/** The state in force, and the views that are told of every next one. */
+export function createStore(state) {
+  let views = [];
+  return {
+    get state() {
+      return state;
+    },
+    show(all) {
+      views = all;
+      for (const view of views) view.update(state);
+    },
+    apply(transition, ...values) {
+      const next = transition(state, ...values);
+      if (next === state) return;
+      state = next;
+      for (const view of views) view.update(state);
+    },
+  };
+}
+
+/** An update that acts only where one of the parts that `pick` lists has changed. */
+export function following(pick, act) {
+  let last = null;
+  return (state) => {
+    const parts = pick(state);
+    if (last?.every((part, i) => part === parts[i])) return;
+    last = parts;
+    act(state);
+  };
+}

@@ -1,0 +1,164 @@
+/**
+ * The drawing of a calculator, and what moves it: a slider, play and pause, the pair selected.
+ * What stands still has the drawing alone.
+ */
+import { formatQuantity } from "../lib/format.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { drawable, following } from "../store.js";
+import { download, pngOf, svgOf } from "./files.js";
+
+const TURN_MS = 12_000;
+const STEPS = 720; // of the slider
+const PAPER = matchMedia("print"); // there the drawing of the screen is scaled
+const STILL = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** `on.turned(angle)` and `on.selected(pair)`: a name, or null for all. */
+export function createDrawingView({ calculator, on }) {
+  const { create, moving } = calculator.drawing;
+  const title = message(`drawing.${calculator.id}`);
+  const root = element(html`
+    <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
+      <div class="head"><h2 id="mechanism-title">${title}</h2><span class="figure-tools">
+        ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
+          aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}</span></div>
+      ${moving && html`<div class="motion">
+        ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
+        <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">
+        <output></output>
+        <label for="pair">${message("drawing.select")}</label>
+        <select id="pair" class="box"></select>
+      </div>`}
+      <div class="drawing" role="img" aria-label="${message(`drawing.${calculator.id}Label`)}"></div>
+      <p class="scale"></p>
+    </section>`);
+  const place = root.querySelector(".drawing");
+  const controls = root.querySelectorAll(".save, .motion button, .motion input, .motion select");
+  const scale = root.querySelector(".scale");
+  const slider = root.querySelector("input");
+  const shownAngle = root.querySelector("output");
+  const play = root.querySelector(".play");
+  const choice = root.querySelector("select");
+  let latest = null; // { input, answer, curves } to be drawn
+  let drawing = null;
+  let moves = null; // the drawing on the page, where it moves
+  let lit = null; // path of the field whose parts are lit
+  let size = { width: 0, height: 0 }; // of its place on the screen
+  let turn = { angle: 0, pair: null };
+  let playing = 0; // the frame asked for, or 0
+
+  const end = () => drawing?.end ?? 360;
+
+  function showTurn() {
+    if (!moving) return;
+    const text = `φ = ${formatQuantity(turn.angle, "°", 4)}`;
+    slider.value = String(turn.angle);
+    slider.setAttribute("aria-valuetext", text);
+    shownAngle.textContent = text;
+    choice.value = turn.pair ?? "";
+    moves?.move(turn.angle, turn.pair);
+  }
+
+  function showPlaying() {
+    slider.step = playing ? "any" : String(end() / STEPS);
+    play?.setAttribute("aria-pressed", String(playing !== 0));
+    if (play) play.textContent = message(playing ? "drawing.pause" : "drawing.play");
+  }
+
+  function stop() {
+    cancelAnimationFrame(playing);
+    playing = 0;
+    if (moving) showPlaying();
+  }
+
+  function start() {
+    let last = performance.now();
+    const frame = (time) => {
+      on.turned((turn.angle + (360 * Math.max(0, time - last)) / TURN_MS) % end());
+      last = time;
+      playing = requestAnimationFrame(frame);
+    };
+    playing = requestAnimationFrame(frame);
+    showPlaying();
+  }
+
+  /** Put the latest answer on the screen, as large as its place is; printing only scales it. */
+  function draw() {
+    if (!PAPER.matches) size = { width: place.clientWidth, height: place.clientHeight };
+    if (!latest || size.width === 0) return;
+    drawing = create({ ...latest, ...size });
+    fill(place, drawing?.markup ?? html``);
+    // Controls wait for a drawing: there is nothing to move or to save.
+    for (const control of controls) control.disabled = drawing === null;
+    scale.textContent = drawing ? drawing.caption : message("drawing.none");
+    light(lit);
+    if (!moving) return;
+    if (!drawing) stop();
+    const pairs = drawing?.pairs ?? [];
+    fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${name}</option>`)}`);
+    slider.max = String(end());
+    showPlaying();
+    moves = drawing?.attach(place) ?? null;
+    if (turn.pair !== null && !pairs.includes(turn.pair)) on.selected(null);
+    else if (turn.angle > end()) on.turned(end());
+    showTurn();
+  }
+
+  function light(path) {
+    lit = path;
+    for (const part of place.querySelectorAll(".lit")) part.classList.remove("lit");
+    if (!path) return;
+    for (const part of place.querySelectorAll(`[data-field~="${CSS.escape(path)}"]`)) part.classList.add("lit");
+  }
+
+  for (const control of controls) control.disabled = true;
+  if (moving) fill(choice, html`<option value="">${message("drawing.all")}</option>`);
+  const sizes = new ResizeObserver(() => {
+    if (place.clientWidth !== size.width && !PAPER.matches) draw();
+  });
+  sizes.observe(place);
+
+  root.querySelector(".figure-tools").addEventListener("click", async ({ target }) => {
+    const kind = target.closest("[data-kind]")?.dataset.kind.toLowerCase();
+    if (!kind) return;
+    const svg = place.querySelector("svg");
+    const content = kind === "png" ? await pngOf(svg) : svgOf(svg);
+    download(`${calculator.id}.${kind}`, content, "image/svg+xml");
+  });
+  if (moving) {
+    slider.addEventListener("input", () => {
+      stop();
+      on.turned(Number(slider.value));
+    });
+    play?.addEventListener("click", () => (playing ? stop() : start()));
+    choice.addEventListener("change", () => on.selected(choice.value || null));
+    place.addEventListener("click", ({ target }) => {
+      const name = target.closest("[data-pair]")?.dataset.pair;
+      if (name) on.selected(name === turn.pair ? null : name);
+    });
+  }
+
+  const redraw = following(({ shown, curves }) => [shown, curves], (state) => {
+    const next = drawable(state);
+    if (!next) return;
+    latest = next;
+    draw();
+  });
+  const follow = following((state) => [state.turn], (state) => {
+    turn = state.turn;
+    showTurn();
+  });
+  return {
+    root,
+    update(state) {
+      follow(state);
+      redraw(state);
+    },
+    /** Light the parts of a field, or none. */
+    light,
+    close() {
+      stop();
+      sizes.disconnect();
+    },
+  };
+}

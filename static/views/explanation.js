@@ -1,0 +1,29 @@
+/** The verdict in plain words, and of every warning what it tests, why it matters, how to mend it. */
+import { element, fill, html } from "../lib/html.js";
+import { levelOf, warningsOf } from "../lib/warnings.js";
+import { message } from "../messages/index.js";
+import { following } from "../store.js";
+import { sign } from "./parts.js";
+
+function warningMarkup(code) {
+  const part = (name) => html`<div><dt>${message(`words.${name}`)}</dt><dd>${message(`warnings.${code}.${name}`)}</dd></div>`;
+  return html`<li class="explained ${levelOf(code)}" data-code="${code}">
+    <h3>${sign(levelOf(code))}${message(`warnings.${code}.title`)}</h3>
+    <dl>${["tests", "why", "mend"].map(part)}</dl></li>`;
+}
+
+export function createExplanation({ calculator, materialOf }) {
+  const title = message("words.title");
+  const root = element(html`<section class="card plain-words" aria-label="${title}"><h2>${title}</h2><div></div></section>`);
+  const host = root.querySelector("div");
+  return {
+    root,
+    update: following(({ shown }) => [shown], ({ shown }) => {
+      if (!shown) return;
+      const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
+      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))];
+      fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
+        ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
+    }),
+  };
+}

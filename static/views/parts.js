@@ -1,0 +1,32 @@
+/** Small pieces of markup that many views have: signs, symbols, tables. */
+import { formatNumber } from "../lib/format.js";
+import { html } from "../lib/html.js";
+import { shownUnit, shownValue } from "../lib/units.js";
+
+const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
+
+/** The sign of a level, so that its colour is never the only one; nothing where there is no level. */
+export function sign(level) {
+  return SIGNS[level] && html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level]}</span>`;
+}
+
+/** A symbol as the formulas write it: `r_in` has its index set low. */
+export function symbolMarkup(symbol) {
+  const parts = symbol.split(/_([\p{L}\p{N}]+)/u);
+  return html`<var class="symbol">${parts.map((part, i) => (i % 2 ? html`<sub>${part}</sub>` : part))}</var>`;
+}
+
+function cell(value, unit) {
+  return typeof value === "number" ? formatNumber(shownValue(value, unit)) : value;
+}
+
+/** `{ title, columns: [{ title, unit }], rows }`, values in canonical units, as a table with a caption. */
+export function tableMarkup({ title, columns, rows }) {
+  return html`
+    <table class="data">
+      <caption>${title}</caption>
+      <thead><tr>${columns.map((column) => html`
+        <th scope="col">${column.title}${column.unit && `, ${shownUnit(column.unit)}`}</th>`)}</tr></thead>
+      <tbody>${rows.map((row) => html`<tr>${row.map((value, i) => html`<td>${cell(value, columns[i].unit)}</td>`)}</tr>`)}</tbody>
+    </table>`;
+}

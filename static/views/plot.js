@@ -1,0 +1,99 @@
+/** A figure drawn by Plotly: on the screen, following the drawing's crank angle, on paper, as a picture. */
+import { inShownUnits } from "../lib/chart.js";
+import { element, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { loadPlotly } from "./plotly.js";
+
+// With a finger, dragging scrolls the page and does not zoom the figure.
+const HOVERS = matchMedia("(hover: hover)").matches;
+const NARROW_PX = 520;
+const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a point
+const CONFIG = {
+  displaylogo: false,
+  displayModeBar: HOVERS ? "hover" : false,
+  responsive: true,
+  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d", "toImage"],
+};
+
+const separators = () => `${message("page.decimal")}\u202f`;
+
+/** A figure of this look as a picture for paper: light, on white; a data URL. */
+export async function pictureOf(chart, { title, format, height, width = PICTURE.width }) {
+  const Plotly = await loadPlotly();
+  const { data, layout } = inShownUnits(chart);
+  const size = { width, height };
+  const paper = { paper_bgcolor: "#ffffff", title: { text: title }, margin: { ...layout.margin, t: 72 } };
+  return Plotly.toImage(
+    { data, layout: { ...layout, ...paper, ...size, separators: separators() } },
+    { format, ...size, scale: format === "png" ? PICTURE.scale : 1 },
+  );
+}
+
+/** `follows(point)` names the pair that a point is of, in a figure that follows the drawing; `picked(pair)` tells of a click on it. */
+export function createPlot({ label, follows, picked }) {
+  const root = element(html`<div class="plot" role="group" aria-label="${label}"></div>`);
+  const cursor = element(html`<div class="cursor" hidden></div>`);
+  let Plotly = null; // once it has drawn
+  let turn = { angle: 0, pair: null };
+
+  const drawn = () => Boolean(root.data?.length);
+
+  function moveCursor() {
+    const { xaxis, _size: size } = root._fullLayout ?? {};
+    cursor.hidden = !xaxis || root.hidden || root.classList.contains("absent");
+    if (cursor.hidden) return;
+    const x = xaxis.l2p(turn.angle);
+    cursor.hidden = x < 0 || x > xaxis._length;
+    cursor.style.transform = `translate(${xaxis._offset + x}px, ${size.t}px)`;
+    cursor.style.height = `${size.h}px`;
+  }
+
+  /** Pale what is not of the pair selected. */
+  function emphasise() {
+    const weight = (name) => (turn.pair === null || name === turn.pair ? 1 : 0.25);
+    const bars = root.data.map((trace) => (trace.type === "bar" ? trace.y.map(weight) : 1));
+    const lines = root.data.map((trace) => (/^\d+\.\d+$/.test(trace.name) ? weight(trace.name) : trace.opacity ?? 1));
+    Plotly.restyle(root, { "marker.opacity": bars, opacity: lines });
+  }
+
+  function listen() {
+    root.removeAllListeners("plotly_click");
+    root.on("plotly_click", ({ points: [point] }) => {
+      const pair = follows(point);
+      if (pair) picked(pair);
+    });
+    root.removeAllListeners("plotly_relayout");
+    root.on("plotly_relayout", moveCursor);
+    emphasise();
+    moveCursor();
+  }
+
+  return {
+    root,
+    cursor,
+    drawn,
+    async draw(chart) {
+      Plotly = await loadPlotly();
+      const { data, layout: { height, width, ...layout } } = inShownUnits(chart); // the page's room decides
+      if (!HOVERS) layout.dragmode = false;
+      // Half as many labels where they would not fit side by side.
+      if (layout.xaxis?.dtick && root.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
+      const locales = { page: { dictionary: message("plotly"), format: {} } };
+      await Plotly.react(root, data, { ...layout, autosize: true, separators: separators() }, { ...CONFIG, locale: "page", locales });
+      if (follows) listen();
+    },
+    /** Follow the drawing: its crank angle, the pair selected. */
+    follow(next) {
+      const other = next.pair !== turn.pair;
+      turn = next;
+      if (!follows || !drawn() || root.hidden) return;
+      moveCursor();
+      if (other) emphasise();
+    },
+    /** Fit what is drawn to paper, at once; null undoes it. */
+    fit(size) {
+      Plotly.relayout(root, size ? { autosize: false, ...size } : { autosize: true, width: null, height: null });
+    },
+    purge: () => Plotly?.purge(root),
+  };
+}

@@ -1,0 +1,144 @@
+/** A calculator at work, step by step, without a page and without a service. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Problem } from "../../static/lib/api.js";
+import { stateFromInput } from "../../static/lib/schema_form.js";
+import * as next from "../../static/store.js";
+import { INPUT, MODEL } from "./model.mjs";
+
+const ACCURACY = { relative_error: 1e-15 };
+const ANSWER = { force: { value: 5, accuracy: ACCURACY } };
+const catalogues = { "contact.pin_material": [{ name: "steel", youngs_modulus_GPa: 210 }] };
+
+function opened(input = INPUT, calculator = {}) {
+  const about = {
+    model: MODEL,
+    calculator: {
+      id: "job", sections: ["force", "hertz"], seeds: {}, drawing: { section: "force" }, figures: [],
+      verdict: ({ force }) => [{ label: "Force", ...(force && { value: force.value, unit: "N", note: "all" }) }],
+      ...calculator,
+    },
+    catalogues,
+    titles: new Map([["pins", "Pins"]]),
+    materialOf: (path, given) => catalogues[path].find(({ name }) => name === given) ?? given,
+  };
+  return next.opened(about, stateFromInput(MODEL, input), "light");
+}
+
+const answeredWith = (state, { answer = ANSWER, refusal = null } = {}) =>
+  next.answered(next.asked(state), { answer, refusal, requests: [] });
+const refusal = (...errors) => new Problem({ status: 422, detail: "no", errors });
+
+test("a state is opened, asked for and answered", () => {
+  let state = opened();
+  assert.deepEqual([state.phase, next.standing(state).numbers, next.stale(state)], ["computing", "none", true]);
+  state = next.asked(state);
+  assert.match(state.address, /^calculator=job&v=1&mechanism\.pins=3/);
+  assert.equal(state.pending, state.reading.filled);
+  state = answeredWith(state);
+  assert.deepEqual(next.standing(state), { phase: "fresh", numbers: "fresh" });
+  assert.deepEqual(state.line, ["good", "No warnings"]);
+  assert.match(state.said, /Force 5 N, all/);
+  assert.equal(state.shown.input, state.reading.input);
+});
+
+test("what is typed makes the numbers on the screen those of older inputs", () => {
+  const before = answeredWith(opened());
+  const state = next.typedIn(before, "mechanism.pins", "4", 0);
+  assert.equal(state.reading.input.mechanism.pins, 4);
+  assert.deepEqual(next.standing(state), { phase: "computing", numbers: "older" });
+  assert.equal(before.typed.texts["mechanism.pins"], "3", "nothing is changed in place");
+  const back = next.steppedBack(state);
+  assert.equal(back.typed, before.typed);
+  assert.equal(next.steppedOn(back).typed, state.typed);
+  assert.equal(next.steppedBack(back), back);
+});
+
+test("an empty field asks until the user has been there; then, or after Enter, it is wrong", () => {
+  const empty = opened({ mechanism: {}, contact: { pin_material: "steel" } });
+  assert.deepEqual([empty.phase, empty.line], ["incomplete", ["", "Still needed: Pins, Ratio, Pin radius"]]);
+  assert.deepEqual(next.unread(empty), { wrong: [], missing: ["mechanism.pins", "mechanism.ratio", "contact.pin_radius_mm"] });
+  assert.equal(next.asked(empty).said, empty.line[1]);
+
+  const left = next.left(empty, "mechanism.ratio");
+  assert.deepEqual([left.phase, left.line], ["wrong", ["bad", "Ratio: needs a value; Still needed: Pins, Pin radius"]]);
+  assert.equal(next.left(left, "mechanism.ratio"), left);
+  const begun = next.typedIn(empty, "mechanism.pins", "3", 0);
+  assert.equal(begun.line[1], "Still needed: Ratio, Pin radius");
+  assert.equal(next.typedIn(begun, "mechanism.pins", "", 0).phase, "wrong");
+  assert.deepEqual(next.unread(next.insisted(empty)).missing, []);
+  // What a link says wrongly is wrong at once, and what is left full stays as it is.
+  assert.equal(next.typedIn(opened(), "mechanism.pins", "x", 0).line[1], "Pins: not a number: write 32.5, 32,5 or 1e-3");
+  const fresh = answeredWith(opened());
+  assert.equal(next.left(fresh, "mechanism.pins").phase, "fresh");
+  assert.equal(next.insisted(fresh).phase, "fresh");
+  assert.equal(next.taken(left, stateFromInput(MODEL, { mechanism: {}, contact: {} }), 0).phase, "incomplete");
+});
+
+test("a refusal stands at its box until something is typed there, beside what was answered", () => {
+  const error = { pointer: "/mechanism/pins", detail: "must be odd" };
+  let state = answeredWith(opened(), { refusal: refusal(error) });
+  assert.deepEqual(next.standing(state), { phase: "wrong", numbers: "part" });
+  assert.equal(state.refusal.at["mechanism.pins"].words, "Must be odd");
+  assert.deepEqual(state.line, ["bad", "Pins: must be odd"]);
+  state = next.typedIn(state, "mechanism.pins", "5", 0);
+  assert.deepEqual(state.refusal.at, {});
+  const none = answeredWith(answeredWith(opened()), { answer: null, refusal: refusal({ pointer: "", detail: "cannot work" }) });
+  assert.deepEqual([none.phase, none.said, none.shown.answer], ["refused", "Cannot work", ANSWER]);
+});
+
+test("without the service the numbers count as older, and the reason is said", () => {
+  const state = next.failed(next.asked(answeredWith(opened())), new Problem({ title: "unreachable" }));
+  assert.deepEqual(next.standing(state), { phase: "offline", numbers: "older" });
+  assert.match(state.line[1], /cannot be reached/);
+});
+
+test("warnings, what is wanted and what cannot be built are said in the line", () => {
+  const warned = { ...ANSWER, warnings: [{ code: "clearance", detail: "a clearance" }] };
+  assert.deepEqual(answeredWith(opened(), { answer: warned }).line, ["warning", "Warning: A clearance"]);
+  const wanted = opened(INPUT, { wanted: () => ["Enter a limit."] });
+  assert.deepEqual(answeredWith(wanted, { answer: warned }).line, ["warning", "2 warnings below: Enter a limit."]);
+  const impossible = answeredWith(opened(INPUT, { impossible: () => ["Not possible: overlap."] }));
+  assert.deepEqual([impossible.phase, next.standing(impossible).phase], ["fresh", "refused"]);
+  assert.deepEqual(impossible.line, ["bad", "Not possible: overlap."]);
+  assert.match(impossible.said, /^Not possible: overlap\. Results/);
+});
+
+test("an option starts from the same design, from the table, and not over what was typed", () => {
+  const seeds = { "cranks.list": ({ mechanism }) => ({ "mechanism.crank_angles_deg": [0, 360 / mechanism.satellites] }) };
+  const list = next.chose(opened(INPUT, { seeds }), "cranks", "list", 0);
+  assert.equal(list.typed.texts["mechanism.crank_angles_deg"], "0; 180"); // the schema's 2 satellites
+  const own = next.chose(opened(), "contact.pin_material", "own", 0);
+  assert.equal(own.typed.texts["contact.pin_material.youngs_modulus_GPa"], "210");
+  const typed = next.typedIn(own, "contact.pin_material.youngs_modulus_GPa", "70", 0);
+  const again = next.chose(next.chose(typed, "contact.pin_material", "named", 0), "contact.pin_material", "own", 0);
+  assert.equal(again.typed.texts["contact.pin_material.youngs_modulus_GPa"], "70");
+});
+
+test("the drawing waits for the curves of its figure, unless that has none or is a table", () => {
+  const calculator = {
+    drawing: { section: "force", figure: "force", curves: () => ["own"] }, figures: [{ id: "force", section: "force" }],
+  };
+  assert.equal(next.drawable(opened(INPUT, calculator)), null);
+  const state = answeredWith(opened(INPUT, calculator));
+  assert.equal(next.drawable(state), null);
+  assert.equal(next.charted(state, "another", []), state);
+  const drawn = next.charted(state, "force", [{ mode: "lines", name: "1.1" }, { mode: "markers" }]);
+  assert.deepEqual(next.drawable(drawn).curves.map(({ name }) => name), ["1.1"]);
+  assert.equal(next.drawable(answeredWith(drawn)), null, "those are of older results");
+  assert.deepEqual(next.drawable(next.tabled(state, "force", true)).curves, ["own"]);
+  assert.equal(next.drawable(next.tabled(next.tabled(state, "force", true), "force", false)), null);
+});
+
+test("views are told of every state, and act only on what they follow", () => {
+  const store = next.createStore(opened());
+  const seen = [];
+  const view = { update: next.following(({ turn }) => [turn], ({ turn }) => seen.push(turn.angle)) };
+  store.show([view]);
+  store.apply(next.turned, 30);
+  store.apply(next.themed, "dark");
+  store.apply(next.selected, "1.2");
+  assert.deepEqual(seen, [0, 30, 30]);
+  assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2" });
+});
