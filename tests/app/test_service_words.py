@@ -21,9 +21,8 @@ from tests.app.test_figures import CHARTS
 pytestmark = pytest.mark.anyio
 
 FILE = Path(__file__).parents[2] / "static" / "messages" / "service.js"
-HEAD = "// Written by tests/app/test_service_words.py: what the service says in English, by code.\n"
-    "// Made from the service by tests/app/test_service_words.py: its words in English, by code.\n"
-)
+HEAD = "// Written by tests/app/test_service_words.py: what the service says in English, by code.
+"
 
 
 def plain(texts: dict[str, str]) -> dict[str, str]:
@@ -77,7 +76,7 @@ def text() -> str:
 
 
 def test_the_page_has_the_words_of_the_service():
-    """Where this fails, run it as a module (`python -m tests.app.test_service_words`) to write them anew."""
+    """Where this fails, ``python -m tests.app.test_service_words`` writes the file anew."""
     assert FILE.read_text(encoding="utf-8") == text()
 
 
