@@ -21,8 +21,7 @@ from tests.app.test_figures import CHARTS
 pytestmark = pytest.mark.anyio
 
 FILE = Path(__file__).parents[2] / "static" / "messages" / "service.js"
-HEAD = "// Written by tests/app/test_service_words.py: what the service says in English, by code.
-"
+HEAD = "// Written by tests/app/test_service_words.py: what the service says in English, by code.\n"
 
 
 def plain(texts: dict[str, str]) -> dict[str, str]:
