@@ -255,7 +255,7 @@ export default {
     x: ["x"],
     y: ["y"],
     total: ["total"],
-    governing_pressure_MPa: ["Governing pressure", "p"],
+    governing_pressure_MPa: ["Governing pressure", "p_g"],
     safety: ["Safety of each body whose limit is known"],
     body: ["Body"],
     limit_MPa: ["Limit"],

@@ -254,7 +254,7 @@ export default {
     x: ["x"],
     y: ["y"],
     total: ["всего"],
-    governing_pressure_MPa: ["Определяющее давление", "p"],
+    governing_pressure_MPa: ["Определяющее давление", "p_g"],
     safety: ["Запас каждой детали с известным пределом"],
     body: ["Деталь"],
     limit_MPa: ["Предел"],

@@ -254,7 +254,7 @@ export default {
     x: ["x"],
     y: ["y"],
     total: ["разом"],
-    governing_pressure_MPa: ["Визначальний тиск", "p"],
+    governing_pressure_MPa: ["Визначальний тиск", "p_g"],
     safety: ["Запас кожної деталі з відомою межею"],
     body: ["Деталь"],
     limit_MPa: ["Межа"],
