@@ -117,8 +117,8 @@ export default {
       both: "no limit known for the pin: {pin}; for the hole: {hole}",
     },
     wanted: {
-      pin: "No limit of the pin's material, {pin}, is known: enter one.",
-      hole: "No limit of the hole's material, {hole}, is known: enter one.",
+      pin: "No limit is known for the pin, {pin}: enter one.",
+      hole: "No limit is known for the hole, {hole}: enter one.",
     },
     loose: "clearance not counted",
     ownMaterial: "own values",
