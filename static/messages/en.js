@@ -493,6 +493,12 @@ export default {
       why: "There the load has hardly an arm about the axis: the line load grows steeply, more than elastic rollers would let it.",
       mend: "Move the end of the line away from the precession centre.",
     },
+    hardly_known: {
+      title: "Hardly anything is known",
+      tests: "Whether the stated relative error stays below 1 %.",
+      why: "The numbers given are known to some 16 digits only; here a small difference of large ones decides, of which hardly a digit is left.",
+      mend: "Move the sizes away from where they nearly cancel: a ratio from cos θ, a limit from its neighbour, an angle from its pole.",
+    },
   },
   report: {
     print: "Print",
