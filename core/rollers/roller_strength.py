@@ -95,7 +95,8 @@ class RollerStrength:
                 Notice(
                     code="short_roller",
                     detail="{cylinder_length} is shorter than {diameter}: a beam that short "
-                    "deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
+                    "deforms mostly by shear and at its clamping, so the stiffness is a "
+                    "rough guide.",
                     value=float(self.length_ratio),
                     limit=SHORT_ROLLER,
                 ),
@@ -104,8 +105,8 @@ class RollerStrength:
                 self.sphere_ratio < 1,
                 Notice(
                     code="sphere_below_roller",
-                    detail="{sphere_diameter} is smaller than {diameter}: the formulas take the "
-                    "sphere for rigid and the cylinder for the weak section.",
+                    detail="{sphere_diameter} is smaller than {diameter}: the formulas take "
+                    "the sphere for rigid and the cylinder for the weak section.",
                     value=float(self.sphere_ratio),
                     limit=1.0,
                 ),
@@ -114,8 +115,8 @@ class RollerStrength:
                 self.width_ratio > 1,
                 Notice(
                     code="sphere_too_wide",
-                    detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider "
-                    "than that.",
+                    detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider than "
+                    "that.",
                     value=float(self.width_ratio),
                     limit=1.0,
                 ),
@@ -124,8 +125,8 @@ class RollerStrength:
                 self.deflection_ratio > LARGE_DEFLECTION,
                 Notice(
                     code="large_deflection",
-                    detail="The most loaded roller bends by more than a tenth of {cylinder_length}: "
-                    "the formulas are those of small deflections.",
+                    detail="The most loaded roller bends by more than a tenth of "
+                    "{cylinder_length}: the formulas are those of small deflections.",
                     value=float(self.deflection_ratio),
                     limit=LARGE_DEFLECTION,
                 ),
