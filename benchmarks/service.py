@@ -21,15 +21,18 @@ from fastapi import FastAPI, Response
 from pydantic import TypeAdapter
 from starlette.types import Receive, Scope, Send
 
-from app.examples import REQUESTS
-from app.calculations.contact_force import contact_force_figure
-from app.endpoint import encoded
+from app.calculations.contact_force import (
+    ContactForceRequest,
+    ContactForceResponse,
+    contact_force_figure,
+)
 from app.calculations.contact_force import figure as contact_force_chart
-from app.model import RequestModel, ResponseModel
-from app.calculations.contact_force import ContactForceRequest, ContactForceResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse
 from app.calculations.hertz import HertzRequest, HertzResponse
 from app.calculations.roller_strength import RollerStrengthRequest, RollerStrengthResponse
+from app.endpoint import encoded
+from app.examples import REQUESTS
+from app.model import RequestModel, ResponseModel
 from app.units import from_si
 from benchmarks.options import options
 
