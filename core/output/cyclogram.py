@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from core.errors import InvalidInput
 from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
-from core.results import ROUNDING, Accuracy
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
@@ -90,6 +90,11 @@ class Cyclogram:
     dead_centres: tuple[float, ...]
     dead_zones: tuple[tuple[float, float], ...]
     accuracy: Accuracy
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """That hardly anything is known, of a range hardly longer than rounding."""
+        return poorly_known(self.accuracy)
 
 
 def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:

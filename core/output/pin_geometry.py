@@ -110,8 +110,8 @@ def pin_fit(
         notices.append(
             Notice(
                 code="eccentricity_assumed",
-                detail="{eccentricity} is not given and taken as {hole_radius} - {pin_radius}: "
-                "clearance or interference would not be seen.",
+                detail="{eccentricity} is taken as {hole_radius} - {pin_radius}: no clearance can "
+                "be seen.",
                 value=clearance,
                 limit=0.0,
             )

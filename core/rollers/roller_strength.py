@@ -89,40 +89,50 @@ class RollerStrength:
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Assumptions that one design (not an array of them) strains."""
-        assumptions = (
+        candidates = (
             (
                 self.length_ratio < SHORT_ROLLER,
-                "short_roller",
-                "{cylinder_length} is shorter than {diameter}: a beam that short deforms mostly by "
-                "shear and at its clamping, so the stiffness is a rough guide.",
-                (self.length_ratio, SHORT_ROLLER),
+                Notice(
+                    code="short_roller",
+                    detail="{cylinder_length} is shorter than {diameter}: a beam that short "
+                    "deforms mostly by shear and at its clamping, so the stiffness is a "
+                    "rough guide.",
+                    value=float(self.length_ratio),
+                    limit=SHORT_ROLLER,
+                ),
             ),
             (
                 self.sphere_ratio < 1,
-                "sphere_below_roller",
-                "{sphere_diameter} is smaller than {diameter}: the formulas take the sphere for "
-                "rigid and the cylinder for the weak section.",
-                (self.sphere_ratio, 1.0),
+                Notice(
+                    code="sphere_below_roller",
+                    detail="{sphere_diameter} is smaller than {diameter}: the formulas take "
+                    "the sphere for rigid and the cylinder for the weak section.",
+                    value=float(self.sphere_ratio),
+                    limit=1.0,
+                ),
             ),
             (
                 self.width_ratio > 1,
-                "sphere_too_wide",
-                "{sphere_width} exceeds {sphere_diameter}: no sphere is wider than that.",
-                (self.width_ratio, 1.0),
+                Notice(
+                    code="sphere_too_wide",
+                    detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider than "
+                    "that.",
+                    value=float(self.width_ratio),
+                    limit=1.0,
+                ),
             ),
             (
                 self.deflection_ratio > LARGE_DEFLECTION,
-                "large_deflection",
-                "The most loaded roller bends by more than a tenth of {cylinder_length}: the "
-                "formulas are those of small deflections.",
-                (self.deflection_ratio, LARGE_DEFLECTION),
+                Notice(
+                    code="large_deflection",
+                    detail="The most loaded roller bends by more than a tenth of "
+                    "{cylinder_length}: the formulas are those of small deflections.",
+                    value=float(self.deflection_ratio),
+                    limit=LARGE_DEFLECTION,
+                ),
             ),
         )
-        return tuple(
-            Notice(code=code, detail=detail, value=float(value), limit=limit)
-            for strained, code, detail, (value, limit) in assumptions
-            if strained
-        )
+        return tuple(notice for strained, notice in candidates if strained)
 
 
 def roller_strength(
