@@ -57,6 +57,7 @@ class MaterialOut(ResponseModel):
             )
             for limit in entry.limits
         ]
+        endurance = [each.pressure_MPa for each in limits if each.criterion == "endurance"]
         return cls(
             name=entry.name,
             title=entry.title,
@@ -64,9 +65,7 @@ class MaterialOut(ResponseModel):
             group_code=entry.group,
             youngs_modulus_GPa=from_si("youngs_modulus_GPa", material.youngs_modulus),
             poissons_ratio=material.poissons_ratio,
-            allowable_pressure_MPa=next(
-                (each.pressure_MPa for each in limits if each.criterion == "endurance"), None
-            ),
+            **({"allowable_pressure_MPa": endurance[0]} if endurance else {}),
             limits=limits,
             source=entry.source,
         )
@@ -119,7 +118,7 @@ class CalculationOut(ResponseModel):
             name=each.name,
             title=each.title,
             path=f"{prefix}/{each.name}",
-            chart=f"{prefix}/{each.name}/chart" if each.figure else None,
+            **({"chart": f"{prefix}/{each.name}/chart"} if each.figure else {}),
             batched=each.batched,
             sources=[*each.sources],
             model=[NeglectedOut(code=code, detail=NEGLECTED[code]) for code in each.neglects],

@@ -13,6 +13,7 @@ from pydantic import FailFast, Field, ValidationError
 from pydantic_core import from_json, to_json
 
 from app.endpoint import COMPRESS_LEVEL, JSON, RESPONSES, encoded, received, takes_gzip
+from app.examples import REQUESTS
 from app.jobs import Jobs, TooLong, Unfinished
 from app.model import Calculation, Maybe, RequestModel, ResponseModel
 from app.problems import Problem, ProblemOut, impossible, too_large, wrong_fields, wrong_json
@@ -100,7 +101,9 @@ router = APIRouter(tags=["batch"])
     openapi_extra={
         "requestBody": {
             "required": True,
-            "content": {JSON: {"schema": BatchRequest.model_json_schema()}},
+            "content": {
+                JSON: {"schema": BatchRequest.model_json_schema(), "example": REQUESTS["batch"]}
+            },
         }
     },
 )

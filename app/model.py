@@ -51,7 +51,7 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-Whole = Annotated[int, BeforeValidator(_whole, json_schema_input_type=int)]
+Whole = Annotated[int, BeforeValidator(_whole)]
 """A whole number, as 3 or as 3.0: other programs write it so."""
 
 
@@ -87,6 +87,9 @@ def _complete_schema(schema: dict[str, Any]) -> None:
             field["x-unit"] = unit
         if field.get("default", ...) is None:
             del field["default"]
+        for ours, theirs in (("ge", "minimum"), ("le", "maximum")):  # of whole numbers
+            if ours in field:
+                field[theirs] = field.pop(ours)
 
 
 class RequestModel(BaseModel):

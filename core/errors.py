@@ -59,13 +59,13 @@ class InvalidInput(CalculationError):
     value : object
         The value given, in SI units.
     code : str
-        What is wrong with it, a key of `REFUSALS`.
+        What is wrong with it: a key of `REFUSALS`, or of whoever calls.
     **params : object
         What its text names.
     """
 
     def __init__(self, parameter: str, value: object, code: str, **params: object) -> None:
-        super().__init__(f"{parameter} = {value!r} {REFUSALS[code].format(**params)}")
+        super().__init__(f"{parameter} = {value!r} {REFUSALS.get(code, code).format(**params)}")
         self.parameter = parameter
         self.value = value
         self.code = code

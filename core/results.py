@@ -34,8 +34,8 @@ NOTICES = {
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
-    "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds "
-    "more than 5 % to its deflection.",
+    "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "
+    "adds more than 5 % to its deflection.",
     "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load "
     "is concentrated there, more than elastic rollers would let it be.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "

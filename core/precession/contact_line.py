@@ -248,18 +248,18 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
         )
     sines, errors, points = [], [], []
     for name, phi in (("phi_min", roller.phi_min), ("phi_max", roller.phi_max)):
-        total = phi + roller.position_angle
-        error = 2 * ROUNDING * (abs(phi) + abs(roller.position_angle))
-        sine = math.sin(total)
-        if abs(sine) <= 2 * error:
+        sine, cosine = _sine_and_cosine_of_sum(phi, roller.position_angle)
+        rounding = ROUNDING * (abs(phi) + abs(roller.position_angle))
+        if abs(sine) <= 4 * rounding:
             raise InvalidInput(
                 f"rollers[{index}].{name}",
                 phi,
                 "infinite_line",
                 field="position_angle",
             )
-        y, z = curve.width * math.cos(total) / sine, -curve.scale * math.sin(phi) / sine
-        dz_dphi = abs(curve.width) / (abs(sine) - error) ** 2
+        y, z = curve.width * cosine / sine, -curve.scale * math.sin(phi) / sine
+        dz_dphi = abs(curve.width) / (abs(sine) - 2 * rounding) ** 2
+        error = ANGLE_ROUNDING * abs(phi) + curve.angle_error
         sines.append(sine)
         errors.append(error)
         points.append(LinePoint(y, z, error * dz_dphi + 3 * ROUNDING * abs(z)))
@@ -274,6 +274,15 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
     start, end = sorted(points, key=lambda point: point.z)
     extent = abs(curve.width * math.sin(span) / (sines[0] * sines[1]))
     return Limits(start, end, extent, phi_error=max(errors))
+
+
+def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
+    """Sine and cosine of a sum of angles without the rounding of the sum."""
+    total = first + second
+    part = total - first
+    lost = (first - (total - part)) + (second - part)
+    sine, cosine = math.sin(total), math.cos(total)
+    return sine + lost * cosine, cosine - lost * sine
 
 
 @dataclass(frozen=True, slots=True)

@@ -118,8 +118,8 @@ export default {
       both: "no limit known for the pin: {pin}; for the hole: {hole}",
     },
     wanted: {
-      pin: "No limit of the pin's material, {pin}, is known: enter one.",
-      hole: "No limit of the hole's material, {hole}, is known: enter one.",
+      pin: "No limit is known for the pin, {pin}: enter one.",
+      hole: "No limit is known for the hole, {hole}: enter one.",
     },
     loose: "clearance not counted",
     ownMaterial: "own values",
@@ -257,7 +257,7 @@ export default {
     x: ["x"],
     y: ["y"],
     total: ["total"],
-    governing_pressure_MPa: ["Governing pressure", "p"],
+    governing_pressure_MPa: ["Governing pressure", "p_g"],
     safety: ["Safety of each body whose limit is known"],
     body: ["Body"],
     limit_MPa: ["Limit"],
@@ -494,6 +494,12 @@ export default {
       tests: "Whether a contact line comes close to φ = 0.",
       why: "There the load has hardly an arm about the axis: the line load grows steeply, more than elastic rollers would let it.",
       mend: "Move the end of the line away from the precession centre.",
+    },
+    hardly_known: {
+      title: "Hardly anything is known",
+      tests: "Whether the stated relative error stays below 1 %.",
+      why: "The numbers given are known to some 16 digits only; here a small difference of large ones decides, of which hardly a digit is left.",
+      mend: "Move the sizes away from where they nearly cancel: a ratio from cos θ, a limit from its neighbour, an angle from its pole.",
     },
   },
   report: {

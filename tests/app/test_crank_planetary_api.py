@@ -94,7 +94,7 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     def refuse(**_):
         raise AssertionError("ran what nobody asked for")
 
-    patches = [patch(f"app.schemas.{name}", side_effect=refuse) for name in not_run]
+    patches = [patch(f"app.calculations.{name}", side_effect=refuse) for name in not_run]
     for each in patches:
         each.start()
     try:
@@ -123,7 +123,7 @@ async def test_options_of_the_force_run_only_when_named(api, option):
 
 
 async def test_no_figure_is_built_without_chart(api):
-    with patch("app.routers.cyclogram.cyclogram_figure", side_effect=AssertionError):
+    with patch("app.calculations.cyclogram.cyclogram_figure", side_effect=AssertionError):
         assert (await api.post("cyclogram", json=MECHANISM)).status_code == 200
 
 
@@ -212,7 +212,13 @@ async def test_no_number_is_refused_by_the_fields_name(api, number):
         headers={"content-type": "application/json"},
     )
     assert response.status_code == 422
-    assert response.json()["errors"] == [{"pointer": "/ratio", "detail": "must be a finite number"}]
+    (error,) = response.json()["errors"]
+    assert error == {
+        "pointer": "/ratio",
+        "code": "finite_number",
+        "params": {},
+        "detail": "must be a finite number",
+    }
 
 
 @pytest.mark.parametrize("asked", [{}, {"include": ["cyclogram"]}])
@@ -220,9 +226,13 @@ async def test_a_hole_smaller_than_the_pin_is_refused_whatever_is_asked(api, ask
     contact = {**CONTACT, "hole_radius_mm": 7.9}
     response = await api.post("crank-planetary", json={**JOB, "contact": contact, **asked})
     assert response.status_code == 422
-    assert response.json()["errors"] == [
-        {"pointer": "/contact/hole_radius_mm", "detail": "must be larger than pin_radius_mm"}
-    ]
+    (error,) = response.json()["errors"]
+    assert error == {
+        "pointer": "/contact/hole_radius_mm",
+        "code": "larger_than",
+        "params": {"field": "pin_radius_mm"},
+        "detail": "must be larger than pin_radius_mm",
+    }
 
 
 @pytest.mark.parametrize(

@@ -92,16 +92,16 @@ async def test_the_description_is_enough_for_a_form(api):
     models = schema["components"]["schemas"]
     pins = models["CyclogramRequest"]["properties"]["pins"]
     assert pins["title"]
-    assert pins["symbol"] == "N"
+    assert pins["x-symbol"] == "N"
     assert pins["minimum"] == 1
     for name, model in models.items():
         for field, described in model.get("properties", {}).items():
-            assert described.get("unit", "") == shown_unit(field), f"{name}.{field}"
+            assert described.get("x-unit", "") == shown_unit(field), f"{name}.{field}"
 
 
 async def test_refusals_are_part_of_the_description(api):
     operation = (await api.get("openapi.json")).json()["paths"]["/api/v1/cyclogram"]["post"]
-    assert set(operation["responses"]) == {"200", "413", "422", "503"}
+    assert set(operation["responses"]) == {"200", "413", "415", "422", "503"}
     assert list(operation["responses"]["422"]["content"]) == ["application/problem+json"]
 
 

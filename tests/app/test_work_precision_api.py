@@ -90,7 +90,7 @@ async def test_the_diagram_is_a_figure(api, calculation):
             {"calculation": "peak_force", "input": {**STUDIES["peak_force"], "pins": 200}},
             "/input/pins",
         ),
-        ({"calculation": "colour", "input": {}}, ""),
+        ({"calculation": "colour", "input": {}}, "/calculation"),
         ({"calculation": "meshing_load", "input": GEAR}, "/input/torque_Nm"),
     ],
 )
