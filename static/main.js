@@ -7,7 +7,7 @@ import { formModel, stateFromInput } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
-import { LANGUAGES, message, translated, useLanguage } from "./messages/index.js";
+import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
 import { createKeys } from "./views/keys.js";
 import { createSettings } from "./views/settings.js";
 import { createShare } from "./views/share.js";
@@ -47,7 +47,7 @@ async function partsOf(id) {
   const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), service]);
   return {
     calculator,
-    model: formModel(openapi, { ...calculator, path: client.base + calculator.path, words: translated }),
+    model: formModel(openapi, { ...calculator, path: client.base + calculator.path, words: fieldWords }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
     version: openapi.info.version,

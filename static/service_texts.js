@@ -1,24 +1,30 @@
 /**
- * What the service says in words: refusals, warnings and figures, in the language and with the titles
- * of the page. `titles` maps API field names to titles. No DOM.
+ * What the service says in words: refusals, warnings and figures, by code, in the language and with
+ * the titles of the page. `titles` maps API field names to titles. No DOM.
  */
 import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
 import { fieldAtPointer, keysOf } from "./lib/schema_form.js";
-import { chartWords, message, translated } from "./messages/index.js";
+import { shownUnit } from "./lib/units.js";
+import { message, said } from "./messages/index.js";
 
-const NAME = /\b([a-z]\w*_\w+|[a-z]{4,})(?: = (-?[\d.]+(?:e[+-]?\d+)?))?/gi;
+const FIELDS = ["field", "other"]; // parameters that are names of fields
+const LIMITS = ["limit", "low", "high", "value"]; // and values of the field that the text is about
 
-/** A sentence of the service: API names become titles, values get their units. */
-function inWords(detail, titles) {
-  const text = translated(detail).replace(NAME, (whole, name, value) => {
-    const title = titles.get(name);
-    if (title === undefined) return whole;
-    const words = title.charAt(0).toLowerCase() + title.slice(1);
-    if (value === undefined) return words;
-    const unit = unitOf(name);
-    return `${words} ${unit ? formatQuantity(Number(value), unit) : formatNumber(Number(value))}`;
-  });
-  return text.charAt(0).toUpperCase() + text.slice(1);
+const quoted = (title) => message("page.quoted", { title });
+
+function parameter(name, value, unit, titles) {
+  if (FIELDS.includes(name)) return quoted(titles.get(value) ?? value);
+  if (name === "names") return value.split(", ").map((one) => titles.get(one) ?? one).join("; ");
+  if (typeof value !== "number") return String(value);
+  return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
+}
+
+/** The words of a refusal or a warning; a code that the page does not know speaks English. */
+function inWords(kind, { code, params, detail }, name, titles) {
+  const unit = name ? unitOf(name) : "";
+  const values = Object.fromEntries(Object.entries(params ?? {}).map(([key, value]) => [key, parameter(key, value, unit, titles)]));
+  const words = said(kind, code, values) ?? detail;
+  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** What is wrong with something that has a title, as part of a sentence. */
@@ -37,14 +43,26 @@ function atBox(field, pointer, words) {
   };
 }
 
-/** What the service says of a field that is not on the screen. */
-function ofPointer(pointer, words, titles) {
+/** Name of the field that a pointer ends at, and the row of a list that it is in; none for the body. */
+function named(pointer) {
   const keys = keysOf(pointer);
   const at = keys.findLastIndex((key) => !/^\d*$/.test(key));
-  if (at < 0) return words;
-  const title = titles.get(keys[at]) ?? keys[at];
   const row = keys[at - 1];
-  return /^\d+$/.test(row) ? message("rows.problem", { row: Number(row) + 1, title, words }) : ofTitle(title, words);
+  return { name: keys[at], row: /^\d+$/.test(row) ? Number(row) + 1 : undefined };
+}
+
+/** What the service says of a field that is not on the screen. */
+function ofPointer({ name, row }, words, titles) {
+  if (name === undefined) return words;
+  const title = titles.get(name) ?? name;
+  return row === undefined ? ofTitle(title, words) : message("rows.problem", { row, title, words });
+}
+
+/** Where a mechanism cannot work, `{API name: value}`, as the end of a sentence. */
+function placeText(where, titles) {
+  const places = Object.entries(where).map(([name, value]) =>
+    `${titles.get(name) ?? name} = ${formatQuantity(value, unitOf(name))}`);
+  return places.length > 0 ? ` (${places.join("; ")})` : "";
 }
 
 /**
@@ -54,14 +72,21 @@ function ofPointer(pointer, words, titles) {
 export function refusalTexts(refusal, shown, titles) {
   const at = {};
   const elsewhere = [];
-  for (const { pointer = "", detail } of refusal.errors) {
-    const field = fieldAtPointer(shown, pointer);
-    const words = inWords(detail, titles);
-    if (field) at[field.path] ??= atBox(field, pointer, words);
-    else elsewhere.push(ofPointer(pointer, words, titles));
+  for (const error of refusal.errors) {
+    const field = fieldAtPointer(shown, error.pointer);
+    const about = named(error.pointer);
+    const words = inWords("refusals", error, about.name, titles);
+    if (field) at[field.path] ??= atBox(field, error.pointer, words);
+    else elsewhere.push(ofPointer(about, words, titles) + (error.pointer === "" ? placeText(refusal.where, titles) : ""));
   }
-  if (refusal.errors.length === 0) elsewhere.push(inWords(refusal.message, titles));
+  if (refusal.errors.length === 0) elsewhere.push(refusalOfKind(refusal));
   return { at, elsewhere };
+}
+
+/** What a refusal that is about no field says. */
+function refusalOfKind({ kind, message: detail }) {
+  const words = message("refused")[kind];
+  return words ?? detail.charAt(0).toUpperCase() + detail.slice(1);
 }
 
 /** Anything that went wrong, as one sentence: no service, a refusal wherever its fields are, an error. */
@@ -70,9 +95,25 @@ export function problemText(problem, titles) {
   return problem.errors ? refusalTexts(problem, [], titles).elsewhere.join("; ") : problem.message;
 }
 
-export function warningText({ detail }, titles) {
-  return inWords(detail, titles);
+export function warningText(warning, titles) {
+  return inWords("notices", warning, warning.params?.field, titles);
 }
 
-/** A text of a figure: its title, an axis, a legend, what is shown at a point. */
-export const figureText = chartWords;
+/** A number of a figure, or Plotly's placeholder of one, with its unit as it is shown. */
+function amount({ value, unit, digits }) {
+  if (typeof value === "number") return formatQuantity(value, unit, digits);
+  return value + (unit === "" || unit === "°" ? unit : `\u00a0${shownUnit(unit)}`);
+}
+
+function placed(param) {
+  if (Array.isArray(param)) return figureText(...param);
+  return typeof param === "object" ? amount(param) : param;
+}
+
+/** A text of a figure by its id and parameters: its title, an axis, a legend, what is shown at a point. */
+export function figureText(id, params) {
+  const [kind, code] = id.includes(".") ? id.split(".") : ["figures", id];
+  const values = Object.fromEntries(Object.entries(params).map(([name, value]) =>
+    [name, name === "unit" ? shownUnit(value) : placed(value)]));
+  return said(kind, code, values);
+}

@@ -2,13 +2,15 @@
 
 /** What the service (or the way to it) refused: RFC 9457, with the pointers of the wrong fields. */
 export class Problem extends Error {
-  constructor({ status = 0, title = "", detail = "", errors = [] }) {
+  constructor({ status = 0, kind = "", title = "", detail = "", errors = [], where = {} }) {
     super(detail || title);
     this.name = "Problem";
     this.status = status;
+    this.kind = kind;
     this.title = title;
     this.detail = detail;
     this.errors = errors;
+    this.where = where;
   }
 }
 
@@ -17,9 +19,11 @@ async function problemOf(response) {
   const body = kind.includes("json") ? await response.json().catch(() => ({})) : {};
   return new Problem({
     status: response.status,
+    kind: String(body.type ?? "").split("/").pop(),
     title: body.title ?? response.statusText,
     detail: body.detail ?? "",
     errors: Array.isArray(body.errors) ? body.errors : [],
+    where: body.where,
   });
 }
 

@@ -3,58 +3,44 @@
  * for the reader: in the language and the units shown, as tables, with other designs laid over. No DOM.
  */
 import { figureText } from "../service_texts.js";
-import { formatNumber } from "./format.js";
-import { shownUnit, shownValue } from "./units.js";
+import { shownAsIs, shownValue } from "./units.js";
 
-const UNITS = ["N/mm", "N·m", "mm", "MPa", "GPa", "N", "°", "µs"];
-const TITLE = new RegExp(`^(.*), (${UNITS.join("|")})$`);
-const QUANTITY = /(%\{[^}]*\}|-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)[ \u00a0](N\/mm|N·m|mm|MPa|GPa|N)(?![\p{L}/·])/gu;
 const AXIS = { x: "xaxis", y: "yaxis" };
+const NO_BOX = "<extra></extra>"; // ends a hover text: no box with the trace's name beside it
 
-/** Title and canonical unit of an axis title. */
-function titled(text = "") {
-  const [, title = text, unit = ""] = TITLE.exec(text) ?? [];
-  return { title, unit };
-}
-
-/** The axis of a layout that a trace or a shape refers to: `x2` is `xaxis2`. */
-function axisOf(layout, reference, direction) {
+/** The name of the axis that a trace or a shape refers to: `x2` is `xaxis2`. */
+function axisOf(reference, direction) {
   const number = /^[xy](\d*)$/.exec(reference ?? direction)?.[1];
-  return number === undefined ? null : layout[AXIS[direction] + number];
+  return number === undefined ? null : AXIS[direction] + number;
 }
 
-function unitAt(layout, reference, direction) {
-  return titled(axisOf(layout, reference, direction)?.title?.text).unit;
+/** Title and canonical unit of an axis. */
+function titled({ layout }, reference, direction) {
+  const axis = axisOf(reference, direction);
+  return layout.meta?.axes?.[axis] ?? { title: layout[axis]?.title?.text ?? "", unit: "" };
 }
 
-function mapTexts(chart, change) {
-  const texts = (part, keys) => Object.fromEntries(
-    keys.filter((key) => typeof part[key] === "string").map((key) => [key, change(part[key])]),
-  );
-  const layout = { ...chart.layout };
-  for (const [key, axis] of Object.entries(layout)) {
-    if (/^[xy]axis\d*$/.test(key) && axis.title) layout[key] = { ...axis, title: { ...axis.title, ...texts(axis.title, ["text"]) } };
-  }
-  layout.annotations = layout.annotations?.map((note) => ({ ...note, ...texts(note, ["text"]) }));
-  return {
-    data: chart.data.map((trace) => ({ ...trace, ...texts(trace, ["name", "hovertemplate"]) })),
-    layout,
-  };
+/** A figure with a text put where a path leads. */
+function withText(part, [key, ...rest], text) {
+  const copy = Array.isArray(part) ? [...part] : { ...part };
+  copy[key] = rest.length > 0 ? withText(part[key], rest, text) : text;
+  return copy;
 }
 
-/** The texts of a figure in the language of the page. */
+/** The texts of a figure in the language and the units of the page; `layout.meta.axes` has title and unit of its axes. */
 export function inLanguage(chart) {
-  return mapTexts(chart, figureText);
+  const axes = {};
+  let worded = chart;
+  for (const [path, id, params] of chart.layout.meta?.words ?? []) {
+    const text = figureText(id, params);
+    if (text === undefined) continue; // this page does not know it: in English
+    worded = withText(worded, path, path.at(-1) === "hovertemplate" ? text + NO_BOX : text);
+    if (id === "axis") axes[path[1]] = { title: textOf(params.title), unit: params.unit };
+  }
+  return { ...worded, layout: { ...worded.layout, meta: { axes } } };
 }
 
-function inWordsOfUnits(text) {
-  const axis = titled(text);
-  if (axis.unit) return `${axis.title}, ${shownUnit(axis.unit)}`;
-  return text.replace(QUANTITY, (_, amount, unit) => {
-    const value = amount.startsWith("%") ? amount : formatNumber(shownValue(Number(amount), unit), 4);
-    return `${value} ${shownUnit(unit)}`;
-  });
-}
+const textOf = (title) => (Array.isArray(title) ? figureText(...title) : title);
 
 function scaled(values, unit) {
   return Array.isArray(values)
@@ -62,34 +48,35 @@ function scaled(values, unit) {
     : typeof values === "number" ? shownValue(values, unit) : values;
 }
 
-function placedAnew(part, layout, keys) {
+function placedAnew(part, chart, keys) {
   const moved = { ...part };
   for (const [key, direction] of keys) {
-    if (key in part) moved[key] = scaled(part[key], unitAt(layout, part[`${direction}ref`] ?? direction, direction));
+    if (key in part) moved[key] = scaled(part[key], titled(chart, part[`${direction}ref`], direction).unit);
   }
   return moved;
 }
 
-/** A figure in the units shown: data, ranges, marks and words. */
+/** A figure in the units shown: data, ranges and marks; its texts are already. */
 export function inShownUnits(chart) {
-  if (shownUnit("mm") === "mm") return chart;
+  if (shownAsIs("mm")) return chart;
   const { layout } = chart;
-  const data = chart.data.map((trace) => {
-    const units = { x: unitAt(layout, trace.xaxis, "x"), y: unitAt(layout, trace.yaxis, "y") };
-    return { ...trace, x: scaled(trace.x, units.x), y: scaled(trace.y, units.y) };
-  });
+  const data = chart.data.map((trace) => ({
+    ...trace,
+    x: scaled(trace.x, titled(chart, trace.xaxis, "x").unit),
+    y: scaled(trace.y, titled(chart, trace.yaxis, "y").unit),
+  }));
   const axes = Object.fromEntries(Object.entries(layout)
     .filter(([key, axis]) => /^[xy]axis\d*$/.test(key) && Array.isArray(axis.range))
-    .map(([key, axis]) => [key, { ...axis, range: scaled(axis.range, titled(axis.title?.text).unit) }]));
-  return mapTexts({
+    .map(([key, axis]) => [key, { ...axis, range: scaled(axis.range, layout.meta?.axes?.[key]?.unit ?? "") }]));
+  return {
     data,
     layout: {
       ...layout,
       ...axes,
-      shapes: layout.shapes?.map((shape) => placedAnew(shape, layout, [["x0", "x"], ["x1", "x"], ["y0", "y"], ["y1", "y"]])),
-      annotations: layout.annotations?.map((note) => placedAnew(note, layout, [["x", "x"], ["y", "y"]])),
+      shapes: layout.shapes?.map((shape) => placedAnew(shape, chart, [["x0", "x"], ["x1", "x"], ["y0", "y"], ["y1", "y"]])),
+      annotations: layout.annotations?.map((note) => placedAnew(note, chart, [["x", "x"], ["y", "y"]])),
     },
-  }, inWordsOfUnits);
+  };
 }
 
 function grouped(items, keyOf) {
@@ -101,11 +88,12 @@ function grouped(items, keyOf) {
 const MOST_GROUPS = 3; // more sets of places than this in one panel: a row for each point
 
 /** The numbers behind a figure's curves as tables, in canonical units. */
-export function curveTables({ data, layout }) {
+export function curveTables(chart) {
+  const { data } = chart;
   const panels = grouped(data, (trace) => `${trace.xaxis ?? "x"} ${trace.yaxis ?? "y"}`);
   return panels.flatMap((traces) => {
-    const across = titled(axisOf(layout, traces[0].xaxis, "x")?.title?.text);
-    const up = titled(axisOf(layout, traces[0].yaxis, "y")?.title?.text);
+    const across = titled(chart, traces[0].xaxis, "x");
+    const up = titled(chart, traces[0].yaxis, "y");
     const groups = grouped(traces, ({ x }) => x.join());
     if (groups.length > MOST_GROUPS) {
       return [{

@@ -2,10 +2,11 @@
 import { shownUnit, shownValue } from "./units.js";
 
 let decimal = ".";
+let times = "\u202f×\u202f";
 
-/** The decimal sign of the language in use. */
-export function setDecimal(sign) {
-  decimal = sign;
+/** The decimal sign of the language in use, and how it joins a power of ten. */
+export function setNumerals(numerals) {
+  ({ decimal, times } = numerals);
 }
 
 const MINUS = "\u2212";
@@ -82,7 +83,7 @@ export function formatNumber(value, digits = 6) {
   const [mantissa, power] = Math.abs(value).toExponential(digits - 1).split("e");
   const exponent = Number(power);
   if (exponent < -3 || exponent > 6) {
-    return `${sign}${trimmed(mantissa).replace(".", decimal)}\u202f×\u202f10${superscript(exponent)}`;
+    return `${sign}${trimmed(mantissa).replace(".", decimal)}${times}10${superscript(exponent)}`;
   }
   const [whole, fraction] = trimmed(Number(`${mantissa}e${power}`).toFixed(
     Math.max(0, digits - 1 - exponent),

@@ -60,19 +60,20 @@ function kindOf(schema, resolve) {
 function fieldOf(schema, path, required, resolve) {
   const name = path.split(".").pop();
   const kind = kindOf(schema, resolve);
+  const [title, help] = resolve.words(name, schema["x-group"]) ?? [schema.title ?? name, schema.description ?? ""];
   const limited = kind === "numbers" ? resolve(schema.items) : schema;
   return {
     path,
     name,
     kind,
-    title: resolve.words(schema.title ?? name),
-    help: resolve.words(schema.description ?? ""),
-    symbol: schema.symbol ?? "",
-    unit: schema.unit ?? unitOf(name),
-    step: schema.step ?? (kind === "integer" ? 1 : undefined),
+    title,
+    help,
+    symbol: schema["x-symbol"] ?? "",
+    unit: schema["x-unit"] ?? unitOf(name),
+    step: schema["x-step"] ?? (kind === "integer" ? 1 : undefined),
     options: schema.enum,
-    group: schema.group,
-    advanced: schema.advanced ?? false,
+    group: schema["x-group"],
+    advanced: schema["x-advanced"] ?? false,
     required,
     default: schema.default ?? undefined,
     ...(kind === "records" && { columns: columnsOf(resolve(schema.items), path, resolve) }),
@@ -156,9 +157,10 @@ function groupsByField(schema, { groups, inline, choices, hidden, resolve }) {
  *
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
- * `hidden` what the page decides for the user, `words` the schema's words in the user's language.
+ * `hidden` what the page decides for the user; `words(name, group)` gives title and help of a field, or
+ * null for those of the schema.
  */
-export function formModel(openapi, { path, groups, inline, choices = [], hidden = [], words = (said) => said }) {
+export function formModel(openapi, { path, groups, inline, choices = [], hidden = [], words = () => null }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
   const parts = inline
     ? groupsByField(schema, { groups, inline, choices, hidden, resolve })

@@ -23,6 +23,7 @@ const SHOWN = {
 export const SYSTEMS = Object.keys(SHOWN);
 
 let system = "metric";
+let names = {}; // of units in the language in use
 
 export function setUnits(chosen) {
   if (!SHOWN[chosen]) throw new RangeError(`no system of units "${chosen}"`);
@@ -30,12 +31,23 @@ export function setUnits(chosen) {
   spelled.clear();
 }
 
+/** Names of units where the language in use has its own. */
+export function setUnitNames(own) {
+  names = own;
+}
+
 function sizeOf(unit) {
   return SHOWN[system][unit]?.[1] ?? 1;
 }
 
 export function shownUnit(unit) {
-  return SHOWN[system][unit]?.[0] ?? unit;
+  const shown = SHOWN[system][unit]?.[0] ?? unit;
+  return names[shown] ?? shown;
+}
+
+/** Whether values of a unit are shown as they are. */
+export function shownAsIs(unit) {
+  return sizeOf(unit) === 1;
 }
 
 export function shownValue(value, unit) {

@@ -1,7 +1,12 @@
-/** Every text of the page in English. Titles and help of the form's fields come from the service's schema. */
+/** Every text of the page in English; under `service` what the service says itself, by code. */
+import service from "./service.js";
+
 export default {
+  service,
   page: {
     decimal: ".",
+    times: "\u202f×\u202f",
+    quoted: "“{title}”",
     skip: "Skip to the results",
     calculators: "Calculators",
     keys: "Keys",
@@ -10,6 +15,13 @@ export default {
     unreachable: "The service cannot be reached. Everything typed is kept; Enter tries again.",
     failed: "The page could not be started: {detail}",
   },
+  // What a refusal says that is about no field, by its kind.
+  refused: {
+    "too-large": "The request is too large.",
+    unavailable: "The service is busy or the answer takes too long: try again in a few seconds.",
+    failure: "The service failed: this is no error of the input.",
+  },
+  unit: {}, // names of units that are not written as in the service
   settings: { title: "Settings", theme: "Theme", units: "Units", language: "Language" },
   units: { metric: "mm, N, MPa", us: "in, lbf, psi" },
   theme: { system: "System", light: "Light", dark: "Dark" },
@@ -136,7 +148,7 @@ export default {
     bendingStress: "Bending stress",
     bendingMoment: "bending moment {moment}",
     lineLength: "Contact lines, total",
-    lines: "{count} rollers",
+    lines: { one: "{count} roller", other: "{count} rollers" },
     lineLoad: "Largest line load",
     meshForce: "force of the mesh {force}",
     deflection: "Deflection at C",

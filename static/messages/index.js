@@ -1,59 +1,48 @@
 /**
- * The page's texts by key, with `{name}` put in, in the language in use.
- *
- * What the service says in English (titles of fields, figures, refusals) has its words in the
- * files of the other languages, under `service`; what these don't know stays as it was said.
+ * The page's texts by key, with `{name}` put in, in the language in use; what the service says has its
+ * words by code under `service`, in English those that it says itself.
  */
-import { setDecimal } from "../lib/format.js";
+import { formatNumber, setNumerals } from "../lib/format.js";
+import { setUnitNames } from "../lib/units.js";
 import en from "./en.js";
 
 /** The languages by their own names; a new one is its own file here and a word below. */
 export const LANGUAGES = { en: "English", uk: "Українська", ru: "Русский" };
 
 let texts = en;
-let templates = [];
-
-/** `must be at least {1}` as what recognises it. */
-function recogniser(template) {
-  const parts = template.split(/\{\d\}/).map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"));
-  return new RegExp(`^${parts.join("(.+?)")}$`, "s");
-}
+let plural = new Intl.PluralRules("en");
 
 /** Read the texts of a language. */
 export async function useLanguage(language) {
   texts = language === "en" ? en : (await import(`./${language}.js`)).default;
-  templates = (texts.service?.sentences ?? []).map(([said, words]) => [recogniser(said), words]);
-  setDecimal(texts.page.decimal);
+  plural = new Intl.PluralRules(language);
+  setNumerals(texts.page);
+  setUnitNames(texts.unit);
+}
+
+/** A text with its places filled; one with forms of a noun takes that of `count`. */
+function filled(text, values) {
+  const one = typeof text === "string" ? text : text[plural.select(values.count)];
+  return one.replace(/\{(\w+)\}/g, (whole, name) => {
+    const value = values[name] ?? whole;
+    return typeof value === "number" ? formatNumber(value, 15) : value;
+  });
 }
 
 export function message(key, values = {}) {
   const found = key.split(".").reduce((part, name) => part?.[name], texts);
   if (found === undefined) throw new Error(`no message "${key}"`);
-  if (typeof found !== "string") return found;
-  return found.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+  return typeof found === "string" || found.other ? filled(found, values) : found;
 }
 
-/** A title or a sentence of the service in the language in use. */
-export function translated(said) {
-  const words = texts.service?.words[said];
-  if (words !== undefined) return words;
-  for (const [pattern, sentence] of templates) {
-    const found = pattern.exec(said);
-    if (found) return sentence.replace(/\{(\d)\}/g, (_, i) => found[i]);
-  }
-  return said;
+/** Words of the service by kind and code; undefined for a code that this page does not know. */
+export function said(kind, code, values = {}) {
+  const text = texts.service[kind][code];
+  return text && filled(text, values);
 }
 
-const NO_WORDS = /(%\{[^}]*\}|<[^>]*>|-?\d+(?:\.\d+)?(?:e[+-]?\d+)?|[,:;=](?=\s|$))/;
-
-/** A text of a figure: its words in the language in use, its numbers and marks as they are. */
-export function chartWords(text) {
-  const words = texts.service?.words;
-  if (!words) return text;
-  const [, title, unit] = /^(.*?)(, [^,]+)?$/s.exec(text);
-  const whole = words[text] ?? (title in words ? words[title] + (unit ?? "") : undefined);
-  return whole ?? text.split(NO_WORDS).map((part) => {
-    const [, before, phrase, after] = /^(\s*)(.*?)(\s*)$/s.exec(part);
-    return before + (words[phrase] ?? phrase) + after;
-  }).join("");
+/** Title and help of a field by its name, or by group and name where groups differ; null for one that this page does not know. */
+export function fieldWords(name, group) {
+  const { fields } = texts.service;
+  return fields[`${group}.${name}`] ?? fields[name] ?? null;
 }

@@ -1,4 +1,4 @@
-// Made from the service by tests/app/test_service_words.py: its words in English, by code.
+// Written by tests/app/test_service_words.py: what the service says in English, by code.
 export default {
   "refusals": {
     "at_most": "must be at most {field}",

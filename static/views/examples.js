@@ -1,6 +1,6 @@
 /** The papers' examples to start from, and where the chosen one comes from. */
 import { element, html } from "../lib/html.js";
-import { message, translated } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { following } from "../store.js";
 
 /** `queries` are those of the examples' inputs, as in the address. */
@@ -10,7 +10,7 @@ export function createExamples({ examples, queries, on }) {
       <label for="example">${message("examples.label")}</label>
       <select id="example" class="box">
         <option value="">${message("examples.own")}</option>
-        ${examples.map(({ id, title }) => html`<option value="${id}">${translated(title)}</option>`)}
+        ${examples.map(({ id, title }) => html`<option value="${id}">${said("examples", id) ?? title}</option>`)}
       </select>
       <p class="field-message" id="example-source"></p>
     </div>`);

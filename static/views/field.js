@@ -1,6 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, fill, html } from "../lib/html.js";
-import { translated } from "../messages/index.js";
+import { said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
 
@@ -73,12 +73,12 @@ export function createField(field, { suggestion, on }) {
     /** The names to choose from: `[{ name, title, group }]`; a name not among them stays selectable. */
     setNames(names, current) {
       const known = names.some(({ name }) => name === current) || current === "";
-      const all = known ? names : [...names, { name: current, title: current, group: "" }];
-      const option = ({ name, title }) => html`<option value="${name}">${translated(title ?? name)}</option>`;
-      const groups = [...new Set(all.map(({ group }) => group ?? ""))];
+      const all = known ? names : [...names, { name: current, title: current }];
+      const option = ({ name, title }) => html`<option value="${name}">${said("materials", name) ?? title ?? name}</option>`;
+      const groups = [...new Set(all.map(({ group_code: group }) => group ?? ""))];
       fill(input, html`${groups.map((group) => {
-        const members = all.filter((one) => (one.group ?? "") === group).map(option);
-        return group === "" ? members : html`<optgroup label="${translated(group)}">${members}</optgroup>`;
+        const members = all.filter((one) => (one.group_code ?? "") === group).map(option);
+        return group === "" ? members : html`<optgroup label="${said("materialGroups", group) ?? group}">${members}</optgroup>`;
       })}`);
       input.value = current;
     },

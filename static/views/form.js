@@ -1,7 +1,7 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
 import { exactText, formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
-import { message, translated } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { textIn } from "../lib/schema_form.js";
 import { following, readingText, unread } from "../store.js";
 import { createChoice } from "./choice.js";
@@ -26,8 +26,8 @@ function properties(entry) {
     ratio: formatNumber(entry.poissons_ratio),
     limit: limit ? message("form.allowable", {
       pressure: formatQuantity(limit.pressure_MPa, "MPa"),
-      criterion: translated(limit.criterion),
-      source: translated(limit.source),
+      criterion: said("criteria", limit.criterion) ?? limit.criterion,
+      source: said("limitSources", limit.source_code) ?? limit.source,
     }) : message("form.noLimit"),
   });
 }

@@ -2,7 +2,7 @@
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/schema_form.js";
-import { message, translated } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
@@ -12,7 +12,7 @@ const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .now,
 
 /** A value as the form shows it: a number, a list, a name with its title. */
 function valueText(field, value, catalogue) {
-  if (typeof value === "string") return translated(catalogue?.find(({ name }) => name === value)?.title ?? value);
+  if (typeof value === "string") return said("materials", value) ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
   if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
   return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
 }

@@ -1,9 +1,9 @@
 /** All results as tables, a section each; warnings above, accuracy and cost below. */
 import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { shownUnit } from "../lib/units.js";
+import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/warnings.js";
-import { message, translated } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following } from "../store.js";
 import { sign, symbolMarkup, tableMarkup } from "./parts.js";
@@ -14,14 +14,20 @@ function isScalar(value) {
   return ["number", "boolean", "string"].includes(typeof value);
 }
 
+/** A word of the answer in the language in use. */
+function wordOf(name, value) {
+  const kind = { body: "figures", criterion: "criteria" }[name];
+  return (kind && said(kind, value)) ?? value;
+}
+
 /** Short lists of numbers and pairs read as one value; what is longer has its table or figure. */
-function asText(value, digits, unit = "") {
+function asText(value, digits, unit = "", name = "") {
   if (typeof value === "number") {
-    const whole = Number.isInteger(value) && shownUnit(unit) === unit;
+    const whole = Number.isInteger(value) && shownAsIs(unit);
     return quantityParts(value, unit, whole ? 15 : digits).value;
   }
   if (typeof value === "boolean") return message(value ? "results.yes" : "results.no");
-  if (typeof value === "string") return translated(value);
+  if (typeof value === "string") return wordOf(name, value);
   if (Array.isArray(value) && value.every(isScalar)) {
     return value.length === 0 ? message("results.none") : value.map((one) => asText(one, digits, unit)).join("; ");
   }
@@ -37,7 +43,7 @@ function asText(value, digits, unit = "") {
 
 function row([name, value], digits) {
   const unit = unitOf(name);
-  const text = asText(value, digits, unit);
+  const text = asText(value, digits, unit, name);
   if (text === null) return null;
   const [title, symbol = ""] = message(`quantity.${name}`);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
@@ -53,13 +59,13 @@ function records([name, value], elsewhere) {
     title: message(`quantity.${name}`)[0],
     columns: columns.map((column) => ({ title: message(`quantity.${column}`)[0], unit: unitOf(column) })),
     rows: value.map((record) => columns.map((column) =>
-      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column)) ?? "–"))),
+      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column), column) ?? "–"))),
   });
 }
 
-function accuracyMarkup({ method, relative_error: error, evaluations, run_time_us: time }) {
+function accuracyMarkup({ method, method_code: code, relative_error: error, evaluations, run_time_us: time }) {
   return html`<p class="accuracy">${message("results.accuracy", {
-    method: translated(method),
+    method: said("methods", code) ?? method,
     error: error === 0 ? message("results.exact") : formatNumber(error, 2),
     evaluations: formatNumber(evaluations, 15),
     time: formatDuration(time),

@@ -1,10 +1,10 @@
 /** Every result worked from its formula: a section each, folded, built when it is opened. */
 import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { message, translated } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
 import { parse } from "../lib/formula/notation.js";
-import { shownUnit } from "../lib/units.js";
+import { shownAsIs } from "../lib/units.js";
 import { following } from "../store.js";
 
 function math(content, said) {
@@ -15,7 +15,7 @@ function math(content, said) {
 function formulas({ symbol, formula, values, value, unit }, digits) {
   const name = mathSymbol(symbol);
   const spoken = plainSymbol(symbol);
-  const shown = quantityParts(value, unit, Number.isInteger(value) && shownUnit(unit) === unit ? 15 : digits);
+  const shown = quantityParts(value, unit, Number.isInteger(value) && shownAsIs(unit) ? 15 : digits);
   const result = html`<mn>${shown.value}</mn>${unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`}`;
   const resultSaid = formatQuantity(value, unit, digits);
   const equal = html`<mo form="infix">=</mo>`;
@@ -29,8 +29,12 @@ function formulas({ symbol, formula, values, value, unit }, digits) {
 }
 
 function noteText({ note, noteValues = {} }) {
-  const texts = { object: (value) => formatQuantity(...value), number: (value) => formatNumber(value, 15), string: translated };
-  const values = Object.entries(noteValues).map(([name, value]) => [name, texts[typeof value](value)]);
+  const texts = {
+    object: (value) => formatQuantity(...value),
+    number: (value) => formatNumber(value, 15),
+    string: (value, name) => said({ criterion: "criteria", source: "limitSources" }[name], value) ?? value,
+  };
+  const values = Object.entries(noteValues).map(([name, value]) => [name, texts[typeof value](value, name)]);
   return message(`worked.note.${note}`, Object.fromEntries(values));
 }
 
@@ -54,11 +58,11 @@ function stepMarkup(step, digits) {
     </li>`;
 }
 
-function groupMarkup({ steps }, { relative_error: error, method }) {
+function groupMarkup({ steps }, { relative_error: error, method, method_code: code }) {
   const digits = shownDigits(error);
   return html`<ol class="steps">${steps.map((step) => stepMarkup(step, digits))}</ol>
     <p class="accuracy">${message("worked.accuracy", {
-      error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: translated(method),
+      error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: said("methods", code) ?? method,
     })}</p>`;
 }
 

@@ -194,7 +194,7 @@ export default {
   wanted: wantedWords,
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
-  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source"],
+  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true },
@@ -227,7 +227,7 @@ export default {
       body: hertzBody,
       height: 320,
     },
-    { id: "workPeak", section: "contact_force", measures: "peak_force", body: forceBody },
+    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody },
   ],
 
   worked: workedSteps,

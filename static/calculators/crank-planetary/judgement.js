@@ -4,7 +4,7 @@
  */
 import { formatNumber, formatQuantity, tidy } from "../../lib/format.js";
 import { levelOf } from "../../lib/warnings.js";
-import { message, translated } from "../../messages/index.js";
+import { message, said } from "../../messages/index.js";
 
 /** Half-width over pin radius up to which Hertz's pressure holds to 1 %, as in core.hertz. */
 export const NARROW = 0.159;
@@ -63,8 +63,8 @@ export function judged({ hertz, warnings = [] }) {
 /** Titles of the materials of both bodies. */
 function materials({ contact }, materialOf) {
   return Object.fromEntries(BODIES.map((body) => {
-    const { title } = materialOf(`contact.${body}_material`, contact[`${body}_material`]) ?? {};
-    return [body, title ? translated(title) : message("verdict.ownMaterial")];
+    const { name, title } = materialOf(`contact.${body}_material`, contact[`${body}_material`]) ?? {};
+    return [body, title ? said("materials", name) ?? title : message("verdict.ownMaterial")];
   }));
 }
 

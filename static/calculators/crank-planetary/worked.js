@@ -266,7 +266,7 @@ function safetySteps({ governing_pressure_MPa: governing, safety = [], safety_fa
     formula: "p", values: { p: pressure }, ...(conformal === undefined ? { note: "governsHertz" } : { note: "governsConformal" }),
   })];
   const p_g = q("p_g", governing, "MPa");
-  for (const { body, limit_MPa: limit, criterion, source, safety_factor: factor } of safety) {
+  for (const { body, limit_MPa: limit, criterion, source_code: source, safety_factor: factor } of safety) {
     const index = body === "pin" ? 1 : 2;
     found.push(result(`safety_${body}`, `S_${index}`, factor, "", {
       formula: "p_P/p_g",

@@ -176,9 +176,9 @@ export default {
       compared: true,
       height: 700,
     },
-    { id: "workLength", section: "contact_line", measures: "contact_line_length", body: lineBody },
-    { id: "workLoad", section: "meshing_load", measures: "meshing_load", body: loadBody },
-    { id: "workShaft", section: "shaft_deflection", measures: "shaft_deflection" },
+    { id: "workLength", section: "contact_line", measures: "precession/contact-line", body: lineBody },
+    { id: "workLoad", section: "meshing_load", measures: "precession/meshing-load", body: loadBody },
+    { id: "workShaft", section: "shaft_deflection", measures: "precession/shaft-deflection" },
   ],
 
   worked: workedSteps,

@@ -89,7 +89,7 @@ export default {
         rows: forces.map((force, i) => [i + 1, force]),
       }],
     },
-    { id: "workSharing", section: "roller_strength", measures: "roller_sharing" },
+    { id: "workSharing", section: "roller_strength", measures: "roller-strength" },
   ],
 
   worked: workedSteps,

@@ -66,7 +66,7 @@ function writer(style, { values, withNumbers, digits }) {
     const { value: text, unit: shown } = quantityParts(Math.abs(value), unit, whole ? 15 : digits);
     const written = style.number(text, shown);
     // A unit, a power of ten: what is raised to a power then needs parentheses.
-    const plain = atom(written, unit || text.includes("×") ? MULTIPLY : ATOM, true);
+    const plain = atom(written, unit || /10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+$/.test(text) ? MULTIPLY : ATOM, true);
     return value < 0 ? atom(style.negative(written), ADD, true) : plain;
   }
 
