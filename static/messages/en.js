@@ -423,6 +423,18 @@ export default {
       why: "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
       mend: "Use the exact peak force; the approximation is only shown beside it.",
     },
+    approximation_exponent: {
+      title: "Approximation for other contacts",
+      tests: "Whether the approximate peak is asked for where it is stated: 3 to 5 pins, 1 or 2 satellites evenly spaced, linear contact.",
+      why: "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
+      mend: "Use the exact peak force; the approximation is only shown beside it.",
+    },
+    approximation_spacing: {
+      title: "Approximation for other cranks",
+      tests: "Whether the approximate peak is asked for where it is stated: 3 to 5 pins, 1 or 2 satellites evenly spaced, linear contact.",
+      why: "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
+      mend: "Use the exact peak force; the approximation is only shown beside it.",
+    },
     clearance: {
       title: "Clearance of pin and hole",
       tests: "Whether the hole is larger than pin radius and eccentricity together.",

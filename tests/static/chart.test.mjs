@@ -2,51 +2,79 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { curveTables, inShownUnits, overlaid, inLanguage } from "../../static/lib/chart.js";
+import { useLanguage } from "../../static/messages/index.js";
 import { setUnits } from "../../static/lib/units.js";
 
 afterEach(() => setUnits("metric"));
 
-const CHART = {
+const amount = (value, unit, digits = 6) => ({ value, unit, digits });
+const axis = (key, id, unit) => [["layout", key, "title", "text"], "axis", { title: [id, {}], unit }];
+const SENT = {
   data: [
-    { name: "a", mode: "lines", x: [0, 10], y: [0, 25.4], line: { color: "red" }, hovertemplate: "%{y:.3g} mm at %{x}°" },
+    { name: "a", mode: "lines", x: [0, 10], y: [0, 25.4], line: { color: "red" }, hovertemplate: "in English<extra></extra>" },
     { name: "b", mode: "lines", x: [0, 10], y: [0, 50.8], line: { color: "blue" } },
     { name: "χ = 25.4 mm", mode: "markers", x: [5], y: [4.4482216152605], yaxis: "y2" },
   ],
   layout: {
     xaxis: { title: { text: "Crank angle, °" }, range: [0, 10] },
-    yaxis: { title: { text: "Place, mm" }, range: [0, 254] },
-    yaxis2: { title: { text: "Force, N" } },
+    yaxis: { title: { text: "Deflection, mm" }, range: [0, 254] },
+    yaxis2: { title: { text: "Contact force, N" } },
     shapes: [{ xref: "x", yref: "y", x0: 1, x1: 1, y0: 0, y1: 25.4 }, { xref: "x", yref: "paper", x0: 2, x1: 2, y0: 0, y1: 1 }],
     annotations: [{ text: "508 mm", xref: "x", yref: "y", x: 1, y: 508 }],
+    meta: {
+      words: [
+        [["data", 0, "hovertemplate"], "at_place", { name: ["plane_xz", {}], value: amount("%{y:.3g}", "mm"), place: amount("%{x}", "°") }],
+        [["data", 2, "name"], "tolerance", { tolerance: amount(25.4, "mm", 3) }],
+        [["layout", "annotations", 0, "text"], "amount", { amount: amount(508, "mm") }],
+        axis("xaxis", "crank_angle", "°"), axis("yaxis", "deflection", "mm"), axis("yaxis2", "contact_force", "N"),
+      ],
+    },
   },
 };
+const CHART = inLanguage(SENT);
 
 test("in metric units a figure is left as it is", () => {
   assert.equal(inShownUnits(CHART), CHART);
 });
 
+test("in English a figure says what the service says, in the page's numbers", () => {
+  assert.deepEqual(CHART.data.map(({ name }) => name), ["a", "b", "χ = 25.4\u00a0mm"]);
+  assert.equal(CHART.layout.yaxis.title.text, "Deflection, mm");
+  assert.equal(CHART.data[0].hovertemplate, "plane xz: %{y:.3g}\u00a0mm at %{x}°<extra></extra>");
+});
+
+test("in another language its words, numbers and units are that language's; what has no words stays", async () => {
+  await useLanguage("uk");
+  const { data, layout } = inLanguage({ ...SENT, layout: { ...SENT.layout, meta: { words: [...SENT.layout.meta.words, [["data", 1, "name"], "new_one", {}]] } } });
+  await useLanguage("en");
+  assert.deepEqual(data.map(({ name }) => name), ["a", "b", "χ = 25,4\u00a0мм"]);
+  assert.equal(layout.yaxis2.title.text, "Контактна сила, Н");
+  assert.equal(SENT.layout.yaxis2.title.text, "Contact force, N");
+  assert.equal(layout.annotations[0].text, "508\u00a0мм");
+});
+
 test("data, ranges, marks and words change their units together", () => {
   setUnits("us");
-  const { data, layout } = inShownUnits(CHART);
+  const { data, layout } = inShownUnits(inLanguage(SENT));
   assert.deepEqual(data[0].y, [0, 1]);
   assert.deepEqual(data[0].x, [0, 10]);
-  assert.equal(data[0].hovertemplate, "%{y:.3g} in at %{x}°");
-  assert.equal(data[2].name, "χ = 1 in");
+  assert.equal(data[0].hovertemplate, "plane xz: %{y:.3g}\u00a0in at %{x}°<extra></extra>");
+  assert.equal(data[2].name, "χ = 1\u00a0in");
   assert.deepEqual(data[2].y, [1]);
-  assert.equal(layout.yaxis.title.text, "Place, in");
-  assert.equal(layout.yaxis2.title.text, "Force, lbf");
+  assert.equal(layout.yaxis.title.text, "Deflection, in");
+  assert.equal(layout.yaxis2.title.text, "Contact force, lbf");
   assert.deepEqual(layout.yaxis.range, [0, 10]);
   assert.deepEqual(layout.xaxis.range, [0, 10]);
   assert.equal(layout.shapes[0].y1, 1);
   assert.equal(layout.shapes[1].y1, 1); // a share of the paper, no length
-  assert.equal(layout.annotations[0].text, "20 in");
+  assert.equal(layout.annotations[0].text, "20\u00a0in");
   assert.equal(layout.annotations[0].y, 20);
 });
 
 test("curves become tables: one for each set of places, with canonical units", () => {
   const [lines, mark] = curveTables(CHART);
   assert.deepEqual(lines, {
-    title: "Place",
+    title: "Deflection",
     columns: [{ title: "Crank angle", unit: "°" }, { title: "a", unit: "mm" }, { title: "b", unit: "mm" }],
     rows: [[0, 0, 0], [10, 25.4, 50.8]],
   });
@@ -69,9 +97,4 @@ test("other designs lie dashed over the curves, each named once", () => {
   assert.equal(data[3].line.dash, "dash");
   assert.equal(data[3].line.color, "red");
   assert.deepEqual(data[3].y, CHART.data[0].y);
-});
-
-test("in English a figure keeps the service's words", () => {
-  assert.deepEqual(inLanguage(CHART).data.map(({ name }) => name), ["a", "b", "χ = 25.4 mm"]);
-  assert.equal(inLanguage(CHART).layout.yaxis.title.text, "Place, mm");
 });

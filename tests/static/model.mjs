@@ -22,7 +22,7 @@ export const OPENAPI = {
         title: "Mechanism",
         required: ["pins"],
         properties: {
-          pins: { type: "integer", title: "Pins", symbol: "N", minimum: 1, maximum: 40, step: 1 },
+          pins: { type: "integer", title: "Pins", "x-symbol": "N", minimum: 1, maximum: 40, "x-step": 1 },
           satellites: { type: "integer", title: "Satellites", default: 2, minimum: 1 },
           crank_spacing_deg: { anyOf: [{ type: "number", maximum: 360 }, { type: "null" }], title: "Spacing", default: null },
           crank_angles_deg: {
@@ -38,11 +38,11 @@ export const OPENAPI = {
         type: "object",
         required: ["pin_material", "pin_radius_mm"],
         properties: {
-          pin_radius_mm: { type: "number", title: "Pin radius", exclusiveMinimum: 0, step: 0.5, description: "r" },
+          pin_radius_mm: { type: "number", title: "Pin radius", exclusiveMinimum: 0, "x-step": 0.5, description: "r" },
           pin_material: {
             anyOf: [{ type: "string" }, { $ref: "#/components/schemas/Material" }], title: "Pin material",
           },
-          dynamic_factor: { type: "number", default: 1.0, minimum: 1, advanced: true },
+          dynamic_factor: { type: "number", default: 1.0, minimum: 1, "x-advanced": true },
         },
       },
       Material: {

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { fieldAtPointer, formModel, readState, stateFromInput } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 
-const number = (title, more = {}) => ({ type: "number", title, group: "rollers", ...more });
+const number = (title, more = {}) => ({ type: "number", title, "x-group": "rollers", ...more });
 const OPENAPI = {
   paths: {
     "/gear": { post: { requestBody: { content: { "application/json": { schema: { $ref: "#/components/schemas/Gear" } } } } } },
@@ -16,11 +16,11 @@ const OPENAPI = {
         type: "object",
         required: ["radius_mm"],
         properties: {
-          radius_mm: { ...number("Radius"), group: "gear" },
+          radius_mm: { ...number("Radius"), "x-group": "gear" },
           rollers: {
             anyOf: [{ type: "array", items: { $ref: "#/components/schemas/Roller" } }, { type: "null" }],
             title: "Rollers",
-            group: "rollers",
+            "x-group": "rollers",
           },
           wheel: { anyOf: [{ $ref: "#/components/schemas/Wheel" }, { type: "null" }], title: "Wheel" },
         },

@@ -1,35 +1,37 @@
 import assert from "node:assert/strict";
-import { test } from "node:test";
+import { afterEach, test } from "node:test";
 
 import { Problem } from "../../static/lib/api.js";
-import { message, useLanguage } from "../../static/messages/index.js";
+import { LANGUAGES, message, useLanguage } from "../../static/messages/index.js";
+import service from "../../static/messages/service.js";
 import { problemText, refusalTexts, warningText } from "../../static/service_texts.js";
+
+afterEach(() => useLanguage("en"));
 
 const TITLES = new Map([
   ["pins", "Number of pins"], ["crank_angles_deg", "Crank angles"],
   ["pin_radius_mm", "Pin radius"], ["crank_angle_deg", "Crank angle"], ["ratio", "Ratio"],
 ]);
 const refusalOf = (...errors) => new Problem({ status: 422, detail: "as a program reads it", errors });
+const least = (pointer, limit = 1) => ({ pointer, code: "greater_than_equal", params: { limit }, detail: `must be at least ${limit}` });
 
 test("a refusal of a field on the screen goes to its box", () => {
   const shown = [{ path: "mechanism.pins", kind: "integer" }];
-  const { at, elsewhere } = refusalTexts(
-    refusalOf({ pointer: "/mechanism/pins", detail: "must be at least 1" }), shown, TITLES,
-  );
+  const { at, elsewhere } = refusalTexts(refusalOf(least("/mechanism/pins")), shown, TITLES);
   assert.deepEqual(at, { "mechanism.pins": { words: "Must be at least 1" } });
   assert.deepEqual(elsewhere, []);
 });
 
 test("a refusal of other fields is a sentence with their titles", () => {
   const refusal = refusalOf(
-    { pointer: "/mechanism/pins", detail: "must be at most 80 for 3 satellites to be drawn (240 pairs)" },
-    { pointer: "/crank_angles_deg/3", detail: "must be a finite number" },
-    { pointer: "/rollers/1/pins", detail: "must be a number" },
-    { pointer: "/a~0b~1c", detail: "is not a known field" },
-    { pointer: "", detail: "must be an object" },
+    { pointer: "/mechanism/pins", code: "too_many_pairs", params: { limit: 80, satellites: 3 }, detail: "" },
+    { pointer: "/crank_angles_deg/3", code: "finite_number", params: {}, detail: "" },
+    { pointer: "/rollers/1/pins", code: "float_type", params: {}, detail: "" },
+    { pointer: "/a~0b~1c", code: "extra_forbidden", params: {}, detail: "" },
+    { pointer: "", code: "dict_type", params: {}, detail: "" },
   );
   assert.equal(problemText(refusal, TITLES), [
-    "Number of pins: must be at most 80 for 3 satellites to be drawn (240 pairs)",
+    "Number of pins: must be at most 80, with 3 satellites",
     "Crank angles: must be a finite number",
     "Row 2, Number of pins: Must be a number",
     "a~b/c: is not a known field",
@@ -37,31 +39,49 @@ test("a refusal of other fields is a sentence with their titles", () => {
   ].join("; "));
 });
 
-test("its words are those of the language in use", async () => {
-  await useLanguage("uk");
-  const refusal = refusalOf({ pointer: "/pins", detail: "must be at most 80 for 3 satellites to be drawn (240 pairs)" });
-  assert.equal(problemText(refusal, TITLES), "Number of pins: для рисунка має бути не більше ніж 80 за 3 сателітів (пар: 240)");
-  await useLanguage("en");
+test("limits get the unit of their field, other fields their titles", () => {
+  const refusal = refusalOf(
+    least("/pin_radius_mm", 0.5), { pointer: "/x", code: "larger_than", params: { field: "pin_radius_mm" }, detail: "" },
+  );
+  assert.equal(problemText(refusal, TITLES), "Pin radius: must be at least 0.5\u00a0mm; x: must be larger than “Pin radius”");
 });
 
-test("what is no refusal of a field says what it says", () => {
+test("a mechanism that cannot work is a sentence with its place", async () => {
+  const refusal = new Problem({
+    status: 422, where: { crank_angle_deg: 85.714285714 },
+    errors: [{ pointer: "", code: "dead_centre", params: { crank_angle_deg: 85.714285714 }, detail: "no pair drives" }],
+  });
+  const text = "The mechanism cannot transmit torque: no pair drives (Crank angle = 85.7143°)";
+  assert.equal(problemText(refusal, TITLES), text);
+  assert.deepEqual(refusalTexts(refusal, [], TITLES), { at: {}, elsewhere: [text] });
+  await useLanguage("uk");
+  assert.match(problemText(refusal, TITLES), /^Мертве положення.*85,7143°\)$/);
+});
+
+test("every refusal and every warning has words in every language, with all its places filled", async () => {
+  for (const language of Object.keys(LANGUAGES)) {
+    await useLanguage(language);
+    for (const [kind, say] of [["refusals", (one) => problemText(refusalOf({ ...one, pointer: "" }), TITLES)],
+      ["notices", (one) => warningText(one, TITLES)]]) {
+      for (const [code, text] of Object.entries(service[kind])) {
+        const params = Object.fromEntries([...text.matchAll(/\{(\w+)\}/g)].map(([, name]) =>
+          [name, ["field", "other"].includes(name) ? "ratio" : name === "names" || name === "section" || name === "error" || name === "expected" ? "x" : 2.5]));
+        const words = say({ code, params, detail: "" });
+        assert.ok(words.length > 5 && !/[{}]|undefined/.test(words), `${language} ${code}: ${words}`);
+        if (language !== "en") assert.doesNotMatch(words.replaceAll("Ratio", ""), /2\.5/);
+      }
+    }
+  }
+});
+
+test("a code that the page does not know is said in English", () => {
+  assert.equal(warningText({ code: "new_one", params: {}, detail: "must be < b" }, TITLES), "Must be < b");
+});
+
+test("what is no refusal of a field says what it says", async () => {
   assert.equal(problemText(new Error("Plotly failed"), TITLES), "Plotly failed");
   assert.equal(problemText(new Problem({ status: 500, title: "failed" }), TITLES), "Failed");
   assert.equal(problemText(new Problem({ title: "unreachable" }), TITLES), message("page.unreachable"));
-});
-
-test("API names become the titles of the form", () => {
-  assert.equal(warningText({ detail: "must be larger than pin_radius_mm" }, TITLES), "Must be larger than pin radius");
-});
-
-test("a place gets its unit and the digits that people read", () => {
-  assert.equal(
-    warningText({ detail: "no pair drives at crank_angle_deg = 85.714285714" }, TITLES),
-    "No pair drives at crank angle 85.7143°",
-  );
-  assert.equal(warningText({ detail: "impossible at ratio = 1e-3" }, TITLES), "Impossible at ratio 0.001");
-});
-
-test("what is no field stays as it is, markup too", () => {
-  assert.equal(warningText({ detail: "must be < b & not_a_field = 3" }, TITLES), "Must be < b & not_a_field = 3");
+  await useLanguage("uk");
+  assert.match(problemText(new Problem({ status: 503, kind: "unavailable", detail: "busy" }), TITLES), /^Сервіс зайнятий/);
 });
