@@ -16,9 +16,9 @@ const textsOf = async (language) => (await import(`../../static/messages/${langu
 // Where languages differ by nature: names of their units.
 const OWN = ["unit"];
 // Latin words that stay: keys, formats, programs, standards and their designations, US units, functions.
-const LATIN = new RegExp(String.raw`\b(${[
+const LATIN = new RegExp(String.raw`\([A-Z][\w, -]*\)|\b(${[
   "Enter", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "JSON", "curl", "Python", "psi", "lbf", "cos", "true", "false", "tanh-sinh",
-  "QUADPACK", "PEEK", "ISO", "DIN", String.raw`\(C?[A-Za-z0-9\-, ]+\)`, "arcsin",
+  "QUADPACK", "PEEK", "ISO", "DIN", "arcsin",
 ].join("|")})`, "g");
 
 /** Every text with its key; the forms of a noun are one text. */

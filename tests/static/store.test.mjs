@@ -84,7 +84,7 @@ test("a refusal stands at its box until something is typed there, beside what wa
   assert.deepEqual(state.line, ["bad", "Pins: must be odd"]);
   state = next.typedIn(state, "mechanism.pins", "5", 0);
   assert.deepEqual(state.refusal.at, {});
-  const none = answeredWith(answeredWith(opened()), { answer: null, refusal: refusal({ pointer: "", detail: "cannot work" }) });
+  const none = answeredWith(answeredWith(opened()), { answer: null, refusal: refusal({ pointer: "", code: "new_one", params: {}, detail: "cannot work" }) });
   assert.deepEqual([none.phase, none.said, none.shown.answer], ["refused", "Cannot work", ANSWER]);
 });
 
@@ -95,7 +95,7 @@ test("without the service the numbers count as older, and the reason is said", (
 });
 
 test("warnings, what is wanted and what cannot be built are said in the line", () => {
-  const warned = { ...ANSWER, warnings: [{ code: "clearance", detail: "a clearance" }] };
+  const warned = { ...ANSWER, warnings: [{ code: "new_one", params: {}, detail: "a clearance" }] };
   assert.deepEqual(answeredWith(opened(), { answer: warned }).line, ["warning", "Warning: A clearance"]);
   const wanted = opened(INPUT, { wanted: () => ["Enter a limit."] });
   assert.deepEqual(answeredWith(wanted, { answer: warned }).line, ["warning", "2 warnings below: Enter a limit."]);
