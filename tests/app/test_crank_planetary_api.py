@@ -163,7 +163,13 @@ async def test_every_answer_carries_its_accuracy_and_its_time(api):
     ):
         response = await api.post(path, json=body)
         accuracy = response.json()["accuracy"]
-        assert set(accuracy) == {"method", "relative_error", "evaluations", "run_time_us"}
+        assert set(accuracy) == {
+            "method",
+            "method_code",
+            "relative_error",
+            "evaluations",
+            "run_time_us",
+        }
         assert 0 < accuracy["relative_error"] < 1e-12 and accuracy["run_time_us"] > 0
         assert "calculation;dur=" in response.headers["server-timing"]
 

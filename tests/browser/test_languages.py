@@ -92,6 +92,6 @@ def test_refusals_of_the_service_are_translated(browser, service: str) -> None: 
         box(page, path).fill(value)
     box(page, "mechanism.crank_spacing_deg").fill("0")
     settled(page, "refused")
-    expect(page.locator(".verdict .say")).to_contain_text("не передаёт момента")
+    expect(page.locator(".verdict .say")).to_contain_text("момент не передаётся")
     assert foreign(page) == set()
     context.close()
