@@ -244,17 +244,18 @@ def geometry(r: Draw) -> Body:
 
 
 def coordinates(body: Body, answer: Any) -> Numbers:
-    """Centres of pins and holes, contact points: over the radius of the pin circle."""
+    """Centres of pins and holes, contact points: over the size of the figure."""
     given, contact = body["mechanism"], body["contact"]
     circle, pin = typed(body["load"]["pin_circle_radius_mm"]), typed(contact["pin_radius_mm"])
     e = typed(contact["eccentricity_mm"])
+    size = circle + pin + e
     turned = typed(body["crank_angle_deg"])
     start = typed(given.get("initial_crank_angle_deg", 0.0))
     found = {}
 
     def put(pointer: str, sent: list[float], exact: tuple[mpf, mpf]) -> None:
         for axis in (0, 1):
-            found[f"{pointer}/{axis}"] = Number(sent[axis], exact[axis], circle)
+            found[f"{pointer}/{axis}"] = Number(sent[axis], exact[axis], size)
 
     cranks = angles(given)
     centres = []
