@@ -192,8 +192,12 @@ def phases(body: Body, answer: Any) -> Numbers:
         for side in ("from_deg", "to_deg"):
             found[f"/driving_count/{index}/{side}"] = bounded(each[side], *different)
         # not in the middle, where often one pair takes over from another
-        inside = mpf(each["from_deg"]) + (mpf(each["to_deg"]) - mpf(each["from_deg"])) / mp.e
-        found[f"/driving_count/{index}/pairs"] = Number(each["pairs"], mpf(driving(inside)), mpf(1))
+        width = mpf(each["to_deg"]) - mpf(each["from_deg"])
+        inside = mpf(each["from_deg"]) + width / mp.e
+        # both ends may be off by what is stated
+        known = width > 4 * answer["accuracy"]["relative_error"] * end
+        exact = mpf(driving(inside)) if known else mpf(each["pairs"])
+        found[f"/driving_count/{index}/pairs"] = Number(each["pairs"], exact, mpf(1))
     for index, angle in enumerate(answer["dead_centres_deg"]):
         found[f"/dead_centres_deg/{index}"] = bounded(angle, *different)
     for index, zone in enumerate(answer.get("dead_zones_deg", ())):
