@@ -166,8 +166,11 @@ def roller_strength(
     -----
     Source: Ovsyannikov et al. 2019, eqs (1)-(9). Errata: (11)-(13) print the number of rollers
     only before the bending part of the compliance; by (6) with (9) it multiplies the shear part
-    too. As printed the stress is too high: by 9 % at l/d = 1, chi/d = 4e-4. The source's limit for
-    one roller carrying everything, delta = 1, is ``n/4`` for its n = 4.
+    too. As printed the stress is too high: by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing
+    before the first term as well. (9) carries the shear angle of (8) over b/2, though shear does
+    not turn a section: kept, as the source's figures are made so; without it the compliance is 6 %
+    smaller at l/d = 1. The source's limit for one roller carrying everything, delta = 1, is
+    ``n/4`` for its n = 4.
 
     Examples
     --------
