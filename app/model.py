@@ -3,9 +3,16 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, NamedTuple, TypeVar, cast, get_args
+from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetCoreSchemaHandler
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    model_validator,
+)
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
@@ -92,6 +99,34 @@ def _complete_schema(schema: dict[str, Any]) -> None:
                 field[theirs] = field.pop(ours)
 
 
+Forms = tuple[tuple[str, ...], ...]
+
+
+@cache
+def _alternatives(model: type["RequestModel"]) -> tuple[Forms, ...]:
+    """Alternatives of a request and of all that it is made of."""
+    every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
+    return tuple(forms for some in every for forms in some)
+
+
+def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
+    """The schema of a request: units, and which of its fields exclude or need each other."""
+    _complete_schema(schema)
+    rules = []
+    for forms in _alternatives(model):
+        names = {name for form in forms for name in form}
+        rules.append(
+            {
+                "oneOf": [
+                    {"required": [*form], "properties": dict.fromkeys(names - {*form}, False)}
+                    for form in forms
+                ]
+            }
+        )
+    if rules:
+        schema["allOf"] = rules
+
+
 class RequestModel(BaseModel):
     """A request: numbers only, finite only, nothing unknown."""
 
@@ -99,12 +134,36 @@ class RequestModel(BaseModel):
         extra="forbid",
         strict=True,
         allow_inf_nan=False,
-        json_schema_extra=_complete_schema,
+        json_schema_extra=request_schema,
     )
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+    """Forms of which just one has to be given, each the names of its fields; an empty one says that
+    none need be."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         _register(cls)
+
+    @model_validator(mode="after")
+    def _one_form_each(self) -> Self:
+        for forms in _alternatives(type(self)):
+            given = [
+                form for form in forms if any(getattr(self, name) is not None for name in form)
+            ]
+            if len(given) > 1:
+                first, second = (
+                    [n for n in form if getattr(self, n) is not None] for form in given[:2]
+                )
+                raise field_error(second[0], "only_one", field=first[0])
+            if not given and () not in forms:
+                raise field_error(forms[0][0], "needed", field=forms[1][0])
+            for form in given:
+                for name in form:
+                    if getattr(self, name) is None:
+                        other = next(each for each in form if each != name)
+                        raise field_error(name, "needed_beside", field=other)
+        return self
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""

@@ -1,23 +1,23 @@
 """Contact force of the pairs: request, answer, figure."""
 
 from dataclasses import replace
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from app.calculations.mechanism import MechanismFields
 from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
     Values,
     WarningOut,
     Whole,
-    field_error,
     quantity,
 )
 from app.running import run
@@ -65,6 +65,10 @@ MAX_CURVE_VALUES = 1_000_000
 
 class LoadFields(RequestModel):
     """Torque, lever and load sharing of the pins, and what is asked of the force."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
+    )
 
     output_torque_Nm: Maybe[float] = quantity(
         "Output torque",
@@ -126,18 +130,6 @@ class LoadFields(RequestModel):
         advanced=True,
         help="Number of points of each curve.",
     )
-
-    @model_validator(mode="after")
-    def _one_torque(self) -> Self:
-        if self.output_torque_Nm is not None:
-            for name in ("input_torque_Nm", "efficiency"):
-                if getattr(self, name) is not None:
-                    raise field_error(name, "only_one", field="output_torque_Nm")
-        elif self.input_torque_Nm is None:
-            raise field_error("output_torque_Nm", "needed", field="input_torque_Nm")
-        elif self.efficiency is None:
-            raise field_error("efficiency", "needed_beside", field="input_torque_Nm")
-        return self
 
     def torque(self, mechanism: Mechanism) -> float:
         """Torque on the output link, N*m."""

@@ -3,7 +3,7 @@
 from functools import cached_property
 from typing import Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
@@ -20,6 +20,7 @@ from app.model import (
     WarningOut,
     field_error,
     quantity,
+    request_schema,
     warning,
 )
 from app.running import run
@@ -42,6 +43,22 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "geometry": ("load", "contact"),
 }
 """Which parts of the request each section of the answer needs."""
+
+
+def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """Parts that the sections named in `include` need."""
+    request_schema(schema, model)
+    schema["allOf"] = [
+        {
+            "if": {
+                "properties": {"include": {"contains": {"const": section}}},
+                "required": ["include"],
+            },
+            "then": {"required": [*parts]},
+        }
+        for section, parts in _NEEDS.items()
+        if parts
+    ]
 
 
 class PinContactFields(ContactFields):
@@ -82,28 +99,41 @@ class CrankPlanetaryRequest(RequestModel):
         advanced=True,
         help="Crank angle of the section geometry.",
     )
-    include: list[Section] = Field(
-        default=["cyclogram", "contact_force", "hertz"],
+    include: Maybe[list[Section]] = Field(
+        default=None,
         min_length=1,
-        description="Sections of the answer: what is not named is not computed.",
+        max_length=len(_NEEDS),
+        description="Sections of the answer: what is not named is not computed. Where it is "
+        "absent: cyclogram, contact_force and hertz, as far as their input is given.",
     )
+
+    model_config = ConfigDict(json_schema_extra=_sections_schema)
 
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:
-        for section in self.include:
+        for section in self.include or ():
             for part in _NEEDS[section]:
                 if getattr(self, part) is None:
                     raise field_error(part, "needed_for", section=section)
         return self
 
+    @property
+    def sections(self) -> list[Section]:
+        """Sections of the answer."""
+        if self.include is not None:
+            return self.include
+        usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz")
+        given = [name for name in ("load", "contact") if getattr(self, name) is not None]
+        return [each for each in usual if {*_NEEDS[each]} <= {*given}]
+
     def cost_ms(self, *, drawn: bool) -> float:
         """What the sections that are asked cost."""
         cost = 0.0
-        if drawn or "cyclogram" in self.include:
+        if drawn or "cyclogram" in self.sections:
             cost += self.mechanism.cost_ms(drawn=drawn)
-        if self.load is not None and (drawn or {"contact_force", "hertz"} & {*self.include}):
+        if self.load is not None and (drawn or {"contact_force", "hertz"} & {*self.sections}):
             cost += self.load.cost_of(self.mechanism, drawn=drawn)
-        if "geometry" in self.include:
+        if "geometry" in self.sections:
             cost += 0.02 * self.mechanism.pairs
         return cost
 
@@ -122,7 +152,7 @@ class CrankPlanetaryRequest(RequestModel):
         """Contact force; without its own section only what the others need of it."""
         assert self.load is not None
         load = self.load
-        if "contact_force" not in self.include:
+        if "contact_force" not in self.sections:
             load = load.model_copy(update={"include": []})
         return load.solve_for(self.built)
 
@@ -272,16 +302,16 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     Warnings say how pins and holes fit, whichever sections are asked.
     """
     sections: Values = {}
-    if "cyclogram" in body.include:
+    if "cyclogram" in body.sections:
         sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
-    if not {"contact_force", "hertz"}.isdisjoint(body.include):
+    if not {"contact_force", "hertz"}.isdisjoint(body.sections):
         force, force_us = run(body, body.solve_force)
-        if "contact_force" in body.include:
+        if "contact_force" in body.sections:
             sections["contact_force"] = ContactForceResponse.values(force, force_us)
-        if "hertz" in body.include:
+        if "hertz" in body.sections:
             contact, hertz_us = run(body, lambda: body.solve_hertz(force))
             sections["hertz"] = HertzResponse.values(contact, hertz_us)
-    if "geometry" in body.include:
+    if "geometry" in body.sections:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     fit, _ = run(body, body.solve_fit)
     if fit is not None and fit.notices:

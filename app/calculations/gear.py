@@ -1,11 +1,11 @@
 """The mesh of a precessional gear as a request gives it: geometry and rollers."""
 
 from collections.abc import Sequence
-from typing import Annotated, Self
+from typing import Annotated, ClassVar
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
-from app.model import SIZE, Maybe, RequestModel, Whole, field_error, no_dust, quantity
+from app.model import SIZE, Forms, Maybe, RequestModel, Whole, no_dust, quantity
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
@@ -18,6 +18,10 @@ Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 class RollerFields(RequestModel):
     """One roller: its place on the wheel and the limits of its contact line."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("z_min_mm", "z_max_mm"), ("phi_min_deg", "phi_max_deg")),
+    )
 
     position_angle_deg: float = quantity(
         "Position angle",
@@ -66,24 +70,6 @@ class RollerFields(RequestModel):
     )
 
     _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
-
-    @model_validator(mode="after")
-    def _one_pair_of_limits(self) -> Self:
-        by_length = (self.z_min_mm, self.z_max_mm)
-        by_angle = (self.phi_min_deg, self.phi_max_deg)
-        if by_length != (None, None) and by_angle != (None, None):
-            raise field_error("phi_min_deg", "only_one", field="z_min_mm")
-        if by_length == by_angle == (None, None):
-            raise field_error("z_min_mm", "needed", field="phi_min_deg")
-        names = (
-            ("phi_min_deg", "phi_max_deg")
-            if by_length == (None, None)
-            else ("z_min_mm", "z_max_mm")
-        )
-        for name, other in (names, names[::-1]):
-            if getattr(self, name) is None:
-                raise field_error(name, "needed_beside", field=other)
-        return self
 
     def roller(self) -> Roller:
         """The roller in SI units."""
@@ -144,6 +130,8 @@ class WheelFields(RequestModel):
 class GearFields(RequestModel):
     """Geometry of the mesh and its rollers."""
 
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("rollers",), ("wheel",)),)
+
     roller_circle_radius_mm: float = quantity(
         "Roller circle radius",
         symbol="R_C",
@@ -194,14 +182,6 @@ class GearFields(RequestModel):
         default=None,
         help="Evenly spaced rollers with one working length, instead of a list.",
     )
-
-    @model_validator(mode="after")
-    def _rollers_or_wheel(self) -> Self:
-        if self.rollers is not None and self.wheel is not None:
-            raise field_error("wheel", "only_one", field="rollers")
-        if self.rollers is None and self.wheel is None:
-            raise field_error("rollers", "needed", field="wheel")
-        return self
 
     @property
     def roller_count(self) -> int:

@@ -1,10 +1,10 @@
 """The parallel-crank mechanism as a request gives it."""
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, model_validator
 
-from app.model import Maybe, RequestModel, Whole, field_error, quantity
+from app.model import Forms, Maybe, RequestModel, Whole, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
@@ -24,6 +24,11 @@ Angle = Annotated[float, Field(ge=-3600, le=3600)]
 
 class MechanismFields(RequestModel):
     """Pins, satellites, cranks and ratio."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("ratio",), ("satellite_teeth", "ring_teeth")),
+        (("crank_spacing_deg",), ("crank_angles_deg",), ()),
+    )
 
     pins: Whole = quantity(
         "Pins",
@@ -113,28 +118,12 @@ class MechanismFields(RequestModel):
         return data
 
     @model_validator(mode="after")
-    def _one_form_each(self) -> Self:
-        if self.crank_angles_deg is not None:
-            if self.crank_spacing_deg is not None:
-                raise field_error("crank_angles_deg", "only_one", field="crank_spacing_deg")
-            if len(self.crank_angles_deg) != self.satellites:
-                raise field_error(
-                    "crank_angles_deg",
-                    "different_length",
-                    expected=self.satellites,
-                    actual=len(self.crank_angles_deg),
-                )
-        teeth = (self.satellite_teeth, self.ring_teeth)
-        if self.ratio is not None and any(value is not None for value in teeth):
-            raise field_error("ratio", "only_one", field="satellite_teeth")
-        if self.ratio is None:
-            if teeth == (None, None):
-                raise field_error("ratio", "needed", field="satellite_teeth")
-            if self.satellite_teeth is None:
-                raise field_error("satellite_teeth", "needed_beside", field="ring_teeth")
-            if self.ring_teeth is None:
-                raise field_error("ring_teeth", "needed_beside", field="satellite_teeth")
-        if self.pins * self.satellites > MAX_PAIRS:
+    def _counts(self) -> Self:
+        angles = self.crank_angles_deg
+        if angles is not None and len(angles) != self.satellites:
+            count = {"expected": self.satellites, "actual": len(angles)}
+            raise field_error("crank_angles_deg", "different_length", **count)
+        if self.pairs > MAX_PAIRS:
             raise field_error("pins", "too_many_pairs", **self.most_pins(MAX_PAIRS))
         return self
 

@@ -1,6 +1,6 @@
 """Swinging rollers: request, answer, figure."""
 
-from typing import Annotated, Self
+from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -8,6 +8,7 @@ from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -33,6 +34,11 @@ Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 class RollerStrengthRequest(RequestModel):
     """Rollers, their load, and how far their holes are off."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("position_tolerance_mm",), ("gaps_mm",)),
+        (("poissons_ratio",), ("shear_modulus_GPa",)),
+    )
 
     output_torque_Nm: float = quantity(
         "Output torque",
@@ -159,20 +165,10 @@ class RollerStrengthRequest(RequestModel):
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 
     @model_validator(mode="after")
-    def _one_form_each(self) -> Self:
-        for first, second in (
-            ("position_tolerance_mm", "gaps_mm"),
-            ("poissons_ratio", "shear_modulus_GPa"),
-        ):
-            given = [getattr(self, name) is not None for name in (first, second)]
-            if all(given):
-                raise field_error(second, "only_one", field=first)
-            if not any(given):
-                raise field_error(first, "needed", field=second)
+    def _counts(self) -> Self:
         if self.gaps_mm is not None and len(self.gaps_mm) != self.rollers:
-            raise field_error(
-                "gaps_mm", "different_length", expected=self.rollers, actual=len(self.gaps_mm)
-            )
+            count = {"expected": self.rollers, "actual": len(self.gaps_mm)}
+            raise field_error("gaps_mm", "different_length", **count)
         return self
 
     def solve(self) -> RollerStrength:

@@ -1,20 +1,18 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
-from typing import Self
-
-from pydantic import model_validator
+from typing import ClassVar
 
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
+    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
     Values,
     WarningOut,
-    field_error,
     quantity,
 )
 from app.running import run
@@ -37,6 +35,8 @@ class ShaftSectionFields(RequestModel):
 
 class ShaftDeflectionRequest(MeshingLoadRequest):
     """A mesh, its torque and the shaft that carries it."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
 
     bearing_distance_mm: float = quantity(
         "Bearing distance",
@@ -81,14 +81,6 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         **SIZE,
         step=1,
     )
-
-    @model_validator(mode="after")
-    def _diameter_or_sections(self) -> Self:
-        if self.shaft_diameter_mm is not None and self.shaft_sections is not None:
-            raise field_error("shaft_sections", "only_one", field="shaft_diameter_mm")
-        if self.shaft_diameter_mm is None and self.shaft_sections is None:
-            raise field_error("shaft_diameter_mm", "needed", field="shaft_sections")
-        return self
 
     def solve_shaft(self, load: MeshingLoad) -> ShaftDeflection:
         """Reactions and deflection of the shaft under the load of the mesh."""

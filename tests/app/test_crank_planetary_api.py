@@ -186,7 +186,7 @@ async def test_every_answer_carries_its_accuracy_and_its_time(api):
         ({"crank_angles_deg": [0, 90, 180], "satellites": 2}, "/crank_angles_deg"),
         ({"crank_angles_deg": [0, 90], "crank_spacing_deg": 90}, "/crank_angles_deg"),
         ({"crank_angles_deg": [0, "90"]}, "/crank_angles_deg/1"),
-        ({"satellite_teeth": 40}, "/ratio"),
+        ({"satellite_teeth": 40}, "/satellite_teeth"),
         ({"ratio": None, "satellite_teeth": 40}, "/ring_teeth"),
         ({"ratio": None, "satellite_teeth": 40, "ring_teeth": 40}, "/ring_teeth"),
         ({"force_exponent": -1}, "/force_exponent"),
