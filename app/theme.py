@@ -4,7 +4,7 @@ Colours are those of Okabe and Ito, darkened for white and lightened for dark pa
 keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -156,20 +156,23 @@ def hover(words: str) -> str:
 
 def with_words(figure: Figure) -> Figure:
     """A figure, and in its ``layout.meta.words`` where which texts stand: path, id, parameters."""
-    words: list[Any] = []
-    _gather(figure, [], words)
+    words = [[path, *each.words()] for path, each in _texts(figure) if type(each) is Text]
     figure["layout"]["meta"] = {"words": words}
     return figure
 
 
-def _gather(part: Any, path: list[str | int], words: list[Any]) -> None:
-    """Texts within a part of a figure; lists of numbers are not looked at."""
-    for key, inner in part.items() if type(part) is dict else enumerate(part):
-        kind = type(inner)
-        if kind is Text:
-            words.append([[*path, key], *inner.words()])
-        elif kind is dict or (kind is list and inner and type(inner[0]) in (dict, Text)):
-            _gather(inner, [*path, key], words)
+def _texts(figure: Figure) -> Iterator[tuple[list[str | int], Any]]:
+    """What stands where a figure may have a text, with its path."""
+    for index, trace in enumerate(figure["data"]):
+        for key in ("name", "hovertemplate"):
+            yield ["data", index, key], trace.get(key)
+        for row, each in enumerate(trace.get("customdata", ())):
+            yield ["data", index, "customdata", row], each
+    for key, part in figure["layout"].items():
+        if "axis" in key:
+            yield ["layout", key, "title", "text"], part["title"]["text"]
+    for index, each in enumerate(figure["layout"].get("annotations", ())):
+        yield ["layout", "annotations", index, "text"], each["text"]
 
 
 SERIES: dict[Theme, tuple[str, ...]] = {
