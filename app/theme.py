@@ -5,8 +5,8 @@ keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from functools import lru_cache
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,8 +89,7 @@ _TEXTS = (
 )
 
 
-@dataclass(slots=True)
-class Amount:
+class Amount(NamedTuple):
     """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit.
 
     Attributes
@@ -113,22 +112,18 @@ class Amount:
 
 
 class Text(str):
-    """A text of a figure in English, with the id and parameters by which others word it."""
+    """A text of a figure in English, with what others word it by.
 
-    id: str
-    params: dict[str, Any]
+    Attributes
+    ----------
+    words : list
+        Its id and parameters as they are sent: an `Amount` as an object, a text as its words.
+    """
 
-    def words(self) -> list[Any]:
-        """Id and parameters as they are sent: an amount as an object, a text as a list."""
-        return [
-            self.id,
-            {
-                name: value.words() if isinstance(value, Text) else value
-                for name, value in self.params.items()
-            },
-        ]
+    words: list[Any]
 
 
+@lru_cache(maxsize=4096, typed=True)
 def text(id: str, **params: Any) -> Text:
     """The text of an id of `TEXTS`, or of a method or its setting.
 
@@ -139,24 +134,30 @@ def text(id: str, **params: Any) -> Text:
     **params
         What it names: numbers, `Amount`, other texts.
     """
-    return _worded(id, _TEXTS[id].format(**params), params)
-
-
-def _worded(id: str, words: str, params: dict[str, Any]) -> Text:
-    made = Text(words)
-    made.id, made.params = id, params
+    made = Text(_TEXTS[id].format(**params))
+    made.words = [id, {name: _sent(value) for name, value in params.items()}]
     return made
+
+
+def _sent(value: Any) -> Any:
+    if isinstance(value, Amount):
+        return value._asdict()
+    return value.words if isinstance(value, Text) else value
 
 
 def hover(words: str) -> str:
     """A hover text without the box for the trace's name beside it."""
     plain = f"{words}<extra></extra>"
-    return _worded(words.id, plain, words.params) if isinstance(words, Text) else plain
+    if not isinstance(words, Text):
+        return plain
+    made = Text(plain)
+    made.words = words.words
+    return made
 
 
 def with_words(figure: Figure) -> Figure:
     """A figure, and in its ``layout.meta.words`` where which texts stand: path, id, parameters."""
-    words = [[path, *each.words()] for path, each in _texts(figure) if type(each) is Text]
+    words = [[path, *each.words] for path, each in _texts(figure) if type(each) is Text]
     figure["layout"]["meta"] = {"words": words}
     return figure
 

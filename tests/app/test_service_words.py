@@ -97,6 +97,13 @@ async def test_every_word_of_a_figure_has_an_id(api, path):
             assert json.dumps(place) in worded, words
 
 
+def test_no_two_ids_say_the_same():
+    """`theme.text` keeps what it has made by what it was given, texts by their letters."""
+    for texts in (theme.TEXTS, METHODS, SETTINGS):
+        assert len(set(texts.values())) == len(texts)
+    assert not set(theme.TEXTS.values()) & set(METHODS.values())
+
+
 def texts_of(figure: dict[str, Any]):
     """Texts of a figure that people read, with their places."""
     for index, trace in enumerate(figure["data"]):
