@@ -21,7 +21,7 @@ function postingOnce(client, signal, done = []) {
 }
 
 /** Ask for all sections; where the service refuses, for those that do not need the refused one. */
-export async function askSections({ client, calculator, input, filled, tables, signal }) {
+async function askSections({ client, calculator, input, filled, tables, signal }) {
   const requests = [];
   const post = postingOnce(client, signal, requests);
   let refusal = null;

@@ -1,4 +1,12 @@
-/** The page: its header, the open calculator, the address, what the browser remembers. */
+/**
+ * The page: its header, the open calculator, the address, what the browser remembers. Start here.
+ *
+ * workbench.js   one calculator at work: store.js (its state and transitions, pure), asking.js
+ *                (requests to the service), views/ (each shows the state and reports what the user does)
+ * calculators/   a folder for each: what the schema cannot say, its drawing, worked steps, sentences
+ * service_texts  refusals, warnings and figures of the service in words; messages/, the page's own texts
+ * lib/           without DOM: the form as data, units, numbers, links, formulas, parts of drawings
+ */
 import { CALCULATORS, calculatorOf } from "./calculators/index.js";
 import { createClient, newestOnly } from "./lib/api.js";
 import { createDesigns } from "./lib/designs.js";
@@ -9,10 +17,9 @@ import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
 import { createKeys } from "./views/keys.js";
-import { createSettings } from "./views/settings.js";
+import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createShare } from "./views/share.js";
 import { createTabs } from "./views/tabs.js";
-import { chosenTheme, onSystemTheme, setTheme } from "./views/theme.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";

@@ -19,7 +19,7 @@ import { formatNumber } from "./lib/format.js";
 import { begun, recorded, redone, undone } from "./lib/history.js";
 import { readState, shownFields, textIn } from "./lib/schema_form.js";
 import { query } from "./lib/url_state.js";
-import { warningsOf } from "./lib/warnings.js";
+import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
 import { ofTitle, problemText, refusalTexts, warningText } from "./service_texts.js";
 

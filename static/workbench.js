@@ -16,9 +16,10 @@ import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
 import { createForm } from "./views/form.js";
+import { loadPlotly } from "./views/plot.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
-import { currentTheme } from "./views/theme.js";
+import { currentTheme } from "./views/settings.js";
 import { createVerdict } from "./views/verdict.js";
 import { createWorked } from "./views/worked.js";
 
@@ -175,7 +176,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     { update: next.following(({ said }) => [said], ({ said }) => on.say(said)) },
     { update: next.following(({ address }) => [address], ({ address }) => address && on.address(address)) },
   ]);
-  asking.now();
+  // Plotly, asked for at the head of the page, is run also where there is nothing to draw yet.
+  asking.now().then(() => loadPlotly().catch(() => {}));
 
   return {
     retheme: () => retheme(),

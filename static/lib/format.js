@@ -55,11 +55,6 @@ export function typedText(text) {
   return text.replace(".", decimal);
 }
 
-/** The shortest text that reads back as the same number: for links and JSON. */
-export function exactText(value) {
-  return String(value);
-}
-
 /** The same number without the noise of binary sums: 5 + 1.1 gives 6.1. */
 export function tidy(value) {
   return Number(value.toPrecision(15));

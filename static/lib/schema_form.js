@@ -9,7 +9,7 @@
  * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`;
  * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
  */
-import { exactText, parseNumber, parseNumbers, typedText, unitOf } from "./format.js";
+import { parseNumber, parseNumbers, typedText, unitOf } from "./format.js";
 import { canonicalValue, shownStep, shownValue, spell } from "./units.js";
 
 function resolver(openapi) {
@@ -116,40 +116,31 @@ function sectionItems(section, path, resolve, hidden) {
 }
 
 /** Gather the fields that belong to a choice where the first of them stands. */
-function withChoices(items, choices) {
+function withChoices(items, choices, optional) {
   const byPath = new Map(items.map((item) => [item.path ?? item.id, item]));
-  const gathered = new Set(choices.flatMap((choice) => choice.options.flatMap((o) => o.fields)));
+  // What distinguishes an option has to be given, unless it is said to be optional.
+  const fieldAt = (path) => {
+    const field = byPath.get(path);
+    return { ...field, required: !optional.includes(path) && field.default === undefined };
+  };
   const placed = new Set();
   return items.flatMap((item) => {
     const path = item.path ?? item.id;
-    if (!gathered.has(path)) return [item];
-    const choice = choices.find((one) => one.options.some((option) => option.fields.includes(path)));
-    if (placed.has(choice.id)) return [];
-    placed.add(choice.id);
-    const options = choice.options.map((option) => ({
-      id: option.id,
-      // What distinguishes an option has to be given, unless the choice says it may be left out.
-      fields: option.fields.map((at) => ({
-        ...byPath.get(at),
-        required: !(option.optional ?? []).includes(at) && byPath.get(at).default === undefined,
-      })),
-    }));
-    return [{ id: choice.id, options }];
+    const [id, options] = Object.entries(choices).find(([, all]) => Object.values(all).flat().includes(path)) ?? [];
+    if (!id) return [item];
+    if (placed.has(id)) return [];
+    placed.add(id);
+    return [{ id, options: Object.entries(options).map(([option, paths]) => ({ id: option, fields: paths.map(fieldAt) })) }];
   });
 }
 
 /** Groups of a flat body: each field says its own; the objects named `inline` stand among them. */
-function groupsByField(schema, { groups, inline, choices, hidden, resolve }) {
+function groupsByField(schema, { groups, inline, hidden, resolve }) {
   const items = [
     ...sectionItems(schema, "", resolve, hidden),
     ...inline.flatMap((key) => sectionItems(resolve(schema.properties[key]), key, resolve, hidden)),
   ];
-  return groups.map((id) => {
-    const own = items.filter((item) => item.group === id);
-    const paths = new Set(own.map((item) => item.path));
-    const within = choices.filter((choice) => paths.has(choice.options[0].fields[0]));
-    return { id, items: withChoices(own, within) };
-  });
+  return groups.map((id) => ({ id, items: items.filter((item) => item.group === id) }));
 }
 
 /**
@@ -157,24 +148,26 @@ function groupsByField(schema, { groups, inline, choices, hidden, resolve }) {
  *
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
- * `hidden` what the page decides for the user; `words(name, group)` gives title and help of a field, or
- * null for those of the schema.
+ * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
+ * page decides for the user; `words(name, group)` gives title and help of a field, or null for those
+ * of the schema.
  */
-export function formModel(openapi, { path, groups, inline, choices = [], hidden = [], words = () => null }) {
+export function formModel(openapi, {
+  path, groups, inline, choices = {}, optional = [], hidden = [], words = () => null,
+}) {
   const { schema, resolve } = bodySchema(openapi, path, words);
-  const parts = inline
-    ? groupsByField(schema, { groups, inline, choices, hidden, resolve })
-    : groups.map((id) => {
-      const section = resolve(schema.properties[id]);
-      const own = choices.filter((choice) => choice.options[0].fields[0].startsWith(`${id}.`));
-      return { id, items: withChoices(sectionItems(section, id, resolve, hidden), own) };
-    });
+  const plain = inline
+    ? groupsByField(schema, { groups, inline, hidden, resolve })
+    : groups.map((id) => ({ id, items: sectionItems(resolve(schema.properties[id]), id, resolve, hidden) }));
+  const parts = plain.map(({ id, items }) => ({ id, items: withChoices(items, choices, optional) }));
   const items = parts.flatMap((part) => part.items);
-  const fields = new Map(
-    items.flatMap((item) => (item.options && !item.path ? item.options.flatMap((o) => o.fields) : [item]))
-      .map((field) => [field.path, field]),
-  );
+  const fields = new Map(items.flatMap(fieldsOf).map((field) => [field.path, field]));
   return { groups: parts, choices: items.filter((item) => !item.path), fields };
+}
+
+/** The fields of an item: itself, or those of all options of a choice. */
+function fieldsOf(item) {
+  return item.path ? [item] : item.options.flatMap(({ fields }) => fields);
 }
 
 function valueAt(input, path) {
@@ -217,7 +210,7 @@ export function textInLink(field, value) {
     return value.map((record) => field.columns.map((column) => textInLink(column, record[column.name])).join(";"))
       .join("|");
   }
-  return Array.isArray(value) ? value.map(exactText).join(";") : String(value);
+  return Array.isArray(value) ? value.map(String).join(";") : String(value);
 }
 
 /** The text of a box for one that a link carries; what is no number stays as it is. */
@@ -232,7 +225,7 @@ export function textOfLink(field, text) {
   }
   if (field.kind !== "number") return text;
   const { value } = parseNumber(text);
-  return value === undefined || textIn(field, value) === exactText(value) ? text : textIn(field, value);
+  return value === undefined || textIn(field, value) === String(value) ? text : textIn(field, value);
 }
 
 /** The state that shows a request body; fields that it leaves out stand at their defaults. */
@@ -333,7 +326,7 @@ export function listedInputs(model, state) {
   const { filled } = readState(model, state);
   return model.groups.map(({ id, items }) => ({
     id,
-    entries: items.flatMap((item) => (item.path ? [item] : item.options.flatMap(({ fields }) => fields)))
+    entries: items.flatMap(fieldsOf)
       .filter((field) => shown.has(field))
       .map((field) => ({ field, value: valueAt(filled, field.path) }))
       .filter(({ value }) => value !== undefined),
@@ -361,7 +354,7 @@ export function stepped(field, text, direction, factor = 1) {
   const from = shownValue(value, field.unit);
   const step = field.step ? shownStep(field.step, field.unit) : decade(from);
   const next = Number((from + direction * step * factor).toPrecision(12));
-  return outside(field, canonicalValue(next, field.unit)) ? null : typedText(exactText(next));
+  return outside(field, canonicalValue(next, field.unit)) ? null : typedText(String(next));
 }
 
 function decade(value) {

@@ -7,7 +7,7 @@
  */
 import { readField, shownFields, textIn, textInLink, textOfLink } from "./schema_form.js";
 
-export const VERSION = "1";
+const VERSION = "1";
 
 function canonical(field, text) {
   const { value } = readField(field, text);

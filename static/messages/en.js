@@ -196,7 +196,6 @@ export default {
     unit: "Unit",
     accuracy: "{method} · relative error {error} · evaluations {evaluations} · {time}",
     exact: "none",
-    warnings: "Warnings",
     missing: "Not computed for these inputs.",
     pair: "satellite {satellite}, pin {pin}",
     yes: "yes",
@@ -534,7 +533,6 @@ export default {
     title: "{calculator}: report",
     made: "KHV Calc {version}, {date}",
     inputs: "Inputs",
-    name: "Input",
   },
   plotly: { Zoom: "Zoom", Pan: "Pan", "Zoom in": "Zoom in", "Zoom out": "Zoom out", "Reset axes": "Reset axes", "Double-click to zoom back out": "Double-click to zoom back out" },
   drawing: {

@@ -192,7 +192,6 @@ export default {
     unit: "Единица",
     accuracy: "{method} · относительная погрешность {error} · вычислений {evaluations} · {time}",
     exact: "нет",
-    warnings: "Предупреждения",
     missing: "Для этих данных не вычислено.",
     pair: "сателлит {satellite}, палец {pin}",
     yes: "да",
@@ -529,7 +528,6 @@ export default {
     title: "{calculator}: отчёт",
     made: "KHV Calc {version}, {date}",
     inputs: "Исходные данные",
-    name: "Величина",
   },
   plotly: { Zoom: "Увеличить участок", Pan: "Сдвигать", "Zoom in": "Увеличить", "Zoom out": "Уменьшить", "Reset axes": "Вернуть оси", "Double-click to zoom back out": "Дважды щёлкните, чтобы вернуть вид" },
   drawing: {

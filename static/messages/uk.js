@@ -192,7 +192,6 @@ export default {
     unit: "Одиниця",
     accuracy: "{method} · відносна похибка {error} · обчислень {evaluations} · {time}",
     exact: "немає",
-    warnings: "Попередження",
     missing: "Для цих даних не обчислено.",
     pair: "сателіт {satellite}, цівка {pin}",
     yes: "так",
@@ -529,7 +528,6 @@ export default {
     title: "{calculator}: звіт",
     made: "KHV Calc {version}, {date}",
     inputs: "Вхідні дані",
-    name: "Величина",
   },
   plotly: { Zoom: "Збільшити ділянку", Pan: "Зсувати", "Zoom in": "Збільшити", "Zoom out": "Зменшити", "Reset axes": "Повернути осі", "Double-click to zoom back out": "Двічі клацніть, щоб повернути вигляд" },
   drawing: {

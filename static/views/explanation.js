@@ -1,6 +1,6 @@
 /** The verdict in plain words, and of every warning what it tests, why it matters, how to mend it. */
 import { element, fill, html } from "../lib/html.js";
-import { levelOf, warningsOf } from "../lib/warnings.js";
+import { levelOf, warningsOf } from "../lib/verdict.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
 import { sign } from "./parts.js";

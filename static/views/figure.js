@@ -8,8 +8,7 @@ import { problemText } from "../service_texts.js";
 import { following } from "../store.js";
 import { download } from "./files.js";
 import { tableMarkup } from "./parts.js";
-import { createPlot, pictureOf } from "./plot.js";
-import { loadPlotly } from "./plotly.js";
+import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
@@ -89,16 +88,19 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   async function draw() {
-    const [{ answer, problem, superseded }, Plotly] = await Promise.all([newest.ask(ask), loadPlotly().catch(() => null)]);
-    if (superseded || !root.isConnected) return;
-    if (problem || !Plotly) {
-      complain(message("figure.failed", { detail: problem ? problemText(problem, titles) : message("figure.noPlotly") }));
-      return;
+    const asked = latest;
+    const loading = loadPlotly().catch(() => null);
+    const { answer, problem, superseded } = await newest.ask(ask);
+    if (superseded) return;
+    if (answer) {
+      chart = answer.own;
+      on.charted(figure.id, chart.data);
     }
-    complain("");
-    chart = answer.own;
-    on.charted(figure.id, chart.data);
-    await show(answer.all);
+    const Plotly = await loading;
+    if (latest !== asked || !root.isConnected) return;
+    complain(problem || !Plotly
+      ? message("figure.failed", { detail: problem ? problemText(problem, titles) : message("figure.noPlotly") }) : "");
+    if (answer && Plotly) await show(answer.all);
   }
 
   async function show(all = chart) {

@@ -1,10 +1,9 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
-import { exactText, formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
+import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { textIn } from "../lib/schema_form.js";
 import { following, readingText, unread } from "../store.js";
-import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
 
@@ -30,6 +29,31 @@ function properties(entry) {
       source: said("limitSources", limit.source_code) ?? limit.source,
     }) : message("form.noLimit"),
   });
+}
+
+/** Radio buttons of which one is chosen, and its fields shown under them. */
+function createChoice({ id, title, options }, { on }) {
+  const name = `choice-${id.replaceAll(".", "-")}`;
+  const root = element(html`
+    <fieldset class="choice" data-choice="${id}">
+      <legend>${title}</legend>
+      <div class="segments">${options.map((option) => html`
+        <label class="segment"><input type="radio" name="${name}" value="${option.id}"><span>${option.title}</span></label>`)}
+      </div>
+      ${options.map((option) => html`<div class="option" data-option="${option.id}"></div>`)}
+    </fieldset>`);
+  root.querySelector(".segments").addEventListener("change", (event) => on.chosen(event.target.value));
+  const parts = [...root.querySelectorAll(".option")];
+  return {
+    root,
+    part: (option) => parts.find((part) => part.dataset.option === option),
+    setChosen(chosen) {
+      for (const radio of root.querySelectorAll("input[type=radio]")) {
+        if (radio.name === name) radio.checked = radio.value === chosen;
+      }
+      for (const part of parts) part.hidden = part.dataset.option !== chosen;
+    },
+  };
 }
 
 /** `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`, `on.apply()`. */
@@ -97,7 +121,7 @@ export function createForm({ model, calculator, catalogues, on }) {
   }
 
   function noteOf(field, reading, text) {
-    if (reading?.readAs !== undefined) return message("form.readAs", { value: exactText(reading.readAs) });
+    if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });
     const entries = catalogues[field.path];
     return entries ? properties(entries.find(({ name }) => name === text)) : "";
   }

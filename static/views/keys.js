@@ -1,7 +1,7 @@
 /** The list of keys, behind a button and the `?` key. */
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { createDialog } from "./dialog.js";
+import { createDialog } from "./parts.js";
 
 export function createKeys() {
   const rows = ["apply", "step", "undo", "tabs", "help"].map((key) => message(`keys.${key}`));

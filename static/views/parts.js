@@ -1,7 +1,8 @@
-/** Small pieces of markup that many views have: signs, symbols, tables. */
+/** Small pieces that many views have: signs, symbols, tables, sheets. */
 import { formatNumber } from "../lib/format.js";
-import { html } from "../lib/html.js";
+import { element, html } from "../lib/html.js";
 import { shownUnit, shownValue } from "../lib/units.js";
+import { message } from "../messages/index.js";
 
 const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
 
@@ -29,4 +30,16 @@ export function tableMarkup({ title, columns, rows }) {
         <th scope="col">${column.title}${column.unit && `, ${shownUnit(column.unit)}`}</th>`)}</tr></thead>
       <tbody>${rows.map((row) => html`<tr>${row.map((value, i) => html`<td>${cell(value, columns[i].unit)}</td>`)}</tr>`)}</tbody>
     </table>`;
+}
+
+/** A modal sheet with a title and a way out. */
+export function createDialog({ id, title, content }) {
+  const dialog = element(html`
+    <dialog class="sheet card" id="${id}" aria-labelledby="${id}-title">
+      <h2 id="${id}-title">${title}</h2>
+      ${content}
+      <form method="dialog"><button>${message("keys.close")}</button></form>
+    </dialog>`);
+  document.body.append(dialog);
+  return dialog;
 }

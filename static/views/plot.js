@@ -2,7 +2,6 @@
 import { inShownUnits } from "../lib/chart.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { loadPlotly } from "./plotly.js";
 
 // With a finger, dragging scrolls the page and does not zoom the figure.
 const HOVERS = matchMedia("(hover: hover)").matches;
@@ -14,6 +13,27 @@ const CONFIG = {
   responsive: true,
   modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d", "toImage"],
 };
+
+let loading = null;
+
+/**
+ * Plotly.js, run once, after the first answer; the page asks for it at its head. It writes its rules
+ * into a style element, which the page's policy forbids; where a sheet of that id and class is
+ * linked, as in index.html, it leaves them to the sheet.
+ */
+export function loadPlotly() {
+  loading ??= new Promise((resolve, reject) => {
+    const script = Object.assign(document.createElement("script"), { src: "/static/vendor/plotly/plotly-basic.min.js" });
+    script.addEventListener("load", () => resolve(globalThis.Plotly));
+    script.addEventListener("error", () => {
+      loading = null; // the next figure tries again
+      script.remove();
+      reject(new Error("cannot load Plotly"));
+    });
+    document.head.append(script);
+  });
+  return loading;
+}
 
 const separators = () => `${message("page.decimal")}\u202f`;
 

@@ -2,7 +2,7 @@
 import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
-import { levelOf } from "../lib/warnings.js";
+import { levelOf } from "../lib/verdict.js";
 import { message, said } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following } from "../store.js";

@@ -2,7 +2,7 @@
 import { csvOf, curlLine, flatValues, pythonCode } from "../lib/exports.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { createDialog } from "./dialog.js";
+import { createDialog } from "./parts.js";
 import { download } from "./files.js";
 
 function resultsCsv(answer) {

@@ -490,17 +490,35 @@ def test_dark_follows_the_system_and_the_switch_and_is_remembered(page: Page, se
     assert luminance(page.evaluate("() => getComputedStyle(document.body).backgroundColor")) > 0.8
 
 
-def test_plotly_is_loaded_once_and_not_without_a_figure(
-    page: Page, service: str, watch: Any
-) -> None:
-    script = re.compile(r"/vendor/plotly/.*\.js$")
+def test_nothing_is_asked_for_twice_or_in_vain(page: Page, service: str, watch: Any) -> None:
+    """What the head of the page asks for is used, also where there is nothing to draw yet."""
     show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
-    page.wait_for_timeout(300)
-    assert not any(map(script.search, watch.paths()))
+    page.wait_for_function("() => globalThis.Plotly !== undefined")
+    page.wait_for_timeout(4000)  # by then the browser complains of what was asked for in vain
+    assert len(watch.requests) == len(set(watch.requests))
     for pins in ("3", "4", "5"):
         change(page, partial(box(page, "mechanism.pins").fill, pins))
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(5)
-    assert len(list(filter(script.search, watch.paths()))) == 1
+    assert len([path for path in watch.paths() if path.endswith("plotly-basic.min.js")]) == 1
+
+
+def test_a_field_that_nobody_has_touched_asks(page: Page, service: str) -> None:
+    show(page, service, {"mechanism.satellites": "4"}, state="incomplete")
+    line, wrong = page.locator(".say"), page.locator(".field.wrong")
+    expect(line).to_have_text(re.compile("^Still needed: Pins, Ratio, Output torque"))
+    expect(wrong).to_have_count(0)
+    assert page.locator("[aria-invalid]").count() == 0 and "✕" not in page.inner_text(".verdict")
+    box(page, "mechanism.pins").fill("6")
+    expect(line).to_have_text(re.compile("^Still needed: Ratio, Output torque"))
+    box(page, "mechanism.ratio").focus()
+    box(page, "load.output_torque_Nm").focus()
+    settled(page, "wrong")
+    expect(wrong).to_have_count(1)
+    expect(words_at(page, "mechanism.ratio")).to_have_text("Needs a value")
+    expect(line).to_have_text(re.compile("Ratio: needs a value; Still needed: Output torque"))
+    box(page, "load.output_torque_Nm").press("Enter")
+    expect(wrong).to_have_count(6)
+    expect(box(page, "mechanism.ratio")).to_be_focused()
 
 
 def test_figures_offer_no_upload(page: Page, service: str) -> None:

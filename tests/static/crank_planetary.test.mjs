@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { flatValues } from "../../static/lib/exports.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import { useLanguage } from "../../static/messages/index.js";
-import { warningsOf } from "../../static/lib/warnings.js";
+import { warningsOf } from "../../static/lib/verdict.js";
 import { NARROW } from "../../static/calculators/crank-planetary/judgement.js";
 import { sentences as sentencesOf } from "../../static/calculators/crank-planetary/sentences.js";
 

@@ -61,22 +61,11 @@ export const MODEL = formModel(OPENAPI, {
   path: "/api/v1/job",
   groups: ["mechanism", "contact"],
   hidden: ["mechanism.include"],
-  choices: [
-    {
-      id: "cranks",
-      options: [
-        { id: "spacing", fields: ["mechanism.crank_spacing_deg"], optional: ["mechanism.crank_spacing_deg"] },
-        { id: "list", fields: ["mechanism.crank_angles_deg"] },
-      ],
-    },
-    {
-      id: "ratio",
-      options: [
-        { id: "value", fields: ["mechanism.ratio"] },
-        { id: "teeth", fields: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
-      ],
-    },
-  ],
+  choices: {
+    cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
+    ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+  },
+  optional: ["mechanism.crank_spacing_deg"],
 });
 
 export const INPUT = {

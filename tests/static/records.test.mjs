@@ -38,10 +38,7 @@ const model = formModel(OPENAPI, {
   path: "/gear",
   groups: ["gear", "rollers"],
   inline: ["wheel"],
-  choices: [{ id: "by", options: [
-    { id: "list", fields: ["rollers"] },
-    { id: "wheel", fields: ["wheel.rollers_total"] },
-  ] }],
+  choices: { by: { list: ["rollers"], wheel: ["wheel.rollers_total"] } },
 });
 const INPUT = {
   radius_mm: 50,

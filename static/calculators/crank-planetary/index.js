@@ -4,7 +4,7 @@
  * Only what the schema cannot say stands here: which fields exclude each other, the values that the
  * theory suggests, what the verdict reads from the answer, which figures there are.
  */
-import { cell, stated } from "../../lib/cell.js";
+import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
@@ -119,29 +119,12 @@ export default {
   path: "/crank-planetary",
   groups: ["mechanism", "load", "contact"],
   hidden: ["load.include", "load.samples", "include", "crank_angle_deg"],
-  choices: [
-    {
-      id: "cranks",
-      options: [
-        { id: "spacing", fields: ["mechanism.crank_spacing_deg"], optional: ["mechanism.crank_spacing_deg"] },
-        { id: "list", fields: ["mechanism.crank_angles_deg"] },
-      ],
-    },
-    {
-      id: "ratio",
-      options: [
-        { id: "value", fields: ["mechanism.ratio"] },
-        { id: "teeth", fields: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
-      ],
-    },
-    {
-      id: "torque",
-      options: [
-        { id: "output", fields: ["load.output_torque_Nm"] },
-        { id: "input", fields: ["load.input_torque_Nm", "load.efficiency"] },
-      ],
-    },
-  ],
+  choices: {
+    cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
+    ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+    torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
+  },
+  optional: ["mechanism.crank_spacing_deg"],
   catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials" },
 
   /** The value that the theory gives for a box, where the other boxes allow it. */

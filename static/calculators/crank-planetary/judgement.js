@@ -3,7 +3,7 @@
  * governs, and what makes a design impossible. No DOM.
  */
 import { formatNumber, formatQuantity, tidy } from "../../lib/format.js";
-import { levelOf } from "../../lib/warnings.js";
+import { levelOf } from "../../lib/verdict.js";
 import { message, said } from "../../messages/index.js";
 
 /** Half-width over pin radius up to which Hertz's pressure holds to 1 %, as in core.hertz. */

@@ -23,7 +23,7 @@ function phases({ pins, angles }) {
     .map((phase) => (phase + 360) % 360).sort((a, b) => a - b);
 }
 
-export function largestGap(mechanism) {
+function largestGap(mechanism) {
   const all = phases(mechanism);
   return Math.max(...all.map((phase, i) => (i ? phase - all[i - 1] : phase + 360 - all.at(-1))));
 }

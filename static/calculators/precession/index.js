@@ -1,5 +1,5 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
-import { cell, stated } from "../../lib/cell.js";
+import { cell, stated } from "../../lib/verdict.js";
 import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
@@ -77,29 +77,14 @@ export default {
   path: "/precession/shaft-deflection",
   groups: ["gear", "rollers", "load", "shaft"],
   inline: ["wheel"],
-  choices: [
-    {
-      id: "rollersBy",
-      options: [
-        { id: "list", fields: ["rollers"] },
-        {
-          id: "wheel",
-          fields: [
-            "wheel.rollers_total", "wheel.rollers_in_mesh", "wheel.position_angle_deg",
-            "wheel.z_min_mm", "wheel.z_max_mm",
-          ],
-          optional: ["wheel.rollers_in_mesh"],
-        },
-      ],
+  choices: {
+    rollersBy: {
+      list: ["rollers"],
+      wheel: ["rollers_total", "rollers_in_mesh", "position_angle_deg", "z_min_mm", "z_max_mm"].map((name) => `wheel.${name}`),
     },
-    {
-      id: "shaftBy",
-      options: [
-        { id: "diameter", fields: ["shaft_diameter_mm"] },
-        { id: "sections", fields: ["shaft_sections"] },
-      ],
-    },
-  ],
+    shaftBy: { diameter: ["shaft_diameter_mm"], sections: ["shaft_sections"] },
+  },
+  optional: ["wheel.rollers_in_mesh"],
 
   /** The same design said in an option's own fields. */
   seeds: {

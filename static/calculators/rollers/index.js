@@ -1,5 +1,5 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
-import { cell, stated } from "../../lib/cell.js";
+import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
@@ -33,22 +33,10 @@ export default {
   path: "/roller-strength",
   groups: ["load", "roller", "material"],
   inline: [],
-  choices: [
-    {
-      id: "errors",
-      options: [
-        { id: "tolerance", fields: ["position_tolerance_mm"] },
-        { id: "gaps", fields: ["gaps_mm"] },
-      ],
-    },
-    {
-      id: "shear",
-      options: [
-        { id: "poisson", fields: ["poissons_ratio"] },
-        { id: "modulus", fields: ["shear_modulus_GPa"] },
-      ],
-    },
-  ],
+  choices: {
+    errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
+    shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
+  },
 
   /** The same design said in an option's own fields. */
   seeds: {

@@ -19,7 +19,7 @@ const IN_SI = {
   "°": Math.PI / 180,
 };
 
-export function toSI(value, unit) {
+function toSI(value, unit) {
   return value * IN_SI[unit];
 }
 
@@ -69,7 +69,7 @@ function integral(term, from, to) {
 }
 
 /** Names of a tree's values that are lists, definitions looked through. */
-export function listsIn(tree, values, bound = new Set()) {
+function listsIn(tree, values, bound = new Set()) {
   if (tree.name) {
     const value = values[tree.name];
     if (bound.has(tree.name) || value === undefined) return [];

@@ -20,7 +20,7 @@ export function intermediate(name, symbol, unit, { formula, values, ...rest }) {
 }
 
 /** What the formula of a step gives with the numbers put in, in the step's unit. */
-export function valueOf({ formula, values, unit }) {
+function valueOf({ formula, values, unit }) {
   return fromSI(evaluate(parse(formula), values), unit);
 }
 

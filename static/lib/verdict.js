@@ -1,0 +1,29 @@
+/** What a verdict is made of: its cells, and the warnings of an answer. No DOM. */
+import { message } from "../messages/index.js";
+import { quantityParts, shownDigits } from "./format.js";
+
+const IMPOSSIBLE = ["interference", "holes_overlap", "pins_overlap"];
+
+/**
+ * A cell, `{ label, value, unit, note, level }`; of a section without answer the label alone.
+ * `about(section)` gives what an answered section says.
+ */
+export function cell(name, section, about) {
+  return { label: message(`verdict.${name}`), ...(section && about(section)) };
+}
+
+/** Value and unit with at most so many digits, and no more than the section's accuracy allows. */
+export function stated({ accuracy }, value, unit, most) {
+  return quantityParts(value, unit, shownDigits(accuracy.relative_error, most));
+}
+
+/** Every warning of an answer and of its sections, once. */
+export function warningsOf(answer) {
+  const all = [answer, ...Object.values(answer)].flatMap((part) => part?.warnings ?? []);
+  return [...new Map(all.map((warning) => [`${warning.code} ${warning.detail}`, warning])).values()];
+}
+
+/** How bad it is: "bad" for what cannot be built, else "warning". */
+export function levelOf(code) {
+  return IMPOSSIBLE.includes(code) ? "bad" : "warning";
+}

@@ -1,0 +1,67 @@
+/** What the page asks for at once, in index.html and first.js, is what it needs, and nothing else. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import vm from "node:vm";
+
+import { CALCULATORS } from "../../static/calculators/index.js";
+
+const ROOT = new URL("../../", import.meta.url);
+const textOf = (path) => readFileSync(new URL(`.${path}`, ROOT), "utf8");
+const HEAD = textOf("/static/index.html");
+
+/** The paths of a module and of all that it imports, one through the other. */
+function graph(path, found = new Set()) {
+  if (found.has(path)) return found;
+  found.add(path);
+  for (const [, name] of textOf(path).matchAll(/^(?:import|export|\}) ?[^"';]*?(?:from )?"(\.[^"]+)";/gm)) {
+    graph(new URL(name, `http://x${path}`).pathname, found);
+  }
+  return found;
+}
+
+function linked(rel) {
+  return [...HEAD.matchAll(/<link ([^>]*)>/g)].map(([, text]) => Object.fromEntries(
+    [...text.matchAll(/([\w-]+)(?:="([^"]*)")?/g)].map(([, name, value = ""]) => [name, value]),
+  )).filter((link) => link.rel === rel);
+}
+
+/** The modules that first.js asks for at an address. */
+function preloadedAt(search) {
+  const links = [];
+  const document = {
+    documentElement: { dataset: {} },
+    createElement: () => ({}),
+    head: { append: (...nodes) => links.push(...nodes) },
+  };
+  vm.runInNewContext(textOf("/static/first.js"), { URLSearchParams, document, location: { search } });
+  assert.ok(links.every(({ rel }) => rel === "modulepreload"));
+  return links.map(({ href }) => href);
+}
+
+test("every module of the first screen is preloaded", () => {
+  const modules = [...graph("/static/main.js")];
+  assert.ok(modules.length > 40, modules.length);
+  assert.deepEqual(linked("modulepreload").map(({ href }) => href).sort(), modules.filter((path) => path !== "/static/main.js").sort());
+});
+
+for (const id of CALCULATORS) {
+  test(`and those of the calculator that is opened: ${id}`, () => {
+    const common = graph("/static/main.js");
+    const own = [...graph(`/static/calculators/${id}/index.js`)].filter((path) => !common.has(path));
+    assert.deepEqual(preloadedAt(`?calculator=${id}&v=1`).sort(), own.sort());
+  });
+}
+
+test("without a calculator in the address those of the first", () => {
+  for (const search of ["", "?calculator=another"]) {
+    assert.deepEqual(preloadedAt(search), preloadedAt(`?calculator=${CALCULATORS[0]}`));
+  }
+});
+
+test("what the service says of itself is asked for in the way in which the page asks", () => {
+  const paths = /\[([^\]]*)\]\.map\(\(path\) => client\.get\(path\)\)/.exec(textOf("/static/main.js"))[1];
+  const asked = linked("preload").filter((link) => link.as === "fetch");
+  assert.deepEqual(asked.map(({ href }) => href), paths.match(/[\w/.]+/g).map((path) => `/api/v1${path}`));
+  assert.ok(asked.every((link) => link.crossorigin === "")); // as fetch does
+});
