@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from app import theme
-from app.examples import EXAMPLES
+from app.examples import EXAMPLES, REQUESTS
 from app.main import create_app
 from app.model import NEGLECTED
 from app.problems import TEXTS
@@ -16,7 +16,6 @@ from app.registry import CALCULATIONS
 from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS
 from core.results import METHODS, NOTICES
 from core.work_precision.study import SETTINGS
-from tests.app.test_figures import CHARTS
 
 pytestmark = pytest.mark.anyio
 
@@ -79,10 +78,10 @@ def test_the_page_has_the_words_of_the_service():
     assert FILE.read_text(encoding="utf-8") == text()
 
 
-@pytest.mark.parametrize("path", CHARTS)
+@pytest.mark.parametrize("path", [name for name, each in CALCULATIONS.items() if each.figure])
 async def test_every_word_of_a_figure_has_an_id(api, path):
     """What the texts of a figure name has no words beside them; the ids and their places agree."""
-    figure = (await api.post(f"{path}/chart", json=CHARTS[path])).json()
+    figure = (await api.post(f"{path}/chart", json=REQUESTS[path])).json()
     worded = set()
     for place, code, params in figure["layout"]["meta"]["words"]:
         part = figure
