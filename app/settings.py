@@ -22,9 +22,11 @@ class Settings:
     max_batch : int
         Most requests in one batch.
     max_seconds : float
-        Longest time of a calculation, waiting for a free process included, seconds.
+        Longest time of a calculation, seconds; waiting for a free process is not counted.
     processes : int
         Processes for long calculations, for each worker; 0 for one to a processor.
+    max_waiting : int
+        Most long calculations that wait for a process of a worker.
     max_connections : int
         Most open connections of a worker.
     receive_seconds : float
@@ -39,13 +41,14 @@ class Settings:
         Least level that is logged: a line for each request is INFO.
     """
 
-    max_body_bytes: int = 1_048_576
+    max_body_bytes: int = 262_144
     max_batch_bytes: int = 8_388_608
     max_pairs: int = 10_000
     max_curve_samples: int = 10_001
     max_batch: int = 10_000
     max_seconds: float = 10.0
     processes: int = 0
+    max_waiting: int = 64
     max_connections: int = 2_000
     receive_seconds: float = 10.0
     keep_alive_seconds: int = 5
