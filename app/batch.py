@@ -118,6 +118,7 @@ async def batch(request: Request) -> Response:
     record.received = time.perf_counter()
     calculation, requests = await in_process(jobs, split, content, record.settings, record=record)
     done = answers(jobs, CALCULATIONS[SPELLINGS[calculation]], requests, record)
+    done = _from(await anext(done), done)  # without which there is nothing to answer
     by_lines = LINES in request.headers.get("accept", "")
     written = _as_lines(done) if by_lines else _as_object(done)
     headers = {"vary": "accept-encoding"}
@@ -174,6 +175,7 @@ async def answers(
                 errors,
                 record=record,
                 limit_s=limit_s,
+                admitted=True,
             )
         except Unfinished as error:
             unfinished, told = error, error.parts
@@ -239,6 +241,14 @@ def _body(model: type[RequestModel], request: bytes, settings: Settings) -> Requ
 
 def _problem(problem: Problem) -> bytes:
     return orjson.dumps({"problem": problem.body()})
+
+
+async def _from(
+    first: list[bytes], others: AsyncIterator[list[bytes]]
+) -> AsyncIterator[list[bytes]]:
+    yield first
+    async for some in others:
+        yield some
 
 
 async def _as_lines(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:

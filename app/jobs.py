@@ -10,6 +10,7 @@ hundredths of a second. To close a child's socket is to end it, so that none out
 
 import asyncio
 import atexit
+import logging
 import math
 import multiprocessing
 import multiprocessing.util  # its waiting for all children at exit comes after `_end_all`
@@ -26,6 +27,8 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from multiprocessing.process import BaseProcess
 from typing import Any, Self
+
+LOG = logging.getLogger("khv.jobs")
 
 CONTEXT = multiprocessing.get_context("forkserver")  # a process with threads is not to be forked
 
@@ -47,7 +50,7 @@ class Busy(Exception):
     Attributes
     ----------
     retry_after_s : int
-        When there may be room, by the time that jobs took of late.
+        When there may be room, seconds.
     """
 
     def __init__(self, retry_after_s: int) -> None:
@@ -96,7 +99,8 @@ class Jobs:
 
     def __init__(self, *, processes: int, waiting: int, preload: Iterable[str] = ()) -> None:
         CONTEXT.set_forkserver_preload(list(preload))
-        self._missing = self.processes = processes or os.cpu_count() or 1
+        self.processes = processes or os.cpu_count() or 1
+        self._missing: list[BaseProcess | None] = [None] * self.processes
         self._most_waiting = waiting
         self._children: set[_Child] = set()
         self._free: list[_Child] = []
@@ -125,7 +129,7 @@ class Jobs:
         while self._free:
             self._replace(self._free.pop())
         for child in self._children:
-            child.end()
+            child.kill()  # whoever runs a job in it sees that
         self._refuse_waiting()
 
     def admit(self) -> None:
@@ -134,13 +138,13 @@ class Jobs:
         Raises
         ------
         Busy
-            If there are.
+            If there are; when there may be room is estimated from what jobs took of late.
         """
         if len(self._waiting) >= self._most_waiting:
             turns = (len(self._waiting) + 1) / self.processes
             raise Busy(math.ceil(turns * self._turn_s))
 
-    async def run(self, job: Job, *args: Any, limit_s: float) -> list[Any]:
+    async def run(self, job: Job, *args: Any, limit_s: float, admitted: bool = False) -> list[Any]:
         """All that a job yields.
 
         To cancel this ends the job.
@@ -153,14 +157,20 @@ class Jobs:
             Its arguments; they are pickled, as is what it yields.
         limit_s : float
             Longest time from its start to its end, seconds; waiting for a process is not counted.
+        admitted : bool
+            Whether it may wait however many do: a part of work that has been admitted as a whole.
 
         Raises
         ------
+        Busy
+            If too many are waiting.
         TooLong, Stopped
             If it does not come to its end.
         CannotRun
             If there is no process and none can be started.
         """
+        if not admitted:
+            self.admit()
         child = await self._next_free()
         parts: list[Any] = []
         begun, ended = time.monotonic(), False
@@ -217,7 +227,7 @@ class Jobs:
         """End a process; another one is started in the background."""
         self._children.discard(child)
         child.end()
-        self._missing += 1
+        self._missing.append(child.process)
         self._start_missing()
 
     def _refuse_waiting(self) -> None:
@@ -230,23 +240,25 @@ class Jobs:
 
     def _start_missing(self) -> None:
         while self._missing and not self._closed:
-            self._missing -= 1
-            task = asyncio.create_task(self._start_one())
+            task = asyncio.create_task(self._start_one(self._missing.pop()))
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
 
-    async def _start_one(self) -> None:
+    async def _start_one(self, former: BaseProcess | None) -> None:
+        """Start a process in the place of one that has been ended."""
         child = None
         try:
             async with asyncio.timeout(START_S):
-                child = await asyncio.to_thread(_started)
+                child = await asyncio.to_thread(_started, former)
+                former = child.process
                 await child.receive()
-        except OSError:
-            self._missing += 1
+        except Exception as error:
+            LOG.warning("a process for calculations could not be started", exc_info=error)
+            self._missing.append(former)
             if not self._children:
                 self._refuse_waiting()
         except asyncio.CancelledError:
-            self._missing += 1
+            self._missing.append(former)
             raise
         else:
             self._able = True
@@ -260,7 +272,6 @@ class Jobs:
     async def _keep(self) -> None:
         """Start what is missing, and what dies while it has nothing to do."""
         while True:
-            multiprocessing.active_children()  # to ask is to bury those that have ended
             for child in [child for child in self._free if child.gone()]:
                 self._free.remove(child)
                 self._replace(child)
@@ -310,13 +321,24 @@ class _Child:
         except OSError:
             return True
 
-    def end(self) -> None:
+    def kill(self) -> None:
         with suppress(OSError):  # it may have gone itself
             self.socket.shutdown(socket.SHUT_RDWR)
         self.process.kill()
 
+    def end(self) -> None:
+        """The same where nobody waits for its answer any more."""
+        self.kill()
+        self.socket.close()
+        _LIVE.discard(self)
 
-def _started() -> _Child:
+
+def _started(former: BaseProcess | None) -> _Child:
+    """A new process, once the one before has ended."""
+    if former is not None:
+        with suppress(ValueError):  # it is closed already
+            former.join(START_S)
+            former.close()
     ours, theirs = socket.socketpair()
     with theirs:
         ours.setblocking(False)
@@ -332,7 +354,7 @@ _LIVE: weakref.WeakSet[_Child] = weakref.WeakSet()
 @atexit.register
 def _end_all() -> None:
     for child in _LIVE:
-        child.end()
+        child.kill()
 
 
 def _serve(pipe: socket.socket) -> None:

@@ -252,8 +252,12 @@ def _sentence(errors: list[ErrorItem], more: int) -> str:
         for each in errors
     ]
     if more:
-        parts.append(f"{more} more" if parts else f"{more} fields are wrong")
+        parts.append(f"{more} more" if parts else _count(more))
     return "; ".join(parts)
+
+
+def _count(wrong: int) -> str:
+    return "1 field is wrong" if wrong == 1 else f"{wrong} fields are wrong"
 
 
 def not_json(detail: str) -> Problem:

@@ -42,7 +42,11 @@ def refuse_if_busy(jobs: Jobs) -> None:
     try:
         jobs.admit()
     except Busy as busy:
-        raise unavailable("Too many calculations are waiting", busy.retry_after_s) from None
+        raise _too_many(busy) from None
+
+
+def _too_many(busy: Busy) -> Problem:
+    return unavailable("Too many calculations are waiting", busy.retry_after_s)
 
 
 async def in_process(
@@ -70,11 +74,11 @@ async def in_process(
     ClientDisconnect
         If the client goes before.
     """
-    refuse_if_busy(jobs)
+    limit_s = record.settings.max_seconds
     for last in (False, True):
         try:
             (part,) = await in_parts(
-                jobs, job, *args, record=record, limit_s=record.settings.max_seconds
+                jobs, job, *args, record=record, limit_s=limit_s, admitted=last
             )
             break
         except Unfinished as unfinished:
@@ -84,7 +88,12 @@ async def in_process(
 
 
 async def in_parts(
-    jobs: Jobs, job: Callable[..., Iterator[Any]], *args: Any, record: Record, limit_s: float
+    jobs: Jobs,
+    job: Callable[..., Iterator[Any]],
+    *args: Any,
+    record: Record,
+    limit_s: float,
+    admitted: bool,
 ) -> list[Any]:
     """All that a job yields, in a process, as long as someone waits for it.
 
@@ -94,19 +103,22 @@ async def in_parts(
         As `in_process` takes them.
     limit_s : float
         Longest time of the job, seconds.
+    admitted : bool
+        Whether it is a part of work that has been admitted, and waits however many do.
 
     Raises
     ------
     Problem, ClientDisconnect
-        As `in_process`, but it waits however many do.
+        As `in_process`.
     TooLong, Stopped
         If the job does not come to its end; with what it had yielded.
     """
-    running = jobs.run(_told, job, args, limit_s=limit_s)
+    running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted)
     try:
         return [_noted(part, record) for part in await _while_wanted(running, record)]
+    except Busy as busy:
+        raise _too_many(busy) from None
     except CannotRun:
-        LOG.error("no process for calculations can be started")
         raise unavailable("No process for calculations can be started") from None
     except Unfinished as unfinished:
         if isinstance(unfinished, Stopped):
