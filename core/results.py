@@ -46,3 +46,41 @@ class Notice:
     detail: str
     value: float
     limit: float
+
+
+HARDLY_KNOWN = 1e-2
+"""Relative error above which a number is no guide."""
+
+
+def poorly_known(accuracy: Accuracy) -> tuple[Notice, ...]:
+    """Notice that hardly anything is known of a result, where its stated error says so.
+
+    Parameters
+    ----------
+    accuracy : Accuracy
+        Of one design.
+
+    Returns
+    -------
+    tuple of Notice
+        One, or none.
+
+    Examples
+    --------
+    >>> poorly_known(Accuracy("closed form", 1e-15, 1))
+    ()
+    >>> [notice.code for notice in poorly_known(Accuracy("closed form", 0.5, 1))]
+    ['hardly_known']
+    """
+    error = float(accuracy.relative_error)
+    if error <= HARDLY_KNOWN:
+        return ()
+    return (
+        Notice(
+            code="hardly_known",
+            detail="Hardly anything is known of the result: its relative error may be "
+            f"{error:.2g}, because rounding of the input is magnified so much.",
+            value=error,
+            limit=HARDLY_KNOWN,
+        ),
+    )

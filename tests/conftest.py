@@ -1,6 +1,40 @@
-"""What holds for all tests: a busy machine is no reason to fail."""
+"""What holds for all tests: a busy machine is no reason to fail; what is slow can be left out."""
 
+from pathlib import Path
+
+import pytest
 from hypothesis import settings
 
 settings.register_profile("khv", deadline=None, print_blob=True)
+settings.register_profile("quick", settings.get_profile("khv"), max_examples=20)
 settings.load_profile("khv")
+
+HERE = Path(__file__).parent
+SLOW = {
+    HERE / place
+    for place in (
+        "reference",  # thousands of cases at 40 digits
+        "service",  # starts the service
+        "benchmarks",
+        "app/test_batch_api.py",
+        "app/test_fuzz.py",
+        "app/test_openapi_conformance.py",
+        "app/test_processes.py",
+        "app/test_work_precision_api.py",
+    )
+}
+"""Folders and files that take seconds each; `make check` leaves them out."""
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    # what is not asked for need not be imported
+    asked = config.option.markexpr
+    skipped = "not slow" in asked and collection_path in SLOW
+    skipped |= "not browser" in asked and collection_path == HERE / "browser"
+    return skipped or None
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if SLOW & {item.path, *item.path.parents}:
+            item.add_marker(pytest.mark.slow)

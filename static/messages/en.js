@@ -118,8 +118,8 @@ export default {
       both: "no limit known for the pin: {pin}; for the hole: {hole}",
     },
     wanted: {
-      pin: "No limit of the pin's material, {pin}, is known: enter one.",
-      hole: "No limit of the hole's material, {hole}, is known: enter one.",
+      pin: "No limit is known for the pin, {pin}: enter one.",
+      hole: "No limit is known for the hole, {hole}: enter one.",
     },
     loose: "clearance not counted",
     ownMaterial: "own values",
@@ -256,7 +256,7 @@ export default {
     x: ["x"],
     y: ["y"],
     total: ["total"],
-    governing_pressure_MPa: ["Governing pressure", "p"],
+    governing_pressure_MPa: ["Governing pressure", "p_g"],
     safety: ["Safety of each body whose limit is known"],
     body: ["Body"],
     limit_MPa: ["Limit"],
@@ -281,9 +281,10 @@ export default {
       "Yanchevskiy 2021, after eq. (11): that f stays below 1 is false for one satellite (1.249 for three pins).",
       "Yanchevskiy 2021, assembly: the angle of satellite j counts (j − 1)·α; as printed, with j·α, the first satellite would be turned against itself.",
       "Yanchevsky 2018, eq. (5): holds for 3 to 5 pins and 1 or 2 satellites as stated; shown there beside the exact peak, with its error.",
+      "Yanchevsky 2018, after fig. 6: the maxima of the next pairs follow at 180°/N of the wave only for two satellites and an odd N, else at 360°/N.",
     ],
     ovsyannikov: [
-      "Ovsyannikov 2019, eqs. (11) to (13): the number of rollers multiplies the whole compliance, the shear term too; as printed the stress of short rollers is up to 9 % too high.",
+      "Ovsyannikov 2019, eqs. (11) to (13): the number of rollers multiplies the whole compliance, the shear term too; as printed the stress is too high: by 9 % at l/d = 1, χ/d = 4·10⁻⁴, and by 18 to 29 % at l/d = 0.5.",
       "Ovsyannikov 2019, “δ > 1”: the limit at which one roller carries all is δ = n/4.",
     ],
     khatetovsky: [
@@ -493,6 +494,12 @@ export default {
       tests: "Whether a contact line comes close to φ = 0.",
       why: "There the load has hardly an arm about the axis: the line load grows steeply, more than elastic rollers would let it.",
       mend: "Move the end of the line away from the precession centre.",
+    },
+    hardly_known: {
+      title: "Hardly anything is known",
+      tests: "Whether the stated relative error stays below 1 %.",
+      why: "The numbers given are known to some 16 digits only; here a small difference of large ones decides, of which hardly a digit is left.",
+      mend: "Move the sizes away from where they nearly cancel: a ratio from cos θ, a limit from its neighbour, an angle from its pole.",
     },
   },
   report: {

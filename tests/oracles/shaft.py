@@ -15,9 +15,9 @@ def exact_deflection(
     load_c: mpf,
     place: mpf,
 ) -> mpf:
-    """Mohr's integral over x from the clamp, with quadrature that is exact for its cubics.
+    """Mohr's integral over x from C, with quadrature that is exact for its cubics.
 
-    Sections are (length, diameter), from the clamp; the last reaches to the end, a + b.
+    Sections are (length, diameter), from C; the last reaches to the clamp, a + b.
     """
     total, start = mpf(0), mpf(0)
     for index, (length, diameter) in enumerate(sections):

@@ -74,7 +74,7 @@ def test_length_by_angle(seed: int) -> None:
     for z, phi, bound in zip(
         (line.z_min, line.z_max),
         sorted(ends, key=lambda end: z_of_angle(curve_scale(gear), phi_1, end)),
-        line.end_errors,
+        (point.error for point in line.limits[:2]),
         strict=True,
     ):
         true = z_of_angle(curve_scale(gear), phi_1, phi)

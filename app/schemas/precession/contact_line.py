@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from app.schemas.base import AccuracyOut, ResponseModel, Values, quantity
+from app.schemas.base import AccuracyOut, ResponseModel, Values, WarningOut, quantity
 from app.schemas.precession.gear import GearFields
 from core.errors import InvalidInput
 from core.precession.contact_line import (
@@ -29,7 +29,7 @@ class ContactLineRequest(GearFields):
         help="Chooses the loaded flank of rollers whose limits are given in z.",
     )
     include: list[Literal["points"]] = Field(
-        default=[], description="Optional results: what is not named is not computed."
+        default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
     samples: int = quantity(
         "Samples",
@@ -86,6 +86,7 @@ class ContactLineOut(ResponseModel):
     phi_min_deg: float
     phi_max_deg: float
     length_mm: float
+    relative_error: float = Field(description="Bound of the relative error of its length.")
     points: PointsOut | None = None
 
 
@@ -95,6 +96,7 @@ class ContactLineResponse(ResponseModel):
     lines: list[ContactLineOut]
     total_length_mm: float
     accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
 
     @classmethod
     def values(
