@@ -1,5 +1,6 @@
 """What an operator may set, by environment variables that start with ``KHV_``."""
 
+import math
 import os
 from dataclasses import dataclass, fields
 from typing import Any, Self
@@ -63,7 +64,7 @@ class Settings:
         Raises
         ------
         ValueError
-            If a value is not a number where a number is needed.
+            If a value is not a number that can be where one is needed.
         """
         given: dict[str, Any] = {}
         for field in fields(cls):
@@ -79,4 +80,7 @@ class Settings:
                 given[field.name] = field.type(text)
             except ValueError as error:
                 raise ValueError(f"{name} must be a number, not {text!r}") from error
+            least = 0 if field.name == "processes" else 1e-3
+            if field.type is not str and not least <= given[field.name] < math.inf:
+                raise ValueError(f"{name} must be at least {least}, not {text}")
         return cls(**given)
