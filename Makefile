@@ -14,7 +14,8 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run test lint types unit node page accuracy bench bench-page requirements audit fuzz load
+.PHONY: help run check test lint types fast slow node page accuracy bench bench-page \
+	requirements audit fuzz load
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -36,7 +37,11 @@ run: .venv/run  ## start the service on http://127.0.0.1:8000 (HOST, PORT, WORKE
 	@echo "KHV Calc: http://$(HOST):$(PORT) (the page), http://$(HOST):$(PORT)/docs (the API)"
 	@exec $(BIN)/python -m app.serve --host $(HOST) --port $(PORT) --workers $(WORKERS)
 
-test: lint types unit node page  ## run everything: style, types, imports, tests, the page
+check: .venv/test  ## what to run while working: style, types, imports, fast tests; half a minute
+	@$(MAKE) --no-print-directory --jobs 2 --output-sync lint types node fast \
+		QUICK=--hypothesis-profile=quick
+
+test: lint types node fast slow page  ## everything: check, and all that is slower, the page too
 	@echo
 	@echo "make test: style, types, imports, tests and doctests passed"
 	@command -v node >/dev/null && echo "make test: the page's modules passed" \
@@ -52,8 +57,11 @@ lint: .venv/test
 types: .venv/test
 	$(BIN)/mypy
 
-unit: .venv/test
-	$(BIN)/pytest --numprocesses auto -m "not browser"
+fast: .venv/test
+	$(BIN)/pytest --quiet $(QUICK) -m "not slow and not browser"
+
+slow: .venv/test
+	$(BIN)/pytest --numprocesses auto -m "slow and not browser"
 
 node:
 	@tests/tools.sh node nodejs
@@ -61,7 +69,7 @@ node:
 
 page: .venv/test
 	@tests/tools.sh chromium chromium fonts-dejavu-core
-	$(BIN)/pytest -m browser --numprocesses auto tests/browser
+	$(BIN)/pytest -m browser --numprocesses auto tests
 
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability

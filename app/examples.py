@@ -39,7 +39,11 @@ def _crank_planetary(
         "title": title,
         "source": source,
         "calculation": "crank-planetary",
-        "input": {"mechanism": mechanism, "load": _LOAD | (load or {}), "contact": _CONTACT},
+        "input": {
+            "mechanism": mechanism,
+            "load": _LOAD | (load or {}),
+            "contact": _CONTACT | {"eccentricity_mm": 2.0},
+        },
     }
 
 

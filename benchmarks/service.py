@@ -31,8 +31,10 @@ from app.schemas.cyclogram import CyclogramRequest, CyclogramResponse
 from app.schemas.hertz import HertzRequest, HertzResponse
 from app.schemas.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 from app.units import from_si
+from benchmarks.options import options
 
-ROUNDS, REPEATS = 100, 25
+ROUNDS, REPEATS, LOOPS = 100, 25, 500
+"""Rounds of a comparison, requests in each, and calls in a timing of the parts."""
 
 CLIENT, SERVERS = min(os.sched_getaffinity(0)), max(os.sched_getaffinity(0))
 """Processors of the client and of all servers, which are compared on the same one."""
@@ -157,11 +159,13 @@ def post(path: str, body: object) -> bytes:
     return f"{head}content-length: {len(content)}\r\n\r\n".encode() + content
 
 
-def compared(first: Server, one: bytes, second: Server, other: bytes) -> tuple[float, float, float]:
+def compared(
+    first: Server, one: bytes, second: Server, other: bytes, rounds: int
+) -> tuple[float, float, float]:
     """Processor times of two requests, microseconds, and their ratio, second over first: each the
     median of rounds.
     """
-    costs = [(first.cost(one), second.cost(other)) for _ in range(ROUNDS + 1)][1:]
+    costs = [(first.cost(one), second.cost(other)) for _ in range(rounds + 1)][1:]
     ones, others = zip(*costs, strict=True)
     ratios = [other / one for one, other in costs]
     return statistics.median(ones), statistics.median(others), statistics.median(ratios)
@@ -174,10 +178,10 @@ def start_up() -> float:
         return time.perf_counter() - service.started
 
 
-def main() -> None:
+def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
     """Print the table, the times of the parts, and how long the service takes to start."""
     os.sched_setaffinity(0, {CLIENT})
-    warm = [start_up() for _ in range(4)][1:]
+    warm = [start_up() for _ in range(starts + 1)][1:]
     with (
         running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
         running("uvicorn", "benchmarks.service:empty", "--factory", *QUIET) as empty_one,
@@ -192,19 +196,19 @@ def main() -> None:
         ]
         for name, path, own_path, body in asked:
             other, own = post(f"/{path}", body), post(f"/api/v1/{own_path}", body)
-            empty_us, us, ratio = compared(empty_one, other, service, own)
+            empty_us, us, ratio = compared(empty_one, other, service, own, rounds)
             print(f"{name:16s} {empty_us:9.0f} {us:10.0f} {ratio - 1:10.2f}")
         bare_us, us, ratio = compared(
-            bare_one, post("/", {}), service, post("/api/v1/contact-force", CURVES)
+            bare_one, post("/", {}), service, post("/api/v1/contact-force", CURVES), rounds
         )
         print(f"curves: {1 / ratio:.3f} of the rate of a bare ASGI answer ({bare_us:.0f} us)")
     print(f"from start to first answer: {min(warm):.2f} s")
     print("\nparts of a request, microseconds")
     print(f"{'request':24s} {'read':>6s} {'solve':>6s} {'values':>6s} {'encode':>6s}")
     for name, (given, answered) in MODELS.items():
-        print_parts(name, given, BODIES[name], lambda body: body.solve(), answered.values)
+        print_parts(name, given, BODIES[name], lambda body: body.solve(), answered.values, loops)
     given, answered = MODELS["contact-force"]
-    print_parts("curves", given, CURVES, lambda body: body.solve(), answered.values)
+    print_parts("curves", given, CURVES, lambda body: body.solve(), answered.values, loops)
     print_parts(
         "chart",
         given,
@@ -213,6 +217,7 @@ def main() -> None:
         lambda found: contact_force_figure(
             answered.values(found[0]), from_si("switching_deg", found[1]), "light"
         ),
+        loops,
     )
 
 
@@ -222,6 +227,7 @@ def print_parts(
     request: dict[str, Any],
     solve: Callable[[Any], Any],
     answer: Callable[[Any], Any],
+    loops: int,
 ) -> None:
     """Print the times of what the service does for a request beside HTTP."""
     model, content = TypeAdapter[Any](given), json.dumps(request)
@@ -229,18 +235,21 @@ def print_parts(
     found = solve(body)
     values = answer(found)
     times = (
-        timed(lambda: model.validate_json(content)),
-        timed(lambda: solve(body)),
-        timed(lambda: answer(found)),
-        timed(lambda: encoded(values)),
+        timed(lambda: model.validate_json(content), loops),
+        timed(lambda: solve(body), loops),
+        timed(lambda: answer(found), loops),
+        timed(lambda: encoded(values), loops),
     )
     print(f"{name:24s} " + " ".join(f"{us:6.1f}" for us in times))
 
 
-def timed(call: Callable[[], object]) -> float:
+def timed(call: Callable[[], object], loops: int) -> float:
     """Time of a call, microseconds."""
-    return min(timeit.repeat(call, number=500, repeat=9)) / 500 * 1e6
+    return min(timeit.repeat(call, number=loops, repeat=9)) / loops * 1e6
 
 
 if __name__ == "__main__":
-    main()
+    if options(__doc__).smallest:
+        main(rounds=1, starts=1, loops=1)
+    else:
+        main()

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from benchmarks.options import options
 from core.hertz import hertz
 from core.materials import ElasticMaterial
 from core.output.contact_force import contact_force
@@ -62,12 +63,12 @@ CALLS: dict[str, Callable[[], object]] = {
 }
 
 
-def main() -> None:
-    """Print the tables."""
+def main(smallest: bool) -> None:
+    """Print the table."""
     times = {}
     for name, call in CALLS.items():
         call()
-        count = max(1, round(0.02 / max(timeit.timeit(call, number=1), 1e-6)))
+        count = 1 if smallest else max(1, round(0.02 / max(timeit.timeit(call, number=1), 1e-6)))
         times[name] = float(np.median(timeit.repeat(call, number=count, repeat=7))) / count
     unit = times["hertz"]
     print(f"{'calculation':24s} {'ratio':>8s} {'us':>8s}")
@@ -76,4 +77,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(options(__doc__).smallest)

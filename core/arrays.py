@@ -6,8 +6,8 @@ designs a second. Arrays may have any leading axes and broadcast as NumPy's do.
 """
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,9 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 
-Number = float | FloatArray
-"""A quantity of one design, or of many."""
+Number: TypeAlias = Any
+"""A quantity of one design (float) or of many (`FloatArray`); a union of the two would know no
+arithmetic to a type checker."""
 
 Vector = tuple[float, float, float]
 """x, y, z."""
@@ -40,6 +41,54 @@ atanh = _either(math.atanh, np.arctanh)
 log1p = _either(math.log1p, np.log1p)
 
 
+def larger(x: Any, y: Any) -> Any:
+    """The larger of two quantities.
+
+    Parameters
+    ----------
+    x, y : float or array
+        The two.
+
+    Returns
+    -------
+    float or array
+    """
+    return max(x, y) if isinstance(x, float) and isinstance(y, float) else np.maximum(x, y)
+
+
+def smaller(x: Any, y: Any) -> Any:
+    """The smaller of two quantities.
+
+    Parameters
+    ----------
+    x, y : float or array
+        The two.
+
+    Returns
+    -------
+    float or array
+    """
+    return min(x, y) if isinstance(x, float) and isinstance(y, float) else np.minimum(x, y)
+
+
+def ascending(values: Sequence[Any]) -> list[Any]:
+    """Quantities in ascending order, design by design.
+
+    Parameters
+    ----------
+    values : sequence of float or array
+        The quantities.
+
+    Returns
+    -------
+    list of float or array
+        The smallest first.
+    """
+    if all(isinstance(each, float) for each in values):
+        return sorted(values)
+    return [*np.sort(np.stack(np.broadcast_arrays(*values)), axis=0)]
+
+
 def where(condition: Any, x: Any, y: Any) -> Any:
     """One quantity where a condition holds, another where not; both are computed.
 
@@ -57,6 +106,25 @@ def where(condition: Any, x: Any, y: Any) -> Any:
     if isinstance(condition, bool):
         return x if condition else y
     return np.where(condition, x, y)
+
+
+def known_where(condition: Any, x: Any) -> Any:
+    """A quantity where it is known; elsewhere None of one design, NaN in arrays.
+
+    Parameters
+    ----------
+    condition : bool or array of bool
+        Where it is known.
+    x : float or array
+        The quantity.
+
+    Returns
+    -------
+    float, array or None
+    """
+    if isinstance(condition, bool):
+        return x if condition else None
+    return np.where(condition, x, np.nan)
 
 
 def every(condition: Any) -> bool:
@@ -81,7 +149,7 @@ def some(condition: Any) -> bool:
     return condition if isinstance(condition, bool) else bool(np.any(condition))
 
 
-def check_positive(**values: Any) -> None:
+def check_positive(**values: Number) -> None:
     """Refuse quantities that are not larger than 0.
 
     Parameters
@@ -92,14 +160,15 @@ def check_positive(**values: Any) -> None:
     Raises
     ------
     InvalidInput
-        If one is not; of arrays the first such entry is named.
+        If one is; of an array the first such entry is named.
     """
     for name, value in values.items():
-        if not every(value > 0):
-            refuse(name, value, value > 0, "must be larger than 0")
+        allowed = value > 0
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must be larger than 0")
 
 
-def check_not_negative(**values: Any) -> None:
+def check_not_negative(**values: Number) -> None:
     """Refuse quantities below 0.
 
     Parameters
@@ -110,11 +179,31 @@ def check_not_negative(**values: Any) -> None:
     Raises
     ------
     InvalidInput
-        If one is; of arrays the first such entry is named.
+        If one is; of an array the first such entry is named.
     """
     for name, value in values.items():
-        if not every(value >= 0):
-            refuse(name, value, value >= 0, "must not be negative")
+        allowed = value >= 0
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must not be negative")
+
+
+def check_finite(**values: Number) -> None:
+    """Refuse quantities that are infinite or no number.
+
+    Parameters
+    ----------
+    **values : float or array
+        Quantities by their names.
+
+    Raises
+    ------
+    InvalidInput
+        If one is; of an array the first such entry is named.
+    """
+    for name, value in values.items():
+        allowed = abs(value) < math.inf
+        if allowed is not True and not every(allowed):
+            refuse(name, value, allowed, "must be a finite number")
 
 
 def refuse(name: str, value: Any, allowed: Any, limit: str) -> None:

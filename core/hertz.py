@@ -7,16 +7,30 @@ Persson's solution for a disc in a hole of the same material takes over.
 
 import math
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, Literal
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import (
+    FloatArray,
+    Number,
+    atan,
+    atanh,
+    check_not_negative,
+    check_positive,
+    every,
+    known_where,
+    larger,
+    log1p,
+    refuse,
+    smaller,
+    some,
+    sqrt,
+    where,
+)
 from core.errors import InvalidInput
-from core.materials import ElasticMaterial, effective_modulus, lower_allowable_pressure
-from core.results import ROUNDING, Accuracy, Notice
-
-Either = TypeVar("Either", float, FloatArray)
+from core.materials import ContactLimit, ElasticMaterial, effective_modulus
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""
@@ -32,86 +46,140 @@ HALF_WIDTH_RATIO_LIMIT = 0.159
 
 
 @dataclass(frozen=True, slots=True)
-class HertzContact:
-    """Stress of the line contact of pin and hole.
+class BodySafety:
+    """One body of a contact, judged by the limit of its own material.
 
     Attributes
     ----------
-    max_pressure : float
-        Hertz pressure p0 in the middle, Pa.
-    mean_pressure : float
-        Mean pressure ``pi/4*p0``, Pa.
-    half_width : float
-        Half-width a of the contact, m.
-    half_width_ratio : float
-        Half-width over pin radius a/r, dimensionless: Hertz asks for a/r << 1.
-    max_shear : float
-        Largest shear stress below the surface ``0.300*p0``, Pa.
-    max_shear_depth : float
-        Its depth ``0.786*a``, m.
-    reduced_radius : float
-        Reduced radius of curvature rho, m.
-    effective_modulus : float
-        Effective modulus E*, Pa.
-    conformal_pressure : float or None
-        Largest pressure of the conformal contact, Pa; None unless it applies (see `hertz`).
-    conformal_half_angle : float or None
-        Half of the angle over which the conformal contact extends, rad; None as before.
-    safety_factor : float or None
-        Smaller allowable pressure over the largest pressure (the conformal one where it
-        applies); None where no allowable pressure is known, or no theory gives the pressure.
-    accuracy : Accuracy
-        Of the pressures.
-    notices : tuple of Notice
-        Limits of validity that the contact strains.
+    body : {"pin", "hole"}
+        Which.
+    limit : ContactLimit
+        The limit of its contact pressure.
+    safety_factor : float or array
+        Limit over the governing pressure, dimensionless. A ratio of pressures: the load may grow
+        with its square. NaN in an array where it is not known.
     """
 
-    max_pressure: float
-    mean_pressure: float
-    half_width: float
-    half_width_ratio: float
-    max_shear: float
-    max_shear_depth: float
-    reduced_radius: float
-    effective_modulus: float
-    conformal_pressure: float | None
-    conformal_half_angle: float | None
-    safety_factor: float | None
+    body: Literal["pin", "hole"]
+    limit: ContactLimit
+    safety_factor: Number
+
+
+@dataclass(frozen=True, slots=True)
+class HertzContact:
+    """Stress of the line contact of pin and hole, or of an array of them.
+
+    What does not apply or is not known is None; in an array it is NaN, or None where it is so
+    for all.
+
+    Attributes
+    ----------
+    max_pressure : float or array
+        Hertz pressure p0 in the middle, Pa.
+    mean_pressure : float or array
+        Mean pressure ``pi/4*p0``, Pa.
+    half_width : float or array
+        Half-width a of the contact, m.
+    half_width_ratio : float or array
+        Half-width over pin radius a/r, dimensionless: Hertz asks for a/r << 1.
+    max_shear : float or array
+        Largest shear stress below the surface ``0.300*p0``, Pa.
+    max_shear_depth : float or array
+        Its depth ``0.786*a``, m.
+    reduced_radius : float or array
+        Reduced radius of curvature rho, m.
+    effective_modulus : float or array
+        Effective modulus E*, Pa.
+    conformal_pressure : float, array or None
+        Largest pressure of the conformal contact, Pa, where it applies (see `hertz`).
+    conformal_half_angle : float, array or None
+        Half of the angle over which the conformal contact extends, rad; as before.
+    governing_pressure : float, array or None
+        The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
+        where neither theory holds.
+    safety : tuple of BodySafety
+        The bodies whose limit is known, under the governing pressure.
+    safety_factor : float, array or None
+        The smaller safety factor of the two bodies, where both are known.
+    accuracy : Accuracy
+        Of every number.
+    """
+
+    max_pressure: Number
+    mean_pressure: Number
+    half_width: Number
+    half_width_ratio: Number
+    max_shear: Number
+    max_shear_depth: Number
+    reduced_radius: Number
+    effective_modulus: Number
+    conformal_pressure: Number | None
+    conformal_half_angle: Number | None
+    governing_pressure: Number | None
+    safety: tuple[BodySafety, ...]
+    safety_factor: Number | None
     accuracy: Accuracy
-    notices: tuple[Notice, ...]
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """Limits of validity that one contact (not an array of them) strains."""
+        ratio = self.half_width_ratio
+        unknown = poorly_known(self.accuracy)
+        if ratio <= HALF_WIDTH_RATIO_LIMIT:
+            return unknown
+        if self.conformal_pressure is not None:
+            code, cure = "hertz_half_width", "use {conformal_pressure}"
+        elif ratio <= 1:
+            code = "hertz_half_width"
+            cure = "no conformal solution is at hand for different materials: take it as a rough "
+            cure += "guide"
+        else:
+            code = "hertz_impossible"
+            cure = "wider than the pin, it does not apply at all, and for different materials no "
+            cure += "conformal solution is at hand: make the hole larger or the load smaller"
+        return (
+            Notice(
+                code=code,
+                detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
+                f"assumes a narrow contact and is off by more than 1 %: {cure}.",
+                value=float(ratio),
+                limit=HALF_WIDTH_RATIO_LIMIT,
+            ),
+            *unknown,
+        )
 
 
 def hertz(
     *,
-    force: float,
-    contact_length: float,
-    pin_radius: float,
-    hole_radius: float,
+    force: Number,
+    contact_length: Number,
+    pin_radius: Number,
+    hole_radius: Number,
     pin_material: ElasticMaterial,
     hole_material: ElasticMaterial,
-    dynamic_factor: float = 1.0,
-    distribution_factor: float = 1.0,
+    dynamic_factor: Number = 1.0,
+    distribution_factor: Number = 1.0,
 ) -> HertzContact:
-    """Line contact of a pin in a hole.
+    """Line contact of a pin in a hole; of arrays, one in each place.
 
     ``w = F/b*K_A*K_alpha``, ``rho = R*r/(R - r)``, ``p0 = sqrt(w*E*/(pi*rho))``,
     ``a = sqrt(4*w*rho/(pi*E*))``.
 
     Parameters
     ----------
-    force : float
+    force : float or array
         Contact force F, N, >= 0.
-    contact_length : float
+    contact_length : float or array
         Length b of the contact along the pin, m.
-    pin_radius : float
+    pin_radius : float or array
         Radius r of the pin, m.
-    hole_radius : float
+    hole_radius : float or array
         Radius R of the hole, m, larger than `pin_radius`.
     pin_material, hole_material : ElasticMaterial
         Materials of pin and satellite.
-    dynamic_factor : float
+    dynamic_factor : float or array
         Factor K_A of the dynamic load, > 0.
-    distribution_factor : float
+    distribution_factor : float or array
         Factor K_alpha of uneven load sharing between the pairs, > 0.
 
     Returns
@@ -138,39 +206,39 @@ def hertz(
     >>> round(contact.max_pressure/1e6, 3)
     276.617
     """
-    if not force >= 0:
-        raise InvalidInput("force", force, "must not be negative")
-    for name, value in (
-        ("contact_length", contact_length),
-        ("pin_radius", pin_radius),
-        ("dynamic_factor", dynamic_factor),
-        ("distribution_factor", distribution_factor),
-    ):
-        if not value > 0:
-            raise InvalidInput(name, value, "must be larger than 0")
-    if not hole_radius > pin_radius:
-        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
-    modulus = effective_modulus(first=pin_material, second=hole_material)
+    check_not_negative(force=force)
+    check_positive(
+        contact_length=contact_length,
+        pin_radius=pin_radius,
+        dynamic_factor=dynamic_factor,
+        distribution_factor=distribution_factor,
+    )
     difference = hole_radius - pin_radius
+    if not every(difference > 0):
+        refuse("hole_radius", hole_radius, difference > 0, "must be larger than {pin_radius}")
+
+    modulus = effective_modulus(first=pin_material, second=hole_material)
     reduced_radius = hole_radius / difference * pin_radius
     line_load = force / contact_length * dynamic_factor * distribution_factor
-    max_pressure, half_width = narrow_contact(
-        line_load=line_load, reduced_radius=reduced_radius, modulus=modulus
-    )
+    max_pressure = sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi)
+    half_width = 2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius)
     ratio = half_width / pin_radius
 
     conformal = half_angle = None
-    evaluations = 1
-    if line_load > 0 and _identical(pin_material, hole_material):
-        load_parameter = pin_material.plane_modulus * (difference / line_load)
-        factor, tangent, evaluations = conformal_pressure_ratio(load_parameter=load_parameter)
-        if abs(factor - 1) > HERTZ_TOLERANCE:
-            conformal = factor * max_pressure
-            half_angle = 2 * math.atan(tangent)
-    governing = max_pressure if conformal is None else conformal
-    allowable = lower_allowable_pressure(pin_material, hole_material)
-    if conformal is None and ratio > 1:
-        allowable = None  # no pressure to compare with: Hertz's is none here
+    governing, known, evaluations = max_pressure, ratio <= 1, 1
+    alike = _identical(pin_material, hole_material) & (line_load > 0)
+    if some(alike):
+        load = where(alike, line_load, 1.0)
+        factor, tangent, evaluations = conformal_pressure_ratio(
+            load_parameter=pin_material.plane_modulus * (difference / load)
+        )
+        applies = alike & (abs(factor - 1) > HERTZ_TOLERANCE)
+        if some(applies):
+            conformal = known_where(applies, factor * max_pressure)
+            half_angle = known_where(applies, 2 * atan(tangent))
+            governing, known = where(applies, conformal, max_pressure), known | applies
+    governing = known_where(known, governing)
+    safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(
         max_pressure=max_pressure,
         mean_pressure=math.pi / 4 * max_pressure,
@@ -182,122 +250,58 @@ def hertz(
         effective_modulus=modulus,
         conformal_pressure=conformal,
         conformal_half_angle=half_angle,
-        safety_factor=allowable / governing if allowable and governing > 0 else None,
+        governing_pressure=governing,
+        safety=safety,
+        safety_factor=(
+            smaller(*(each.safety_factor for each in safety)) if len(safety) == 2 else None
+        ),
         accuracy=Accuracy(
             method="closed form" if conformal is None else "closed form, Newton's method",
-            relative_error=rounding_error(pin_radius=pin_radius, hole_radius=hole_radius),
+            # rho has the difference of two radii that are known to rounding
+            relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference),
             evaluations=evaluations,
         ),
-        notices=validity(half_width_ratio=ratio, conformal=conformal is not None),
     )
 
 
-def narrow_contact(
-    *, line_load: Either, reduced_radius: Either, modulus: Either
-) -> tuple[Either, Either]:
-    """Largest pressure and half-width of a Hertz line contact.
-
-    Parameters
-    ----------
-    line_load : float or array
-        Load per length w, N/m.
-    reduced_radius : float or array
-        Reduced radius of curvature rho, m.
-    modulus : float or array
-        Effective modulus E*, Pa.
-
-    Returns
-    -------
-    max_pressure, half_width : float or array
-        ``sqrt(w*E*/(pi*rho))``, Pa, and ``sqrt(4*w*rho/(pi*E*))``, m.
-    """
-    sqrt = _functions(line_load).sqrt
-    return (
-        sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi),
-        2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius),
+def _identical(first: ElasticMaterial, second: ElasticMaterial) -> Any:
+    return (first.youngs_modulus == second.youngs_modulus) & (
+        first.poissons_ratio == second.poissons_ratio
     )
 
 
-def rounding_error(*, pin_radius: Either, hole_radius: Either) -> Either:
-    """Relative error of the pressures.
-
-    Parameters
-    ----------
-    pin_radius, hole_radius : float or array
-        Radii r and R, m: known to rounding; their difference magnifies that.
-
-    Returns
-    -------
-    float or array
-        Dimensionless.
-    """
-    return ROUNDING * (8 + (hole_radius + pin_radius) / (2 * (hole_radius - pin_radius)))
-
-
-def _functions(value: object) -> Any:
-    """The module of functions for a number or an array."""
-    return np if isinstance(value, np.ndarray) else math
-
-
-def _identical(first: ElasticMaterial, second: ElasticMaterial) -> bool:
-    return (
-        first.youngs_modulus == second.youngs_modulus
-        and first.poissons_ratio == second.poissons_ratio
-    )
-
-
-def validity(*, half_width_ratio: float, conformal: bool) -> tuple[Notice, ...]:
-    """Limits of validity that a contact strains.
-
-    Parameters
-    ----------
-    half_width_ratio : float
-        Half-width over the pin's radius a/r.
-    conformal : bool
-        Whether its conformal pressure is given.
-
-    Returns
-    -------
-    tuple of Notice
-    """
-    ratio = half_width_ratio
-    if ratio <= HALF_WIDTH_RATIO_LIMIT:
+def _safety(
+    governing: Number | None, *, pin: ContactLimit | None, hole: ContactLimit | None
+) -> tuple[BodySafety, ...]:
+    """Each body by its own limit; none where the pressure is not known, or there is none."""
+    if governing is None or not some(governing > 0):
         return ()
-    if conformal:
-        cure = "use {conformal_pressure}"
-    elif ratio <= 1:
-        cure = "no conformal solution is known for different materials: take it as a rough guide"
-    else:
-        cure = "wider than the pin, it does not apply at all, and for different materials no "
-        cure += "conformal solution is known: make the hole larger or the load smaller"
-    return (
-        Notice(
-            code="hertz_half_width" if conformal or ratio <= 1 else "hertz_impossible",
-            detail=f"The contact is {2 * ratio:.3g} times as wide as the pin's radius; Hertz "
-            f"assumes a narrow contact and is off by more than 1 %: {cure}.",
-            value=ratio,
-            limit=HALF_WIDTH_RATIO_LIMIT,
-        ),
-    )
+    pressure = where(governing > 0, governing, math.nan)
+    found = []
+    if pin is not None:
+        found.append(BodySafety("pin", pin, pin.pressure / pressure))
+    if hole is not None:
+        found.append(BodySafety("hole", hole, hole.pressure / pressure))
+    return tuple(found)
 
 
-def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
+def conformal_half_angle_tangent(*, load_parameter: Number) -> tuple[Number, int]:
     """Tangent ``b = tan(eps/2)`` of half the half-angle of a conformal contact.
 
     Solves ``E1**dR/Q = (2 - ln(b^2 + 1) - 2*b^4)/(pi*b^2*(b^2 + 1))``.
 
     Parameters
     ----------
-    load_parameter : float
+    load_parameter : float or array
         ``E1**dR/Q``, dimensionless, >= 0: plane-strain modulus E/(1 - v^2) of one body times the
         difference of the radii, over the load per length.
 
     Returns
     -------
-    b : float
+    b : float or array
         Tangent of a quarter of the angle of the contact, dimensionless.
     iterations : int
-        Newton steps taken.
+        Newton steps taken, of an array by the slowest.
 
     Notes
     -----
@@ -306,51 +310,33 @@ def conformal_half_angle_tangent(*, load_parameter: float) -> tuple[float, int]:
     from the Hertz value (or from the limit of no clearance, whichever is smaller) converges
     from one side.
     """
-    y = min(0.84, 2 / (math.pi * load_parameter)) if load_parameter > 0 else 0.84
-    step, iterations = y, 0
-    while abs(step) > 2 * ROUNDING * y and iterations < 60:
-        step = newton_step(square=y, load_parameter=load_parameter)
-        y -= step
+    load = math.pi * load_parameter
+    y = 2 / larger(load, 2 / 0.84)
+    iterations = 0
+    while iterations < 60:
+        value = 2 - log1p(y) - 2 * y * y - load * y * (1 + y)
+        slope = -1 / (1 + y) - 4 * y - load * (1 + 2 * y)
+        step = value / slope
+        y = y - step
         iterations += 1
-    return math.sqrt(y), iterations
+        if every(abs(step) <= 2 * ROUNDING * y):
+            break
+    return sqrt(y), iterations
 
 
-def newton_step(*, square: Either, load_parameter: Either) -> Either:
-    """Newton's step of the equation of `conformal_half_angle_tangent` in ``y = b^2``.
-
-    Parameters
-    ----------
-    square : float or array
-        ``b^2``.
-    load_parameter : float or array
-        ``E1**dR/Q``, dimensionless.
-
-    Returns
-    -------
-    float or array
-        What to take off the square.
-    """
-    y = square
-    logarithm = _functions(y).log1p(y)
-    value = 2 - logarithm - 2 * y * y - load_parameter * math.pi * y * (1 + y)
-    slope = -1 / (1 + y) - 4 * y - load_parameter * math.pi * (1 + 2 * y)
-    step: Either = value / slope
-    return step
-
-
-def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, int]:
+def conformal_pressure_ratio(*, load_parameter: Number) -> tuple[Number, Number, int]:
     """Largest pressure of a conformal contact over the Hertz pressure of the same load.
 
     Parameters
     ----------
-    load_parameter : float
+    load_parameter : float or array
         ``E1**dR/Q``, dimensionless, > 0, as in `conformal_half_angle_tangent`.
 
     Returns
     -------
-    ratio : float
+    ratio : float or array
         Dimensionless; 1 in the Hertz limit of a large `load_parameter`.
-    half_angle_tangent : float
+    half_angle_tangent : float or array
         ``b = tan(eps/2)`` of the contact.
     iterations : int
         Newton steps taken.
@@ -366,33 +352,11 @@ def conformal_pressure_ratio(*, load_parameter: float) -> tuple[float, float, in
     1.0
     """
     b, iterations = conformal_half_angle_tangent(load_parameter=load_parameter)
-    return middle_over_hertz(half_angle_tangent=b, load_parameter=load_parameter), b, iterations
+    middle = conformal_pressure(position=0.0 * b, half_angle_tangent=b)
+    return middle / sqrt(load_parameter / (2 * math.pi)), b, iterations
 
 
-def middle_over_hertz(*, half_angle_tangent: Either, load_parameter: Either) -> Either:
-    """Pressure in the middle of a conformal contact over the Hertz pressure of the same load.
-
-    Parameters
-    ----------
-    half_angle_tangent : float or array
-        ``b = tan(eps/2)``, > 0.
-    load_parameter : float or array
-        ``E1**dR/Q``, dimensionless, that it belongs to.
-
-    Returns
-    -------
-    float or array
-        Dimensionless.
-    """
-    sqrt = _functions(load_parameter).sqrt
-    middle = conformal_pressure(
-        position=0.0 * half_angle_tangent, half_angle_tangent=half_angle_tangent
-    )
-    ratio: Either = middle / sqrt(load_parameter / (2 * math.pi))
-    return ratio
-
-
-def conformal_pressure(*, position: Either, half_angle_tangent: Either) -> Either:
+def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Number:
     """Pressure of a conformal contact, over Q/R.
 
     Parameters
@@ -412,14 +376,10 @@ def conformal_pressure(*, position: Either, half_angle_tangent: Either) -> Eithe
     Source: Persson 1964; Ciavarella and Decuzzi 2001, The state of stress induced by the plane
     frictionless cylindrical contact, I, identical materials.
     """
-    b, y, functions = half_angle_tangent, position, _functions(half_angle_tangent)
-    inner = functions.sqrt((b - y) * (b + y))
-    outer = functions.hypot(b, 1.0)
-    logarithm = 2 * functions.atanh(inner / outer)
-    pressure: Either = 2 * inner / (math.pi * outer * (1 + y * y)) + logarithm / (
-        2 * math.pi * b * b * outer * outer
-    )
-    return pressure
+    b, y = half_angle_tangent, position
+    inner, outer = sqrt((b - y) * (b + y)), sqrt(1 + b * b)
+    ends = 2 * inner / (math.pi * outer * (1 + y * y))
+    return ends + atanh(inner / outer) / (math.pi * b * b * outer * outer)
 
 
 def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
@@ -430,7 +390,7 @@ def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Float
     contact : HertzContact
         The contact.
     samples : int
-        Either of places, at least 2.
+        Number of places, at least 2.
 
     Returns
     -------
@@ -449,7 +409,7 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
     contact : HertzContact
         A contact to which the conformal pressure applies.
     samples : int
-        Either of places, at least 2.
+        Number of places, at least 2.
 
     Returns
     -------
@@ -463,14 +423,10 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
     """
     if contact.conformal_pressure is None or contact.conformal_half_angle is None:
         raise InvalidInput("contact", contact, "must have a conformal pressure")
-    tangent = math.tan(contact.conformal_half_angle / 2)
-    middle = conformal_pressure(position=0.0, half_angle_tangent=tangent)
     angles = contact.conformal_half_angle * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
-    pressures = [
-        conformal_pressure(
-            position=min(abs(math.tan(angle / 2)), tangent), half_angle_tangent=tangent
-        )
-        for angle in angles
-    ]
+    places = np.tan(np.abs(angles) / 2)
+    end = places[0]
+    shape = conformal_pressure(position=places, half_angle_tangent=end)
+    middle = conformal_pressure(position=0.0, half_angle_tangent=end)
     radius = contact.half_width / contact.half_width_ratio
-    return radius * angles, contact.conformal_pressure / middle * np.array(pressures)
+    return radius * angles, contact.conformal_pressure / middle * shape

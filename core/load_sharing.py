@@ -7,8 +7,20 @@ gaps; an open contact carries nothing and cannot pull.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
+from core.arrays import (
+    IntArray,
+    Number,
+    ascending,
+    check_finite,
+    check_not_negative,
+    check_positive,
+    every,
+    larger,
+    refuse,
+    some,
+    where,
+)
 from core.errors import InvalidInput
 from core.results import ROUNDING
 
@@ -19,23 +31,27 @@ class LoadSharing:
 
     Attributes
     ----------
-    forces : tuple of float
+    forces : tuple of float or array
         Force F_i of each contact, N, in the order of the gaps.
-    displacement : float
+    largest_force : float or array
+        The largest of them, N: that of the contact with the smallest gap.
+    displacement : float or array
         Common displacement Delta, m, from the same zero as the gaps.
-    loaded : int
+    loaded : int or array of int
         Number of contacts that carry a force.
-    relative_error : float
-        Bound of the error of each force over the largest force, by rounding, dimensionless.
+    relative_error : float or array
+        Bound of the error of each force over the largest force, and of the displacement over the
+        larger of it and the largest gap, dimensionless.
     """
 
-    forces: tuple[float, ...]
-    displacement: float
-    loaded: int
-    relative_error: float
+    forces: tuple[Number, ...]
+    largest_force: Number
+    displacement: Number
+    loaded: int | IntArray
+    relative_error: Number
 
 
-def share_load(*, total: float, stiffness: float, gaps: Sequence[float]) -> LoadSharing:
+def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> LoadSharing:
     """Exact forces of unilateral contacts: ``F_i = c*max(0, Delta - g_i)``, ``sum F_i = total``.
 
     The contacts are closed in the order of their gaps. The approach ``total/c`` is first the
@@ -45,11 +61,11 @@ def share_load(*, total: float, stiffness: float, gaps: Sequence[float]) -> Load
 
     Parameters
     ----------
-    total : float
+    total : float or array
         Sum of the forces, N, >= 0.
-    stiffness : float
+    stiffness : float or array
         Stiffness c of one contact, N/m, > 0.
-    gaps : sequence of float
+    gaps : sequence of float or array
         Gap g_i of each contact, m, at least one. Only differences matter to the forces: gaps
         may be negative.
 
@@ -77,33 +93,40 @@ def share_load(*, total: float, stiffness: float, gaps: Sequence[float]) -> Load
     >>> share_load(total=9.0, stiffness=1e6, gaps=[0.0, 1e-5, 1e-5, 1e-5]).loaded
     1
     """
-    if not 0 <= total < math.inf:
-        raise InvalidInput("total", total, "must be finite and not negative")
-    if not 0 < stiffness < math.inf:
-        raise InvalidInput("stiffness", stiffness, "must be finite and larger than 0")
     if not gaps:
         raise InvalidInput("gaps", gaps, "must name at least one contact")
+    check_positive(stiffness=stiffness)
+    check_not_negative(total=total)
+    check_finite(total=total, stiffness=stiffness)
     for index, gap in enumerate(gaps):
-        if not math.isfinite(gap):
-            raise InvalidInput(f"gaps[{index}]", gap, "must be a finite number")
+        finite = abs(gap) < math.inf
+        if finite is not True and not every(finite):
+            refuse(f"gaps[{index}]", gap, finite, "must be a finite number")
 
-    closing = sorted(gaps)
+    closing = ascending(gaps)
+    first = last = closing[0]
     remaining = total / stiffness
-    closed = 1
-    for gap, following in pairwise(closing):
-        used = closed * (following - gap)
-        if used > 0 and used >= remaining:
+    closed, closes = 1, True
+    for count, following in enumerate(closing[1:], start=1):
+        used = count * (following - last)
+        closes = closes & ((used <= 0) | (used < remaining))
+        if not some(closes):
             break
-        remaining -= used
-        closed += 1
-    last = closing[closed - 1]
+        remaining = where(closes, remaining - used, remaining)
+        last = where(closes, following, last)
+        closed = closed + closes
     rest = remaining / closed
-    forces = tuple(stiffness * (rest + (last - gap)) if gap <= last else 0.0 for gap in gaps)
+    approach = rest + (last - first)  # of the contact with the smallest gap
+    furthest = larger(abs(first), abs(last))
+    forces = tuple([where(gap <= last, stiffness * (rest + (last - gap)), 0.0) for gap in gaps])
     return LoadSharing(
         forces=forces,
+        largest_force=stiffness * approach,
         displacement=last + rest,
-        loaded=sum(force > 0 for force in forces),
+        loaded=sum([force > 0 for force in forces]),
         # The first force is the sum of positive terms, of which `remaining` carries one rounding
-        # for each contact closed, relative to total/c; the largest force is at least its m-th.
-        relative_error=ROUNDING * (3 + closed),
+        # for each contact closed, relative to total/c; the largest force is at least its m-th. The
+        # gaps are known to rounding: their differences magnify that.
+        relative_error=ROUNDING
+        * (3 + closed + 2 * furthest / where(approach > 0, approach, math.inf)),
     )

@@ -5,7 +5,8 @@ const ASIDE = ["accuracy", "warnings", "curves"];
 
 /**
  * Every value of an answer's sections as `{ section, name, value, unit }`, in canonical units;
- * parts of lists and objects by their index or key: `force_N[0]`, `peak_pair.pin`.
+ * parts of lists and objects by their index or key: `force_N[0]`, `peak_pair.pin`. The warnings of
+ * the whole answer stand last, by their codes.
  */
 export function flatValues(answer) {
   const found = [];
@@ -18,10 +19,11 @@ export function flatValues(answer) {
       found.push({ section, name, value, unit });
     }
   };
-  for (const [section, values] of Object.entries(answer)) {
+  for (const [section, values] of Object.entries({ ...answer, warnings: undefined })) {
     for (const [name, value] of Object.entries(values ?? {})) {
       if (!ASIDE.includes(name)) visit(section, name, value, unitOf(name));
     }
   }
+  for (const { code, detail } of answer.warnings ?? []) found.push({ section: "warnings", name: code, value: detail, unit: "" });
   return found;
 }

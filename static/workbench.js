@@ -73,13 +73,14 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
   });
+  const materialOf = (path, given) => (typeof given === "string"
+    ? catalogues[path].find(({ name }) => name === given) : given);
   const verdict = createVerdict();
   const results = createResults({ calculator, words });
-  const plain = createWords({ calculator });
+  const plain = createWords({ calculator, materialOf });
   const worked = createWorked({
     calculator,
-    materialOf: (path, given) => (typeof given === "string"
-      ? catalogues[path].find(({ name }) => name === given) : given),
+    materialOf,
     on: { print: () => report.print(), save: () => report.save() },
   });
   const figures = calculator.figures.map((figure) => createFigure({
@@ -315,7 +316,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     show(!refusal ? "fresh" : atBoxes ? "wrong" : "refused", answer === null);
     if (answer) {
       drawn = { input, answer, requests, state, filled: filledInput(model, state, input) };
-      const cells = calculator.verdict(answer);
+      const context = { input: drawn.filled, materialOf };
+      const cells = calculator.verdict(answer, context);
       verdict.setCells(cells);
       results.update(answer);
       plain.update(drawn.filled, answer, warningsOf(answer));
@@ -329,9 +331,15 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       const source = figures.find(({ id }) => id === calculator.drawing.figure);
       if (!source || !answer[source.section] || tables.has(source.id)) updateDrawing(curvesOf(answer));
       if (!refusal) {
-        const warnings = warningsOf(answer);
-        verdict.setMessage(...warningLine(warnings));
-        on.say(spoken(cells));
+        const reasons = calculator.impossible?.(answer, context) ?? [];
+        if (reasons.length > 0) {
+          verdict.setState("refused", "fresh");
+          verdict.setMessage("bad", reasons.join(" "));
+        } else {
+          const strained = warningsOf(answer).map(({ detail }) => inWords(detail, words));
+          verdict.setMessage(...warningLine([...calculator.wanted?.(answer, context) ?? [], ...strained], cells));
+        }
+        on.say([...reasons, spoken(cells)].join(" "));
       }
     }
     if (!answer && !drawn) for (const figure of figures) figure.clear(refusalText);
@@ -347,10 +355,11 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     return pairs.map(({ satellite, pin }, i) => ({ name: `${satellite}.${pin}`, x, y: forces[i] }));
   }
 
-  function warningLine(warnings) {
-    if (warnings.length === 0) return ["good", message("verdict.noWarnings")];
-    const key = warnings.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
-    return ["warning", message(key, { count: warnings.length, first: inWords(warnings[0].detail, words) })];
+  function warningLine(sentences, cells) {
+    const fine = !cells.some(({ level }) => level === "bad");
+    if (sentences.length === 0) return [fine ? "good" : "", message("verdict.noWarnings")];
+    const key = sentences.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
+    return ["warning", message(key, { count: sentences.length, first: sentences[0] })];
   }
 
   async function redraw(kept, theme = currentTheme()) {

@@ -1,22 +1,40 @@
-"""Fixtures of all tests."""
+"""What holds for all tests: a busy machine is no reason to fail; what is slow can be left out."""
 
-import httpx
+from pathlib import Path
+
 import pytest
+from hypothesis import settings
 
-from app.main import create_app
-from app.settings import Settings
+settings.register_profile("khv", deadline=None, print_blob=True)
+settings.register_profile("quick", settings.get_profile("khv"), max_examples=20)
+settings.load_profile("khv")
 
-APP = create_app(Settings(max_seconds=300))  # a busy machine is no reason to fail
+HERE = Path(__file__).parent
+SLOW = {
+    HERE / place
+    for place in (
+        "reference",  # thousands of cases at 40 digits
+        "service",  # starts the service
+        "benchmarks",
+        "app/test_batch_api.py",
+        "app/test_fuzz.py",
+        "app/test_openapi_conformance.py",
+        "app/test_processes.py",
+        "app/test_work_precision_api.py",
+    )
+}
+"""Folders and files that take seconds each; `make check` leaves them out."""
 
 
-@pytest.fixture
-def anyio_backend():
-    return "asyncio"
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    # what is not asked for need not be imported
+    asked = config.option.markexpr
+    skipped = "not slow" in asked and collection_path in SLOW
+    skipped |= "not browser" in asked and collection_path == HERE / "browser"
+    return skipped or None
 
 
-@pytest.fixture
-async def api():
-    """Client of the API in the same process, below /api/v1/."""
-    transport = httpx.ASGITransport(app=APP)
-    async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
-        yield client
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if SLOW & {item.path, *item.path.parents}:
+            item.add_marker(pytest.mark.slow)

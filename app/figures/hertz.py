@@ -23,17 +23,15 @@ class PressureCurve:
     pressure_MPa: FloatArray
 
 
-def hertz_figure(
-    curves: list[PressureCurve], allowable_pressure_MPa: float | None, theme: Theme
-) -> Figure:
-    """Pressure distributions over the arc of the pin, with the allowable pressure.
+def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
+    """Pressure distributions over the arc of the pin, with the limits of the two bodies.
 
     Parameters
     ----------
     curves : list of PressureCurve
         Hertz, and the conformal contact where it applies.
-    allowable_pressure_MPa : float or None
-        Smaller allowable pressure of the two materials.
+    limits_MPa : dict of str to float
+        Limit of the pressure by the name of the body, where it is known.
     theme : {"light", "dark"}
         Look of the figure.
 
@@ -54,19 +52,20 @@ def hertz_figure(
         for index, each in enumerate(curves)
     ]
     highest = max(float(each.pressure_MPa.max()) for each in curves)
-    if allowable_pressure_MPa is not None and allowable_pressure_MPa <= 4 * highest:
-        widest = max(float(each.place_mm[-1]) for each in curves)
-        data.append(
-            {
-                "type": "scatter",
-                "mode": "lines",
-                "name": "Allowable",
-                "x": [-widest, widest],
-                "y": [allowable_pressure_MPa] * 2,
-                "line": {"color": INK[theme]["alert"], "dash": "longdash", "width": 1.5},
-                "hovertemplate": "allowable %{y:.5g} MPa<extra></extra>",
-            }
-        )
+    widest = max(float(each.place_mm[-1]) for each in curves)
+    data += [
+        {
+            "type": "scatter",
+            "mode": "lines",
+            "name": f"Limit of the {body}",
+            "x": [-widest, widest],
+            "y": [limit] * 2,
+            "line": {"color": INK[theme]["alert"], "dash": dash, "width": 1.5},
+            "hovertemplate": f"limit of the {body} %{{y:.5g}} MPa<extra></extra>",
+        }
+        for (body, limit), dash in zip(limits_MPa.items(), ("longdash", "dot"), strict=False)
+        if limit <= 4 * highest
+    ]
     return {
         "data": data,
         "layout": layout(

@@ -1,8 +1,8 @@
 """Swinging rollers: stiffness and stress over length, non-uniformity over position error."""
 
 from app.figures.theme import Figure, Theme, axis, curve, layout, marker, note, vertical_line
-from app.schemas.roller_strength import RollerCurves
 from app.units import from_si
+from core.rollers.roller_curves import RollerCurves
 
 
 def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
@@ -21,13 +21,13 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         ``{data, layout}``.
     """
     design = curves.design
-    lengths, errors = curves.lengths, curves.errors
+    lengths, errors = curves.length_ratio, curves.position_error
     stress = from_si("bending_stress_MPa", design.bending_stress)
     data = [
         curve(
             "Stiffness",
             lengths,
-            curves.stiffness,
+            curves.relative_stiffness,
             0,
             theme,
             "c/(b·E) = %{y:.4g} at l/d = %{x:.3g}",
@@ -35,7 +35,7 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
         ),
         marker(
             "This design",
-            curves.own_length,
+            design.length_ratio,
             design.relative_stiffness,
             theme,
             "this design: c/(b·E) = %{y:.5g}",
@@ -84,7 +84,7 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
     data.append(
         marker(
             "This design",
-            curves.own_length,
+            design.length_ratio,
             stress,
             theme,
             "this design: %{y:.5g} MPa",

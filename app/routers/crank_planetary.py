@@ -6,7 +6,7 @@ from app.figures.crank_planetary import over_one_axis
 from app.figures.cyclogram import cyclogram_figure
 from app.figures.theme import Figure, Theme
 from app.route import calculations
-from app.schemas.base import Values
+from app.schemas.base import Values, warning
 from app.schemas.contact_force import ContactForceResponse
 from app.schemas.crank_planetary import CrankPlanetaryRequest, CrankPlanetaryResponse, GeometryOut
 from app.schemas.cyclogram import CyclogramResponse
@@ -18,7 +18,10 @@ router = calculations("/crank-planetary", tag="crank-planetary")
 
 @router.post("", response_model=CrankPlanetaryResponse)
 def crank_planetary(body: CrankPlanetaryRequest) -> Values:
-    """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked."""
+    """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked.
+
+    Warnings say how pins and holes fit, whichever sections are asked.
+    """
     sections: Values = {}
     if "cyclogram" in body.include:
         sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
@@ -31,6 +34,9 @@ def crank_planetary(body: CrankPlanetaryRequest) -> Values:
             sections["hertz"] = HertzResponse.values(contact, hertz_us)
     if "geometry" in body.include:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
+    fit, _ = run(body, body.solve_fit)
+    if fit is not None and fit.notices:
+        sections["warnings"] = [warning(each) for each in fit.notices]
     return sections
 
 

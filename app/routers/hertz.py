@@ -26,6 +26,6 @@ def hertz_chart(body: HertzRequest, theme: Theme = "light") -> Figure:
             PressureCurve(name, from_si("place_mm", place), from_si("pressure_MPa", pressure))
             for name, place, pressure in profiles
         ],
-        from_si("allowable_pressure_MPa", body.allowable_pressure()),
+        {name: from_si("pressure_MPa", pressure) for name, pressure in body.limits()},
         theme,
     )

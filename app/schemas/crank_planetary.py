@@ -1,7 +1,7 @@
 """Request and answer of the crank-planetary reducer as one job."""
 
 from functools import cached_property
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -25,7 +25,7 @@ from core.arrays import FloatArray
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import PinGeometry, pin_geometry
+from core.output.pin_geometry import PinFit, PinGeometry, pin_fit, pin_geometry
 
 Section = Literal["cyclogram", "contact_force", "hertz", "geometry"]
 
@@ -51,21 +51,14 @@ class PinContactFields(ContactFields):
         help="Eccentricity of the cranks; hole radius − pin radius where not given.",
     )
 
-    def geometry(self, mechanism: Mechanism, crank_angle: float, radius: float) -> PinGeometry:
-        """Pins and holes at a crank angle, rad, on a pin circle of a radius, m."""
-        sizes = {
-            name: to_si("size_mm", value)
-            for name, value in (
-                ("pin_radius", self.pin_radius_mm),
-                ("hole_radius", self.hole_radius_mm),
-                ("eccentricity", self.eccentricity_mm),
-            )
-            if value is not None
+    def sizes(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
+        """Sizes of pins and holes on their circle in SI units, None for what is not given."""
+        return {
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "hole_radius": to_si("hole_radius_mm", self.hole_radius_mm),
+            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
         }
-        sizes.setdefault("eccentricity", sizes["hole_radius"] - sizes["pin_radius"])
-        return pin_geometry(
-            mechanism=mechanism, crank_angle=crank_angle, pin_circle_radius=radius, **sizes
-        )
 
 
 class CrankPlanetaryRequest(RequestModel):
@@ -133,13 +126,22 @@ class CrankPlanetaryRequest(RequestModel):
         assert self.contact is not None
         return self.contact.solve_for(force.peak_force)
 
+    def solve_fit(self) -> PinFit | None:
+        """How pins and holes fit, as far as their sizes are given."""
+        if self.contact is None:
+            return None
+        radius = None if self.load is None else self.load.pin_circle_radius_mm
+        return pin_fit(pins=self.mechanism.pins, **self.contact.sizes(radius))
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
         crank_angle = to_si("crank_angle_deg", self.crank_angle_deg)
-        radius = to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm)
         forces = self.load.forces_at(self.built, crank_angle)
-        return self.contact.geometry(self.built, crank_angle, radius), forces
+        sizes = self.contact.sizes(self.load.pin_circle_radius_mm)
+        sizes["eccentricity"] = pin_fit(pins=self.mechanism.pins, **sizes).eccentricity
+        geometry = pin_geometry(mechanism=self.built, crank_angle=crank_angle, **sizes)
+        return geometry, forces
 
 
 class PointOut(ResponseModel):
@@ -214,3 +216,9 @@ class CrankPlanetaryResponse(ResponseModel):
     contact_force: ContactForceResponse | None = None
     hertz: HertzResponse | None = None
     geometry: GeometryOut | None = None
+    warnings: list[WarningOut] | None = Field(
+        default=None,
+        description="How pins and holes fit, whichever sections are asked: `interference`, "
+        "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
+        "`eccentricity_assumed`.",
+    )

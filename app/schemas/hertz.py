@@ -2,26 +2,28 @@
 
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from pydantic import Discriminator, Tag, field_validator
+from pydantic import Discriminator, Field, Tag, field_validator
 
 from app.schemas.base import (
     SIZE,
     AccuracyOut,
     RequestModel,
     ResponseModel,
+    Values,
     WarningOut,
     no_dust,
     quantity,
 )
-from app.units import to_si
+from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.hertz import (
+    BodySafety,
     HertzContact,
     conformal_profile,
     hertz,
     pressure_profile,
 )
-from core.materials import MATERIALS, ElasticMaterial, lower_allowable_pressure
+from core.materials import MATERIALS, ContactLimit, Criterion, ElasticMaterial
 
 if TYPE_CHECKING:
     MaterialName = str
@@ -54,12 +56,16 @@ class MaterialFields(RequestModel):
         default=None,
         **SIZE,
         step=10,
-        help="Allowable contact pressure; gives the safety factor.",
+        help="Allowable contact pressure: what this body is judged by.",
     )
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
-        return ElasticMaterial(**self.to_core())
+        own = self.to_core()
+        pressure = own.pop("allowable_pressure", None)
+        return ElasticMaterial(
+            **own, limit=None if pressure is None else ContactLimit("given", pressure)
+        )
 
 
 def material_of(given: str | MaterialFields) -> ElasticMaterial:
@@ -138,11 +144,11 @@ class ContactFields(RequestModel):
         help="Factor of uneven load sharing between the pairs.",
     )
 
-    def allowable_pressure(self) -> float | None:
-        """Smaller allowable pressure of the two materials, Pa."""
-        return lower_allowable_pressure(
-            material_of(self.pin_material), material_of(self.hole_material)
-        )
+    def limits(self) -> list[tuple[str, float]]:
+        """Body and limit of its pressure, Pa, of each body whose limit is known."""
+        bodies = (("pin", self.pin_material), ("hole", self.hole_material))
+        limits = [(body, material_of(given).limit) for body, given in bodies]
+        return [(body, float(limit.pressure)) for body, limit in limits if limit is not None]
 
     def solve_for(self, force: float) -> HertzContact:
         """Contact under a force, N."""
@@ -191,6 +197,35 @@ class HertzRequest(ContactFields):
         return profiles
 
 
+class SafetyOut(ResponseModel):
+    """One body, judged by the limit of its own material under the governing pressure."""
+
+    body: Literal["pin", "hole"]
+    limit_MPa: float
+    criterion: Criterion
+    source: str | None = None
+    safety_factor: float = Field(
+        description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
+        "is its square, as long as Hertz's pressure governs."
+    )
+
+    @classmethod
+    def values(
+        cls, result: BodySafety, run_time_us: float | None = None, **given: object
+    ) -> Values:
+        """Values of the core's judgement."""
+        limit = result.limit
+        return super().values(
+            result,
+            run_time_us,
+            body=result.body,
+            limit_MPa=from_si("limit_MPa", limit.pressure),
+            criterion=limit.criterion,
+            source=limit.source or None,
+            **given,
+        )
+
+
 class HertzResponse(ResponseModel):
     """Stress of the line contact of pin and hole."""
 
@@ -204,6 +239,28 @@ class HertzResponse(ResponseModel):
     effective_modulus_GPa: float
     conformal_pressure_MPa: float | None = None
     conformal_half_angle_deg: float | None = None
-    safety_factor: float | None = None
+    governing_pressure_MPa: float | None = Field(
+        default=None,
+        description="The pressure that is judged: the conformal one where it applies, else "
+        "Hertz's; absent where neither theory holds.",
+    )
+    safety: list[SafetyOut] | None = Field(
+        default=None,
+        description="The bodies whose limit is known, each by its own; absent where none is.",
+    )
+    safety_factor: float | None = Field(
+        default=None,
+        description="The smaller of both bodies' safety factors; absent where one is not known. A "
+        "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
+        "governs.",
+    )
     accuracy: AccuracyOut
     warnings: list[WarningOut] | None = None
+
+    @classmethod
+    def values(
+        cls, result: HertzContact, run_time_us: float | None = None, **given: object
+    ) -> Values:
+        """Values of the core's contact."""
+        safety = [SafetyOut.values(each) for each in result.safety]
+        return super().values(result, run_time_us, safety=safety or None, **given)

@@ -1,9 +1,7 @@
 """Request and answer of the strength of swinging rollers."""
 
-from dataclasses import dataclass
 from typing import Annotated, Self
 
-import numpy as np
 from pydantic import Field, field_validator, model_validator
 
 from app.schemas.base import (
@@ -16,34 +14,11 @@ from app.schemas.base import (
     no_dust,
     quantity,
 )
-from core.arrays import FloatArray
-from core.rollers.roller_curves import (
-    load_nonuniformity,
-    relative_stiffness,
-    relative_stress,
-    single_roller_limit,
-)
-from core.rollers.roller_strength import (
-    RollerStrength,
-    modulus_ratio,
-    roller_strength,
-)
+from core.rollers.roller_curves import RollerCurves, roller_curves
+from core.rollers.roller_strength import RollerStrength, roller_strength
 
 MAX_ROLLERS = 1000
 """Most rollers of one mechanism."""
-
-ROLLER_SIZES = (
-    "output_torque_Nm",
-    "hole_circle_radius_mm",
-    "cylinder_length_mm",
-    "sphere_width_mm",
-    "sphere_diameter_mm",
-    "diameter_mm",
-    "friction_coefficient",
-    "youngs_modulus_GPa",
-    "stress_concentration",
-)
-"""Numbers that every request has."""
 
 Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -200,83 +175,9 @@ class RollerStrengthRequest(RequestModel):
         """Load sharing and strength of the rollers."""
         return roller_strength(**self.to_core())
 
-    def solve_curves(self) -> "RollerCurves":
+    def solve_curves(self) -> RollerCurves:
         """Curves of stiffness, non-uniformity and stress through this design."""
-        design = self.solve()
-        own = self.to_core()
-        diameter, modulus = own["diameter"], own["youngs_modulus"]
-        shape = {
-            "relative_width": own["sphere_width"] / diameter,
-            "relative_sphere": own["sphere_diameter"] / diameter,
-            "friction_coefficient": self.friction_coefficient,
-            "modulus_ratio": modulus_ratio(
-                youngs_modulus=modulus,
-                poissons_ratio=self.poissons_ratio,
-                shear_modulus=own.get("shear_modulus"),
-            ),
-        }
-        own_length = own["cylinder_length"] / diameter
-        lengths = np.linspace(min(0.5, own_length / 2), max(4.0, 1.5 * own_length), 121)
-        delta = design.relative_position_error
-        limit = single_roller_limit(rollers=self.rollers)
-        errors = np.linspace(0.0, max(2 * limit, 1.25 * delta), 121)
-        tolerance = delta * design.mean_force / design.stiffness
-        scale = tolerance if tolerance > 0 else 2e-4 * diameter
-        return RollerCurves(
-            design=design,
-            own_length=own_length,
-            limit=limit,
-            lengths=lengths,
-            stiffness=relative_stiffness(relative_length=lengths, **shape),
-            errors=errors,
-            nonuniformity={
-                rollers: load_nonuniformity(relative_position_error=errors, rollers=rollers)
-                for rollers in sorted({3, 4, 6, 8, self.rollers})
-            },
-            stress={
-                factor * scale: modulus
-                * relative_stress(
-                    relative_length=lengths,
-                    **shape,
-                    rollers=self.rollers,
-                    relative_torque=self.output_torque_Nm / (modulus * diameter**3),
-                    relative_radius=own["hole_circle_radius"] / diameter,
-                    relative_tolerance=factor * scale / diameter,
-                    stress_concentration=self.stress_concentration,
-                )
-                for factor in ((0.5, 1.0, 1.5, 2.0) if tolerance > 0 else (0.0, 0.5, 1.0))
-            },
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class RollerCurves:
-    """Curves through a design, in SI units.
-
-    Attributes
-    ----------
-    design : RollerStrength
-        The design itself.
-    own_length, limit : float
-        Its l/d, and the delta from which on one roller carries everything.
-    lengths, stiffness : array, shape (n,)
-        l/d and relative stiffness.
-    errors : array, shape (n,)
-        delta.
-    nonuniformity : dict of int to array
-        Psi over delta by the number of rollers.
-    stress : dict of float to array
-        Bending stress over l/d, Pa, by the position tolerance, m.
-    """
-
-    design: RollerStrength
-    own_length: float
-    limit: float
-    lengths: FloatArray
-    stiffness: FloatArray
-    errors: FloatArray
-    nonuniformity: dict[int, FloatArray]
-    stress: dict[float, FloatArray]
+        return roller_curves(**self.to_core())
 
 
 class RollerStrengthResponse(ResponseModel):

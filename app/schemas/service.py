@@ -6,7 +6,7 @@ from pydantic import Field
 
 from app.schemas.base import ResponseModel
 from app.units import from_si
-from core.materials import TableMaterial
+from core.materials import Criterion, TableMaterial
 
 
 class Health(ResponseModel):
@@ -37,6 +37,14 @@ class ProblemOut(ResponseModel):
     )
 
 
+class LimitOut(ResponseModel):
+    """Limit of the contact pressure by one criterion."""
+
+    criterion: Criterion
+    pressure_MPa: float
+    source: str
+
+
 class MaterialOut(ResponseModel):
     """A material of the table."""
 
@@ -45,23 +53,35 @@ class MaterialOut(ResponseModel):
     group: str
     youngs_modulus_GPa: float
     poissons_ratio: float
-    allowable_pressure_MPa: float | None = None
-    source: str
+    allowable_pressure_MPa: float | None = Field(
+        default=None, description="Endurance limit of the contact pressure, where there is one."
+    )
+    limits: list[LimitOut]
+    source: str = Field(description="Where Young's modulus and Poisson's ratio come from.")
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
         """Answer of a table entry."""
-        values = {
-            name: from_si(name, getattr(entry.material, name.rsplit("_", 1)[0]))
-            for name in ("youngs_modulus_GPa", "allowable_pressure_MPa")
-        }
+        material = entry.material
+        limits = [
+            LimitOut(
+                criterion=limit.criterion,
+                pressure_MPa=from_si("pressure_MPa", limit.pressure),
+                source=limit.source,
+            )
+            for limit in entry.limits
+        ]
         return cls(
             name=entry.name,
             title=entry.title,
             group=entry.group,
-            poissons_ratio=entry.material.poissons_ratio,
+            youngs_modulus_GPa=from_si("youngs_modulus_GPa", material.youngs_modulus),
+            poissons_ratio=material.poissons_ratio,
+            allowable_pressure_MPa=next(
+                (each.pressure_MPa for each in limits if each.criterion == "endurance"), None
+            ),
+            limits=limits,
             source=entry.source,
-            **values,
         )
 
 

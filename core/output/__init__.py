@@ -5,7 +5,7 @@ Modules, in reading order (each may use those above it)
 mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
 cyclogram           which pin/hole pairs drive, when, how many together
 pin_forces          the law of load sharing: force of each pair; the approximation of its peak
-pin_geometry        pin and hole centres, contact points, clearance
+pin_geometry        fit of pins and holes; their centres and contact points at a crank angle
 driving_set         the pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing

@@ -1,21 +1,22 @@
 """The load of the pins as one job: reference force, exact peak, and what is asked besides."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
+from core.output.peak_force import PeakForce, peak_force
 from core.output.pin_forces import (
     approximate_peak_ratio,
     approximation_notices,
     force_ratios,
     reference_force,
 )
-from core.results import Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +77,10 @@ class ContactForce:
     approximate_peak_error : float or None
         Its relative error against the exact peak, dimensionless, signed.
     accuracy : Accuracy
-        Of the peak.
+        Of the forces and their ratio; `approximate_peak_error` is known to that, absolutely, and
+        a smooth peak's angle to its root.
     notices : tuple of Notice
-        Limits that the approximation breaks, where it was asked.
+        Limits that the approximation breaks, where it was asked; that hardly anything is known.
     """
 
     reference_force: float
@@ -92,6 +94,12 @@ class ContactForce:
     approximate_peak_error: float | None
     accuracy: Accuracy
     notices: tuple[Notice, ...]
+
+
+@lru_cache(maxsize=1024)
+def _peak_once(mechanism: Mechanism, force_exponent: float) -> PeakForce:
+    """The peak of a mechanism, searched for once: sizes and loads vary far more often."""
+    return peak_force(mechanism=mechanism, force_exponent=force_exponent)
 
 
 def contact_force(
@@ -149,7 +157,7 @@ def contact_force(
     (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
-    peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
+    peak = _peak_once(mechanism, force_exponent)
     curves = None
     if curve_samples is not None:
         if curve_samples < 2:
@@ -160,16 +168,15 @@ def contact_force(
             reference=reference,
             force_exponent=force_exponent,
         )
-    equal = (
-        reference * peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio
-        if equal_sharing
-        else None
-    )
+    equal = _peak_once(mechanism, 0.0) if equal_sharing else None
+    errors = [each.accuracy.relative_error for each in (peak, equal) if each is not None]
     approximate = (
         approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)
         if approximation
         else None
     )
+    # T, u, eta and R as given, their products, and the units they came in
+    accuracy = replace(peak.accuracy, relative_error=max(errors) + 5 * ROUNDING)
     return ContactForce(
         reference_force=reference,
         peak_force=reference * peak.peak_force_ratio,
@@ -177,17 +184,18 @@ def contact_force(
         peak_crank_angle=peak.peak_crank_angle,
         peak_pair=PairNumber(peak.peak_satellite, peak.peak_pin),
         curves=curves,
-        equal_sharing_peak=equal,
+        equal_sharing_peak=None if equal is None else reference * equal.peak_force_ratio,
         approximate_peak=None if approximate is None else reference * approximate,
         approximate_peak_error=(
             None if approximate is None else approximate / peak.peak_force_ratio - 1
         ),
-        accuracy=peak.accuracy,
+        accuracy=accuracy,
         notices=(
             approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
             if approximation
             else ()
-        ),
+        )
+        + poorly_known(accuracy),
     )
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from core.errors import InvalidInput
 from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
-from core.results import ROUNDING, Accuracy
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
@@ -76,7 +76,7 @@ class Cyclogram:
     dead_zones : tuple of (float, float)
         Ranges in which no pair drives, rad; those of no width are in `dead_centres` only.
     accuracy : Accuracy
-        Of the angles, relative to the range shown.
+        Of the angles and of the total through which a pair drives, relative to the range shown.
     """
 
     working_phase: float
@@ -90,6 +90,11 @@ class Cyclogram:
     dead_centres: tuple[float, ...]
     dead_zones: tuple[tuple[float, float], ...]
     accuracy: Accuracy
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """That hardly anything is known, of a range hardly longer than rounding."""
+        return poorly_known(self.accuracy)
 
 
 def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
@@ -148,12 +153,13 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     sector_counts = _sector_counts(phases)
     numbers = [pairs for _, pairs in sector_counts]
     counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
+    pairs, cut_off = _pairs(phases, shown)
     dead_centres, dead_zones = _dead(phases.dead_zones(), shown)
     return Cyclogram(
         working_phase=per_wave / 2,
         period=per_wave,
         pattern_period=per_wave / (mechanism.pins * phases.symmetry),
-        pairs=_pairs(phases, shown),
+        pairs=pairs,
         driving_count=counts,
         min_driving=min(numbers),
         max_driving=max(numbers),
@@ -162,8 +168,9 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         dead_zones=dead_zones,
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
-            + (phases.error + dropped) / shown.waves,
+            # the total of a pair has the ends of all its driving phases
+            relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
+            + (phases.error + max(dropped, cut_off)) / shown.waves,
             evaluations=pair_count,
         ),
     )
@@ -185,22 +192,29 @@ class _Range:
         return position * self.per_wave if position < self.waves else self.end
 
 
-def _pairs(phases: WavePhases, shown: _Range) -> tuple[DrivingPair, ...]:
-    """All pairs with their driving phases; no slivers of rounding."""
+def _pairs(phases: WavePhases, shown: _Range) -> tuple[tuple[DrivingPair, ...], float]:
+    """All pairs with their driving phases; and the width of the largest sliver of a phase dropped
+    at an end of the range, in turns.
+    """
     pins, waves, per_wave, sliver = phases.pins, shown.waves, shown.per_wave, shown.sliver
-    pairs = []
+    pairs, dropped = [], 0.0
     for j, phase in enumerate(phases.satellite_phase, 1):
         for n in range(pins):
             start = (0.5 - phase - n / pins) % 1.0
             driving = []
             if start - 0.5 > sliver:  # begun before the range
                 driving.append((0.0, shown.crank_angle(start - 0.5)))
-            for turn in range(math.ceil(waves - sliver - start)):
+            elif start > 0.5:
+                dropped = max(dropped, start - 0.5)
+            whole = math.ceil(waves - sliver - start)
+            if whole < waves - start:
+                dropped = max(dropped, waves - start - whole)
+            for turn in range(whole):
                 first = start + turn
                 last = first + 0.5
                 driving.append((first * per_wave, last * per_wave if last < waves else shown.end))
             pairs.append(DrivingPair(j, n + 1, tuple(driving)))
-    return tuple(pairs)
+    return tuple(pairs), dropped
 
 
 def _dead(

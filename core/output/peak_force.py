@@ -18,6 +18,10 @@ from core.results import ROUNDING, Accuracy
 EQUAL = 1e-13
 """Peaks closer than this, or than their errors, are one peak reached more than once."""
 
+PHASE_ROUNDING = 3 * ROUNDING
+"""Error of a phase by rounding, in turns: of the angle given, its way from degrees over radians to
+turns, and its place within a sector."""
+
 
 @dataclass(frozen=True, slots=True)
 class PeakForce:
@@ -100,7 +104,7 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     law = force_law(parts=parts, exponent=force_exponent)
     candidates = law.candidates()
     ratio, winner, offset = max(candidates)
-    error = law.relative_error(winner, offset, 2 * ROUNDING + phases.error)
+    error = law.relative_error(winner, offset, PHASE_ROUNDING + phases.error)
     # Of equal peaks (mirror images, repeats) the first after crank angle 0 is the one to name.
     repeat = 1 / (phases.pins * phases.symmetry)
     position = min(

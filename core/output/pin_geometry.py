@@ -1,4 +1,4 @@
-"""Where the pins, the holes and their contact points lie at a crank angle.
+"""How pins and holes fit, and where they and their contact points lie at a crank angle.
 
 The hole of satellite j is the circle around the pin's centre moved by the eccentricity towards
 the satellite's crank. With hole radius = pin radius + eccentricity the pin touches the hole at
@@ -11,14 +11,151 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, check_positive
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import pressure_cosines
 from core.results import ROUNDING, Accuracy, Notice
 
 FIT_TOLERANCE = 1e-9
-"""Clearance below this fraction of the hole radius is none: the radii are decimal numbers."""
+"""Clearance or a wall below this fraction of the hole radius is none: the radii are decimal
+numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class PinFit:
+    """How pins and holes fit by their sizes alone, at any crank angle.
+
+    Attributes
+    ----------
+    eccentricity : float
+        Eccentricity e of the cranks, m: the given one, or what leaves no clearance.
+    clearance : float
+        ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
+        `FIT_TOLERANCE`.
+    notices : tuple of Notice
+        Clearance, interference, parts that overlap, an eccentricity that is assumed.
+    """
+
+    eccentricity: float
+    clearance: float
+    notices: tuple[Notice, ...]
+
+
+def pin_fit(
+    *,
+    pins: int,
+    pin_radius: float,
+    hole_radius: float,
+    eccentricity: float | None = None,
+    pin_circle_radius: float | None = None,
+) -> PinFit:
+    """How pins and holes fit: clearance ``r_out - r_in - e``, and what is left between neighbours.
+
+    Neighbouring centres lie ``2*R*sin(pi/N)`` apart; what is left of that between two holes of a
+    satellite or between two pins must be more than nothing.
+
+    Parameters
+    ----------
+    pins : int
+        Number N of pins.
+    pin_radius, hole_radius : float
+        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
+    eccentricity : float, optional
+        Eccentricity e of the cranks, m; the difference of the radii where not given.
+    pin_circle_radius : float, optional
+        Radius R of the circle of pin centres, m; without it neighbours are not checked.
+
+    Returns
+    -------
+    PinFit
+
+    Raises
+    ------
+    InvalidInput
+        If a length is not positive or the hole not larger than the pin.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, r_out = r_in + e where pin and hole touch at every
+    crank angle.
+
+    Examples
+    --------
+    >>> fit = pin_fit(pins=12, pin_radius=0.008, hole_radius=0.010, eccentricity=0.0025,
+    ...               pin_circle_radius=0.010)
+    >>> [notice.code for notice in fit.notices]
+    ['interference', 'holes_overlap', 'pins_overlap']
+    """
+    check_positive(pin_radius=pin_radius)
+    if not hole_radius > pin_radius:
+        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
+    assumed = eccentricity is None
+    if eccentricity is None:
+        eccentricity = hole_radius - pin_radius
+    check_positive(eccentricity=eccentricity)
+    tolerance = FIT_TOLERANCE * hole_radius
+    clearance = hole_radius - pin_radius - eccentricity
+    if abs(clearance) <= tolerance:
+        clearance = 0.0
+    apart = math.inf
+    if pin_circle_radius is not None:
+        check_positive(pin_circle_radius=pin_circle_radius)
+        if pins > 1:
+            apart = 2 * pin_circle_radius * math.sin(math.pi / pins)
+    between_holes, between_pins = apart - 2 * hole_radius, apart - 2 * pin_radius
+
+    notices = []
+    if assumed:
+        notices.append(
+            Notice(
+                code="eccentricity_assumed",
+                detail="{eccentricity} is taken as {hole_radius} - {pin_radius}: no clearance can "
+                "be seen.",
+                value=clearance,
+                limit=0.0,
+            )
+        )
+    if clearance > 0:
+        notices.append(
+            Notice(
+                code="clearance",
+                detail="The hole is larger than pin and eccentricity need: no pair touches until "
+                "the output has turned through the lost motion, and the load sharing differs.",
+                value=clearance,
+                limit=0.0,
+            )
+        )
+    if clearance < 0:
+        notices.append(
+            Notice(
+                code="interference",
+                detail="The hole is smaller than {pin_radius} + {eccentricity}: pin and "
+                "satellite interfere and cannot be assembled.",
+                value=clearance,
+                limit=0.0,
+            )
+        )
+    if between_holes <= tolerance:
+        notices.append(
+            Notice(
+                code="holes_overlap",
+                detail="Neighbouring holes of a satellite overlap: there is no material between "
+                "them.",
+                value=between_holes,
+                limit=0.0,
+            )
+        )
+    if between_pins <= tolerance:
+        notices.append(
+            Notice(
+                code="pins_overlap",
+                detail="Neighbouring pins overlap: there is no room for them on their circle.",
+                value=between_pins,
+                limit=0.0,
+            )
+        )
+    return PinFit(eccentricity=eccentricity, clearance=clearance, notices=tuple(notices))
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +179,9 @@ class PinGeometry:
         ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
         `FIT_TOLERANCE`.
     accuracy : Accuracy
-        Of the coordinates, relative to the pin circle radius.
+        Of the coordinates, relative to the sum of pin circle radius, pin radius and eccentricity.
     notices : tuple of Notice
-        Clearance, interference, parts that overlap.
+        Those of `pin_fit`.
     """
 
     pin_centres: FloatArray
@@ -108,21 +245,15 @@ def pin_geometry(
     >>> g.contact_points[0, 0].round(9).tolist(), g.clearance
     ([0.0, 0.044], 0.0)
     """
-    for name, value in (
-        ("pin_circle_radius", pin_circle_radius),
-        ("pin_radius", pin_radius),
-        ("eccentricity", eccentricity),
-    ):
-        if not value > 0:
-            raise InvalidInput(name, value, "must be larger than 0")
-    if not hole_radius > pin_radius:
-        raise InvalidInput("hole_radius", hole_radius, "must be larger than {pin_radius}")
     if not math.isfinite(crank_angle):
         raise InvalidInput("crank_angle", crank_angle, "must be a finite number")
-
-    clearance = hole_radius - pin_radius - eccentricity
-    if abs(clearance) <= FIT_TOLERANCE * hole_radius:
-        clearance = 0.0
+    fit = pin_fit(
+        pins=mechanism.pins,
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        eccentricity=eccentricity,
+        pin_circle_radius=pin_circle_radius,
+    )
     pin_angle = (
         math.fmod(crank_angle, 2 * math.pi * mechanism.ratio) / mechanism.ratio
         + 2 * math.pi * np.arange(mechanism.pins) / mechanism.pins
@@ -136,7 +267,8 @@ def pin_geometry(
     direction = np.stack((np.sin(crank), np.cos(crank)), axis=-1)[:, None, :]
     wave = np.add.outer(crank, pin_angle) + math.pi / 2
     pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
-    turns = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    turned = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    furthest = max(map(abs, mechanism.crank_angles))
     # Adding 0.0 turns the zero of a negative sine into a plain zero.
     return PinGeometry(
         pin_centres=pin_centres + 0.0,
@@ -144,49 +276,11 @@ def pin_geometry(
         contact_points=pin_centres - pin_radius * direction + 0.0,
         pressure_angles=pressure_angles,
         driving=pressure_cosines(mechanism=mechanism, crank_angles=np.array([crank_angle]))[0] > 0,
-        clearance=clearance,
+        clearance=fit.clearance,
         accuracy=Accuracy(
             method="closed form",
-            relative_error=ROUNDING * (4 + turns + 2 * math.pi),
+            relative_error=ROUNDING * (4 + turned + furthest + 2 * math.pi),
             evaluations=mechanism.pins * mechanism.satellites,
         ),
-        notices=_fit(mechanism, clearance, pin_circle_radius, hole_radius),
+        notices=fit.notices,
     )
-
-
-def _fit(
-    mechanism: Mechanism, clearance: float, pin_circle_radius: float, hole_radius: float
-) -> tuple[Notice, ...]:
-    notices = []
-    if clearance > 0:
-        notices.append(
-            Notice(
-                code="clearance",
-                detail="The hole is larger than pin and eccentricity need: no pair touches until "
-                "the output has turned through the lost motion, and the load sharing differs.",
-                value=clearance,
-                limit=0.0,
-            )
-        )
-    if clearance < 0:
-        notices.append(
-            Notice(
-                code="interference",
-                detail="The hole is smaller than {pin_radius} + {eccentricity}: pin and "
-                "satellite interfere and cannot be assembled.",
-                value=clearance,
-                limit=0.0,
-            )
-        )
-    between_holes = 2 * pin_circle_radius * math.sin(math.pi / mechanism.pins) - 2 * hole_radius
-    if mechanism.pins > 1 and between_holes <= 0:
-        notices.append(
-            Notice(
-                code="holes_overlap",
-                detail="Neighbouring holes of a satellite overlap: there is no material between "
-                "them.",
-                value=between_holes,
-                limit=0.0,
-            )
-        )
-    return tuple(notices)

@@ -1,9 +1,9 @@
-"""The curve of all contact points of one roller, and quadrature along it.
+"""The curve of all contact points of one roller, and the places at which it is integrated.
 
-In the coordinate ``y = z + A*cos(phi1)`` along the roller, with ``w = |A*sin(phi1)|``, the
-direction of the contact point from the roller's axis is the direction of the point (y, w) turned
-by phi1: ``cot(phi + phi1) = y/(A*sin(phi1))``. So the curve has no pole in z, the slope of the
-unrolled curve is ``rho*dphi/dz = rho*w/(y^2 + w^2)``, and its length
+In the plane of ``y = z + A*cos(phi1)`` and ``w = A*sin(phi1)`` the point (y, w) lies from the
+origin at the distance ``D = hypot(y, w)``, in the direction of the contact point turned by phi1:
+``cot(phi + phi1) = y/w`` and ``sin(phi) = -z*sin(phi1)/D``. So the curve has no pole in z, the
+slope of the unrolled curve is ``rho*dphi/dz = -rho*w/D^2``, and its length
 
     s = integral sqrt(1 + (rho*w/(y^2 + w^2))^2) dy
 
@@ -24,10 +24,66 @@ from core.results import ROUNDING
 
 
 class LinePoint(NamedTuple):
-    """A place on a contact line: y from its steepest place, z from the precession centre, m."""
+    """An end of a contact line.
+
+    Attributes
+    ----------
+    y, z : float
+        Place from the steepest point of the curve, and from the precession centre, m.
+    error : float
+        Bound of the error of z on the curve as given, m.
+    """
 
     y: float
     z: float
+    error: float
+
+
+class Limits(NamedTuple):
+    """Between what a contact line runs.
+
+    Attributes
+    ----------
+    start, end : LinePoint
+        Its ends, z growing.
+    extent : float
+        ``z_max - z_min``, m, to more digits than the difference has.
+    phi_error : float
+        Error of limits given in phi, rad: all places of the line then move with the curve, which
+        is not known exactly. 0 for limits in z, under which the curve moves.
+    """
+
+    start: LinePoint
+    end: LinePoint
+    extent: float
+    phi_error: float
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Places along a contact line: ``sum g*ds`` is the integral of a smooth g along it.
+
+    The two ends come first and last. They stand for no length, but the length by which they may
+    move counts as an error there: that of the integral is ``sum |g|*ds_error``, besides g's own.
+
+    Attributes
+    ----------
+    y, z : array, shape (n,)
+        Place from the steepest point of the curve, and from the precession centre, m.
+    ds : array, shape (n,)
+        Length of the line that a place stands for, m.
+    z_error, ds_error : array, shape (n,)
+        Bounds of their errors, m.
+    direction_error : array, shape (n,)
+        Error of (y, w)/sin(phi1) over its size.
+    """
+
+    y: FloatArray
+    z: FloatArray
+    ds: FloatArray
+    z_error: FloatArray
+    ds_error: FloatArray
+    direction_error: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +96,8 @@ class ContactCurve:
         R_C and rho, m.
     position_angle : float
         phi1, rad.
+    angle_error : float
+        Bound of the error of phi1, rad.
     scale : float
         ``A = R_C*(cos(theta) - u12)/sin(theta)``, m.
     scale_error : float
@@ -49,6 +107,7 @@ class ContactCurve:
     roller_circle_radius: float
     roller_radius: float
     position_angle: float
+    angle_error: float
     scale: float
     scale_error: float
 
@@ -58,52 +117,34 @@ class ContactCurve:
         return math.sin(self.position_angle)
 
     @property
+    def sine_error(self) -> float:
+        """Relative error of `sine`."""
+        return ROUNDING + self.angle_error / abs(math.tan(self.position_angle))
+
+    @property
     def offset(self) -> float:
         """``A*cos(phi1)`` = y - z, m."""
         return self.scale * math.cos(self.position_angle)
 
     @property
     def width(self) -> float:
-        """``A*sin(phi1)``, m, with its sign: the half-width w of the steep part of the line."""
+        """``w = A*sin(phi1)``, m, with its sign: half the width of the steep part of the line."""
         return self.scale * math.sin(self.position_angle)
 
     @property
     def width_error(self) -> float:
         """Relative error of `width`."""
-        angle = self.position_angle
-        return self.scale_error + ROUNDING * (1 + abs(angle / math.tan(angle)))
+        return self.scale_error + self.sine_error + 2 * ROUNDING
 
     @property
-    def offset_error(self) -> float:
-        """Absolute error of `offset`, m."""
-        angle = self.position_angle
-        sine, cosine = abs(math.sin(angle)), abs(math.cos(angle))
-        return abs(self.scale) * (
-            cosine * (self.scale_error + ROUNDING) + ROUNDING * abs(angle) * sine
-        )
+    def point_error(self) -> float:
+        """Error of the point (y, w) at a given z, m."""
+        return abs(self.scale) * (self.scale_error + self.angle_error + 2 * ROUNDING)
 
     def slope(self, y: FloatArray) -> FloatArray:
         """Slope ``|rho*dphi/dz|`` of the unrolled line at y."""
         width = abs(self.width)
         return (self.roller_radius / width) / (1 + (y / width) ** 2)
-
-    def steepest_stretch(self, y: float, error: float) -> float:
-        """Largest ds/dz within an error of y."""
-        width = abs(self.width)
-        nearest = max(abs(y) - error, 0.0) / width
-        return math.hypot(1.0, self.roller_radius / width / (1 + nearest * nearest))
-
-    def stretch_variation(self, start: float, end: float, error: float) -> float:
-        """Total variation of ds/dz from `start` to `end`, widened by an error of both.
-
-        Times that error it bounds the change of the length when the curve moves along z.
-        """
-        width = abs(self.width)
-        far = [(abs(y) + error) / width for y in (start, end)]
-        low = [math.hypot(1.0, self.roller_radius / width / (1 + y * y)) for y in far]
-        if start - error <= 0 <= end + error:
-            return 2 * self.steepest_stretch(0.0, 0.0) - low[0] - low[1]
-        return self.steepest_stretch(min(abs(start), abs(end)), error) - min(low)
 
     def polar_angle(self, z: FloatArray) -> FloatArray:
         """Polar angle phi at z, rad: continuous along the line, in (-pi, pi] somewhere on it."""
@@ -112,46 +153,78 @@ class ContactCurve:
         continuous = np.arctan2(self.width, z + self.offset) - angle
         return principal + 2 * np.pi * np.rint((continuous - principal) / (2 * np.pi))
 
-    def nodes(
-        self, *, start: LinePoint, end: LinePoint, extent: float, loaded: bool = False
-    ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Nodes and weights of the quadrature along z from `start` to `end`.
+    def places(self, limits: Limits, *, loaded: bool = False) -> Places:
+        """Places at which to integrate along a line.
 
         Parameters
         ----------
-        start, end : LinePoint
-            Ends of the interval, z growing.
-        extent : float
-            Its length, m.
+        limits : Limits
+            Between what the line runs.
         loaded : bool
-            Whether the integrand also has a pole at z = 0 outside the interval.
+            Whether the integrand also has a pole at z = 0 outside the line.
 
         Returns
         -------
-        y, z, weight : array, shape (number of nodes,)
-            Places, m, and weights, m.
+        Places
         """
+        y, z, dz = self._nodes(limits, loaded)
+        ds = dz * np.hypot(1.0, self.slope(y))
+        stretch, stretch_error, z_error, direction_error = self._errors(y, z, limits.phi_error)
+        ds_error = 4 * ROUNDING * ds + dz * stretch_error
+        ds_error[[0, -1]] = stretch[[0, -1]] * (limits.start.error, limits.end.error)
+        return Places(y, z, ds, z_error, ds_error, direction_error)
+
+    def _errors(
+        self, y: FloatArray, z: FloatArray, phi_error: float
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Largest ds/dz at places of a line; errors of ds/dz, of z, and of the direction of (y, w).
+
+        With limits in phi the places keep phi and move with A; else they keep z, and the steep
+        part of the curve may be nearer to them by the error of (y, w).
+        """
+        if phi_error:
+            stretch = np.hypot(1.0, self.slope(y))
+            dz_dphi = np.hypot(y, self.width) * np.hypot(y / self.width, 1.0)
+            z_error = self.scale_error * np.abs(z) + phi_error * dz_dphi
+            return stretch, self.width_error / stretch, z_error, np.zeros_like(z)
+        y = np.maximum(np.abs(y) - self.point_error, 0.0)
+        direction_error = self.point_error / np.hypot(y, self.width)
+        slope = self.slope(y)
+        stretch = np.hypot(1.0, slope)
+        slope_error = slope * (self.width_error + 2 * direction_error)
+        return (
+            stretch,
+            slope / stretch * slope_error,
+            ROUNDING * np.abs(z),
+            direction_error + self.sine_error,
+        )
+
+    def _nodes(self, limits: Limits, loaded: bool) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Ends and nodes of the quadrature: y, z and weights along z, m."""
+        start, end, extent, _ = limits
         height = abs(self.width)
         panels = []
-        waiting = [(start, end, extent)]
+        waiting = [(start.y, start.z, end.y, end.z, extent)]
         if start.y < 0 < end.y:
             # a panel ends at y = 0, from where all others are reached without cancellation
-            middle = LinePoint(0.0, -self.offset)
-            waiting = [(middle, end, end.y), (start, middle, -start.y)]
+            middle = (0.0, -self.offset)
+            waiting = [(*middle, end.y, end.z, end.y), (start.y, start.z, *middle, -start.y)]
         while waiting:
-            left, right, width = waiting.pop()
-            if resolves_complex_poles(
-                start=left.y, end=right.y, width=width, height=height
-            ) and not (loaded and not resolves_real_pole(start=left.z, end=right.z, width=width)):
-                panels.append((left.y, left.z, width))
+            y, z, far_y, far_z, width = waiting.pop()
+            if resolves_complex_poles(start=y, end=far_y, width=width, height=height) and not (
+                loaded and not resolves_real_pole(start=z, end=far_z, width=width)
+            ):
+                panels.append((y, z, width))
                 continue
-            middle = LinePoint((left.y + right.y) / 2, (left.z + right.z) / 2)
-            waiting += [(middle, right, width / 2), (left, middle, width / 2)]
-        origin_y, origin_z, widths = (
-            np.array(column)[:, None] for column in zip(*panels, strict=True)
-        )
+            middle = ((y + far_y) / 2, (z + far_z) / 2)
+            waiting += [(*middle, far_y, far_z, width / 2), (y, z, *middle, width / 2)]
+        near_y, near_z, widths = (np.array(column)[:, None] for column in zip(*panels, strict=True))
         along = widths * NODES
-        return (origin_y + along).ravel(), (origin_z + along).ravel(), (widths * WEIGHTS).ravel()
+        return (
+            np.concatenate(([start.y], (near_y + along).ravel(), [end.y])),
+            np.concatenate(([start.z], (near_z + along).ravel(), [end.z])),
+            np.concatenate(([0.0], (widths * WEIGHTS).ravel(), [0.0])),
+        )
 
 
 def axial_scale(
@@ -197,16 +270,14 @@ def axial_scale(
         raise InvalidInput("ratio_u12", ratio_u12, "must be a finite number")
     versine = 2 * math.sin(nutation_angle / 2) ** 2
     difference = (1 - ratio_u12) - versine
-    magnitudes = (
-        2 * versine
-        + abs(1 - ratio_u12)
-        + (0.0 if ratio_u12.is_integer() else abs(ratio_u12))
-        + nutation_angle * math.sin(nutation_angle)
+    exact = ratio_u12.is_integer()
+    condition = (abs(1 - ratio_u12) + (0 if exact else abs(ratio_u12))) / 2 + 2 * (
+        versine + nutation_angle * math.sin(nutation_angle)
     )
-    if abs(difference) <= ROUNDING * magnitudes:
+    if abs(difference) <= ROUNDING * condition:
         raise ImpossibleMechanism(
             "there is no contact line, because cos(nutation_angle) equals ratio_u12",
             where={"nutation_angle": nutation_angle, "ratio_u12": ratio_u12},
         )
     scale = roller_circle_radius * difference / math.sin(nutation_angle)
-    return scale, ROUNDING * (3 + magnitudes / abs(difference))
+    return scale, ROUNDING * (5 + condition / abs(difference))

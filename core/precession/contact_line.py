@@ -8,10 +8,17 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.precession.contact_curve import ContactCurve, LinePoint, axial_scale
-from core.precession.rollers import SAME, Roller, RollerByAngle, RollerByLength, stands_in_line
+from core.precession.contact_curve import ContactCurve, Limits, LinePoint, Places, axial_scale
+from core.precession.rollers import (
+    ANGLE_ROUNDING,
+    SAME,
+    Roller,
+    RollerByAngle,
+    RollerByLength,
+    stands_in_line,
+)
 from core.quadrature import TRUNCATION
-from core.results import ROUNDING, Accuracy
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,10 +27,12 @@ class ContactLine:
 
     Attributes
     ----------
-    position_angle : float
-        Position angle phi1 of the roller, rad.
-    z_min, z_max : float
-        Ends of the line along the axis, m.
+    curve : ContactCurve
+        The curve that the line is a part of.
+    limits : Limits
+        Between what it runs.
+    places : Places
+        Places at which to integrate along it.
     phi_min, phi_max : float
         Smallest and largest polar angle, rad, reached at its two ends.
     length : float
@@ -34,30 +43,32 @@ class ContactLine:
         Sign of the arm ``-R_C*sin(phi)`` about the axis; 0 where the line reaches phi = 0.
     flank : int
         Half-turns by which this flank lies from the one that the curve's polar angle gives.
-    start, end : LinePoint
-        Ends of the line, z growing.
-    extent : float
-        ``z_max - z_min``, m, to more digits than the difference has.
-    end_errors : tuple of float
-        Bounds of the error of z at the two ends, m: rounding of the limits as given.
-    curve : ContactCurve
-        The curve that the line is a part of.
     """
 
-    position_angle: float
-    z_min: float
-    z_max: float
+    curve: ContactCurve
+    limits: Limits
+    places: Places
     phi_min: float
     phi_max: float
     length: float
     relative_error: float
     arm_sign: int
     flank: int
-    start: LinePoint
-    end: LinePoint
-    extent: float
-    end_errors: tuple[float, float]
-    curve: ContactCurve
+
+    @property
+    def position_angle(self) -> float:
+        """Position angle phi1 of the roller, rad."""
+        return self.curve.position_angle
+
+    @property
+    def z_min(self) -> float:
+        """Start of the line along the axis, m."""
+        return self.limits.start.z
+
+    @property
+    def z_max(self) -> float:
+        """End of the line along the axis, m."""
+        return self.limits.end.z
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,12 +82,15 @@ class ContactLines:
     total_length : float
         Sum of the lengths, m.
     accuracy : Accuracy
-        Of `total_length`.
+        Of `total_length`; each line states its own.
+    notices : tuple of Notice
+        Whether it is hardly known.
     """
 
     lines: tuple[ContactLine, ...]
     total_length: float
     accuracy: Accuracy
+    notices: tuple[Notice, ...]
 
 
 def contact_lines(
@@ -125,8 +139,9 @@ def contact_lines(
 
     Notes
     -----
-    Source: Khatetovsky et al. 2020, eqs (1)-(7). Their slope (5) is a difference that cancels;
-    simplified it is ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2``.
+    Source: Khatetovsky et al. 2020, eqs (1)-(7). Errata: (1) ends in "= 0", and their slope (5)
+    has the sign opposite to its derivative, besides being a difference that cancels; it is
+    ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2``.
 
     Examples
     --------
@@ -152,7 +167,6 @@ def contact_lines(
     if torque_sign not in (None, 1, -1):
         raise InvalidInput("torque_sign", torque_sign, "must be 1 or -1")
     lines = []
-    evaluations = 0
     for index, roller in enumerate(rollers):
         if stands_in_line(roller.position_angle):
             raise InvalidInput(
@@ -164,138 +178,106 @@ def contact_lines(
             roller_circle_radius=roller_circle_radius,
             roller_radius=roller_radius,
             position_angle=roller.position_angle,
+            angle_error=ANGLE_ROUNDING * abs(roller.position_angle) + roller.position_error,
             scale=scale,
             scale_error=scale_error,
         )
-        if isinstance(roller, RollerByLength):
-            line, nodes = _line_by_length(curve, roller, index, torque_sign)
-        else:
-            line, nodes = _line_by_angle(curve, roller, index)
-        if torque_sign is not None and line.arm_sign == 0:
+        lines.append(_contact_line(curve, roller, index, torque_sign))
+    total = math.fsum(line.length for line in lines)
+    accuracy = Accuracy(
+        method="Gauss-Legendre quadrature along z, panels graded to the known singularities",
+        relative_error=math.fsum(line.relative_error * line.length for line in lines) / total,
+        evaluations=sum(len(line.places.ds) - 2 for line in lines),
+    )
+    return ContactLines(
+        lines=tuple(lines), total_length=total, accuracy=accuracy, notices=poorly_known(accuracy)
+    )
+
+
+def _contact_line(
+    curve: ContactCurve, roller: Roller, index: int, torque_sign: int | None
+) -> ContactLine:
+    """Contact line of one roller, on the loaded flank or on the one that its limits name."""
+    limits = (
+        _limits_in_z(curve, roller, index)
+        if isinstance(roller, RollerByLength)
+        else _limits_in_phi(curve, roller, index)
+    )
+    start, end, *_ = limits
+    angles = curve.polar_angle(np.array([start.z, end.z])).tolist()
+    arm_sign, flank = 1 if start.z * curve.sine > 0 else -1, 0
+    if isinstance(roller, RollerByAngle):
+        flank = round((roller.phi_min + roller.phi_max - sum(angles)) / (2 * math.pi))
+        angles = [roller.phi_min, roller.phi_max]
+    elif torque_sign == -arm_sign:
+        flank = -1 if sum(angles) > 0 else 1
+        angles = [angle + flank * math.pi for angle in angles]
+    arm_sign *= (-1) ** flank
+    if start.z <= start.error and end.z >= -end.error:
+        if torque_sign is not None:
             raise ImpossibleMechanism(
                 f"the contact line of roller {index + 1} cannot carry a torque, because it "
                 "reaches phi = 0, where the load has no arm about the axis",
                 where={"roller": float(index + 1), "z": 0.0},
             )
-        lines.append(line)
-        evaluations += nodes
-    total = math.fsum(line.length for line in lines)
-    return ContactLines(
-        lines=tuple(lines),
-        total_length=total,
-        accuracy=Accuracy(
-            method="Gauss-Legendre quadrature along z, panels graded to the known singularities",
-            relative_error=math.fsum(line.relative_error * line.length for line in lines) / total,
-            evaluations=evaluations,
-        ),
-    )
-
-
-def _line_by_length(
-    curve: ContactCurve, roller: RollerByLength, index: int, torque_sign: int | None
-) -> tuple[ContactLine, int]:
-    z_min, z_max = roller.z_min, roller.z_max
-    extent = z_max - z_min
-    if not extent > SAME * max(abs(z_min), abs(z_max)):
-        raise InvalidInput(f"rollers[{index}].z_max", z_max, "must be larger than {z_min}")
-    offset = curve.offset
-    start, end = LinePoint(z_min + offset, z_min), LinePoint(z_max + offset, z_max)
-    length, curved, nodes = _length(curve, start, end, extent)
-    shift = curve.offset_error + ROUNDING * max(abs(start.y), abs(end.y))
-    stretches = [curve.steepest_stretch(point.y, shift) for point in (start, end)]
-    end_errors = (ROUNDING / 2 * abs(z_min), ROUNDING / 2 * abs(z_max))
-    error = (
-        (4 * ROUNDING + TRUNCATION) * length
-        + curve.width_error * curved
-        + shift * curve.stretch_variation(start.y, end.y, shift)
-        + end_errors[0] * stretches[0]
-        + end_errors[1] * stretches[1]
-    )
-    angles = curve.polar_angle(np.array([z_min, z_max])).tolist()
-    principal = 0 if z_min <= 0 <= z_max else (1 if z_min * curve.sine > 0 else -1)
-    flank = 0
-    if torque_sign is not None and principal != torque_sign:
-        flank = -1 if sum(angles) > 0 else 1
-    phi_min, phi_max = sorted(angle + flank * math.pi for angle in angles)
-    line = ContactLine(
-        position_angle=roller.position_angle,
-        z_min=z_min,
-        z_max=z_max,
-        phi_min=phi_min,
-        phi_max=phi_max,
-        length=length,
-        relative_error=error / length,
-        arm_sign=-principal if flank else principal,
-        flank=flank,
-        start=start,
-        end=end,
-        extent=extent,
-        end_errors=end_errors,
+        arm_sign = 0
+    places = curve.places(limits, loaded=torque_sign is not None)
+    length = math.fsum(places.ds.tolist())
+    return ContactLine(
         curve=curve,
+        limits=limits,
+        places=places,
+        phi_min=min(angles),
+        phi_max=max(angles),
+        length=length,
+        relative_error=TRUNCATION + float(places.ds_error.sum()) / length,
+        arm_sign=arm_sign,
+        flank=flank,
     )
-    return line, nodes
 
 
-def _line_by_angle(
-    curve: ContactCurve, roller: RollerByAngle, index: int
-) -> tuple[ContactLine, int]:
-    phi_min, phi_max = roller.phi_min, roller.phi_max
-    phi_1 = roller.position_angle
-    span = phi_max - phi_min
-    if not span > SAME * max(abs(phi_min), abs(phi_max)):
-        raise InvalidInput(f"rollers[{index}].phi_max", phi_max, "must be larger than {phi_min}")
-    width = curve.width
+def _limits_in_z(curve: ContactCurve, roller: RollerByLength, index: int) -> Limits:
+    z_min, z_max = roller.z_min, roller.z_max
+    if not z_max - z_min > SAME * max(abs(z_min), abs(z_max)):
+        raise InvalidInput(f"rollers[{index}].z_max", z_max, "must be larger than {z_min}")
+    start, end = (LinePoint(z + curve.offset, z, ROUNDING * abs(z)) for z in (z_min, z_max))
+    return Limits(start, end, z_max - z_min, phi_error=0.0)
+
+
+def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Limits:
+    """``z = -A*sin(phi)/sin(phi + phi1)``, ``y = w*cot(phi + phi1)``, and their difference."""
+    span = roller.phi_max - roller.phi_min
+    if not span > SAME * max(abs(roller.phi_min), abs(roller.phi_max)):
+        raise InvalidInput(
+            f"rollers[{index}].phi_max", roller.phi_max, "must be larger than {phi_min}"
+        )
     sines, errors, points = [], [], []
-    for name, phi in (("phi_min", phi_min), ("phi_max", phi_max)):
-        sine, cosine = _sine_and_cosine_of_sum(phi, phi_1)
-        error = ROUNDING * (abs(phi) + abs(phi_1))
-        if abs(sine) <= 4 * error:
+    for name, phi in (("phi_min", roller.phi_min), ("phi_max", roller.phi_max)):
+        sine, cosine = _sine_and_cosine_of_sum(phi, roller.position_angle)
+        rounding = ROUNDING * (abs(phi) + abs(roller.position_angle))
+        if abs(sine) <= 4 * rounding:
             raise InvalidInput(
                 f"rollers[{index}].{name}",
                 phi,
                 "must not lie at a pole, a multiple of half a turn less {position_angle}: "
                 "the line is infinitely long there",
             )
+        y, z = curve.width * cosine / sine, -curve.scale * math.sin(phi) / sine
+        dz_dphi = abs(curve.width) / (abs(sine) - 2 * rounding) ** 2
+        error = ANGLE_ROUNDING * abs(phi) + curve.angle_error
         sines.append(sine)
         errors.append(error)
-        points.append(LinePoint(width * cosine / sine, -curve.scale * math.sin(phi) / sine))
+        points.append(LinePoint(y, z, error * dz_dphi + 3 * ROUNDING * abs(z)))
     if span >= math.pi or sines[0] * sines[1] < 0:
         raise InvalidInput(
             f"rollers[{index}].phi_max",
-            phi_max,
+            roller.phi_max,
             "must lie on the same side of the pole, a multiple of half a turn less "
             "{position_angle}, as {phi_min}: the line is infinitely long there",
         )
     start, end = sorted(points, key=lambda point: point.z)
-    extent = abs(width * math.sin(span) / (sines[0] * sines[1]))
-    length, curved, nodes = _length(curve, start, end, extent)
-    error = (6 * ROUNDING + TRUNCATION) * length + curve.width_error * (length - curved)
-    ends = []
-    for point, sine, angle_error in zip(points, sines, errors, strict=True):
-        slope = abs(width) / (abs(sine) - angle_error) ** 2
-        error += 2 * angle_error * math.hypot(curve.roller_radius, slope)
-        ends.append((point.z, 2 * angle_error * slope + 3 * ROUNDING * abs(point.z)))
-    end_errors = (min(ends)[1], max(ends)[1])
-    touches = start.z <= end_errors[0] and end.z >= -end_errors[1]
-    phi_start = phi_min if points[0] == start else phi_max
-    half_turns = (phi_start - float(curve.polar_angle(np.array(start.z)))) / math.pi
-    line = ContactLine(
-        position_angle=phi_1,
-        z_min=start.z,
-        z_max=end.z,
-        phi_min=phi_min,
-        phi_max=phi_max,
-        length=length,
-        relative_error=error / length,
-        arm_sign=0 if touches else int(math.copysign(1, -math.sin(phi_min))),
-        flank=round(half_turns),
-        start=start,
-        end=end,
-        extent=extent,
-        end_errors=end_errors,
-        curve=curve,
-    )
-    return line, nodes
+    extent = abs(curve.width * math.sin(span) / (sines[0] * sines[1]))
+    return Limits(start, end, extent, phi_error=max(errors))
 
 
 def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
@@ -305,17 +287,6 @@ def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
     lost = (first - (total - part)) + (second - part)
     sine, cosine = math.sin(total), math.cos(total)
     return sine + lost * cosine, cosine - lost * sine
-
-
-def _length(
-    curve: ContactCurve, start: LinePoint, end: LinePoint, extent: float
-) -> tuple[float, float, int]:
-    """Length, its change per relative change of the curve's width, and the number of nodes."""
-    y, _, weight = curve.nodes(start=start, end=end, extent=extent)
-    slope = curve.slope(y)
-    stretch = np.hypot(1.0, slope)
-    curved = weight * (slope * (slope / stretch))
-    return math.fsum((weight * stretch).tolist()), float(curved.sum()), len(y)
 
 
 @dataclass(frozen=True, slots=True)
@@ -362,7 +333,7 @@ def contact_points(*, line: ContactLine, samples: int = 61) -> ContactPoints:
     """
     curve = line.curve
     width = abs(curve.width)
-    ends = [math.asinh(point.y / width) for point in (line.start, line.end)]
+    ends = [math.asinh(point.y / width) for point in line.limits[:2]]
     z = np.clip(
         width * np.sinh(np.linspace(ends[0], ends[1], samples)) - curve.offset,
         line.z_min,

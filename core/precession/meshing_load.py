@@ -18,8 +18,7 @@ from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.rollers import Roller
-from core.quadrature import TRUNCATION
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SMALL_ARM = 0.1
 """Arm over R_C below which the line load grows so steeply that lines in truth share it."""
@@ -45,7 +44,7 @@ class MeshingLoad:
         Bounds of the error of `force` and `moment`, N and N*m.
     accuracy : Accuracy
         Of `force` over its size, or over M1/R_C where that is larger because the rollers'
-        forces cancel out; and of `moment` over its size.
+        forces cancel out; of `moment` over its size, of `max_line_load` and `total_length`.
     notices : tuple of Notice
         Assumptions that the load strains.
     """
@@ -103,9 +102,9 @@ def meshing_load(
 
     Notes
     -----
-    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10) prints ``n_y = cos(phi)``; the
-    outward normal, and the one of their own (22), (25), (26), has ``-cos(phi)``, with which the
-    arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
+    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10), and the middle step of (22),
+    print ``n_y = cos(phi)``; the outward normal, and the one of their own (25), (26), has
+    ``-cos(phi)``, with which the arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
 
     Examples
     --------
@@ -133,39 +132,36 @@ def meshing_load(
         torque_sign=1 if torque > 0 else -1,
     )
     factor = torque / contacts.total_length / roller_circle_radius
-    shares = [_line_integrals(line, reference_z) for line in contacts.lines]
-    integrals = np.array([share[0] for share in shares])
-    errors = np.array([share[1] for share in shares])
-    x, y, moment_x, moment_y = (factor * math.fsum(column) for column in integrals.T)
-    force = (x, y, 0.0)
-    moment = (moment_x, moment_y, torque)
-    error_x, error_y, error_mx, error_my = (
-        abs(factor) * np.sum(errors, axis=0)
-        + (contacts.accuracy.relative_error + 3 * ROUNDING) * np.abs([x, y, moment_x, moment_y])
-    ).tolist()
-    force_error = math.hypot(error_x, error_y)
-    moment_error = math.hypot(error_mx, error_my)
-    least_arm = min(
-        _arm_ratio(line, z) for line in contacts.lines for z in (line.z_min, line.z_max)
+    integrals = [_integrals(line, reference_z) for line in contacts.lines]
+    *sums, force_error, moment_error = map(math.fsum, zip(*integrals, strict=True))
+    x, y, about_x, about_y = (factor * each for each in sums)
+    force, moment = (x, y, 0.0), (about_x, about_y, torque)
+    arms = [_inverse_arms(line) for line in contacts.lines]
+    peak = max(float(inverse.max()) for inverse, _ in arms)
+
+    factor_error = float(contacts.accuracy.relative_error) + 4 * ROUNDING
+    force_error = factor_error * math.hypot(x, y) + abs(factor) * force_error
+    moment_error = factor_error * math.hypot(about_x, about_y) + abs(factor) * moment_error
+    peak_error = max(float((inverse * error).max()) for inverse, error in arms)
+    accuracy = Accuracy(
+        method=contacts.accuracy.method,
+        relative_error=max(
+            force_error / max(math.hypot(x, y), abs(torque) / roller_circle_radius),
+            moment_error / math.hypot(*moment),
+            factor_error + peak_error / peak,
+        ),
+        evaluations=contacts.accuracy.evaluations,
     )
     return MeshingLoad(
         force=force,
         moment=moment,
-        max_line_load=abs(factor) / least_arm,
+        max_line_load=abs(factor) * peak,
         total_length=contacts.total_length,
         lines=contacts.lines,
         force_error=force_error,
         moment_error=moment_error,
-        accuracy=Accuracy(
-            method=contacts.accuracy.method,
-            relative_error=max(
-                force_error / max(math.hypot(x, y), abs(torque) / roller_circle_radius),
-                moment_error / math.hypot(*moment),
-                contacts.accuracy.relative_error,
-            ),
-            evaluations=contacts.accuracy.evaluations + sum(share[2] for share in shares),
-        ),
-        notices=_notices(contacts.lines, torque, least_arm),
+        accuracy=accuracy,
+        notices=_notices(contacts.lines, torque, 1 / peak) + poorly_known(accuracy),
     )
 
 
@@ -192,72 +188,31 @@ def line_load(*, load: MeshingLoad, line: ContactLine, z: FloatArray) -> FloatAr
     return q
 
 
-def _arm_ratio(line: ContactLine, z: float) -> float:
-    """Arm over R_C, |sin(phi)|: along a line it is least at one of the ends."""
-    curve = line.curve
-    return abs(z * curve.sine) / math.hypot(z + curve.offset, curve.width)
+def _inverse_arms(line: ContactLine) -> tuple[FloatArray, FloatArray]:
+    """``R_C/|arm| = 1/|sin(phi)|`` at a line's places, and its relative error.
 
-
-def _directions(line: ContactLine, y: FloatArray, z: FloatArray, reference_z: float) -> FloatArray:
-    """``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` at places of a line, shape (4, n)."""
-    along = line.curve.scale / z
-    across = -y / (z * line.curve.sine)
-    lever = z - reference_z
-    return np.stack((along, across, -across * lever, along * lever))
-
-
-def _line_integrals(line: ContactLine, reference_z: float) -> tuple[FloatArray, FloatArray, int]:
-    """Integrals of `_directions` over a line, their absolute errors, and the number of nodes.
-
-    The errors are those of rounding, of the curve's width, of the line's limits and of the
-    curve's place: where the stretch f = ds/dz moves along z under the rest h of the integrand,
-    the integral changes by ``[h*f] - integral h'*f``.
+    It is largest at one of the ends.
     """
-    curve = line.curve
-    y, z, weight = curve.nodes(start=line.start, end=line.end, extent=line.extent, loaded=True)
-    slope = curve.slope(y)
-    stretch = np.hypot(1.0, slope)
-    length = weight * stretch
-    directions = _directions(line, y, z, reference_z)
-    integrals = np.array([math.fsum(row) for row in (directions * length).tolist()])
+    curve, at = line.curve, line.places
+    inverse = np.hypot(at.y, curve.width) / np.abs(at.z * curve.sine)
+    return inverse, at.direction_error + line.limits.phi_error * 2 * inverse + 4 * ROUNDING
 
-    size = np.abs(directions)
-    total = size @ length
-    curved = size @ (weight * slope * (slope / stretch))
-    shift = curve.offset_error + ROUNDING * max(abs(line.start.y), abs(line.end.y))
-    place_y, place_z = np.array((line.start, line.end)).T
-    ends = np.abs(_directions(line, place_y, place_z, reference_z))
-    steepest = np.array(
-        [curve.steepest_stretch(point.y, shift) for point in (line.start, line.end)]
-    )
 
-    inverse = float(length @ (1 / np.abs(z)))
-    inverse_square = float(length @ (1 / (z * z)))
-    scale, sine, offset, level = (
-        abs(value) for value in (curve.scale, curve.sine, curve.offset, reference_z)
-    )
-    # h' and, of the terms with y, the change of y itself, which moves with the curve
-    moving = np.array(
-        [
-            scale * inverse_square,
-            (offset * inverse_square + inverse) / sine,
-            (2 * line.length + level * inverse + offset * level * inverse_square) / sine,
-            scale * level * inverse_square,
-        ]
-    )
-    # the lever z - l carries a rounding of its own
-    lever_error = ROUNDING * max(abs(line.z_min), abs(line.z_max), level)
-    lever = lever_error * np.array([0.0, 0.0, total[1], scale * inverse])
-    sine_error = ROUNDING * abs(curve.position_angle / math.tan(curve.position_angle))
-    factor_error = np.array([curve.scale_error, sine_error, sine_error, curve.scale_error])
-    errors = (
-        (6 * ROUNDING + TRUNCATION + factor_error) * total
-        + curve.width_error * curved
-        + shift * (ends @ steepest + moving)
-        + lever
-        + ends @ (steepest * np.array(line.end_errors))
-    )
-    return integrals, errors, len(y)
+def _integrals(line: ContactLine, reference_z: float) -> list[float]:
+    """Integrals of ``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` over ds, eqs (12) to (16).
+
+    Behind them the error of the first two together, and that of the others.
+    """
+    curve, at = line.curve, line.places
+    n_x, n_y = curve.scale / at.z, -at.y / (at.z * curve.sine)
+    lever = at.z - reference_z
+
+    size, error = _inverse_arms(line)  # size of (n_x, n_y)
+    force_error = size * (at.ds_error + error * at.ds)
+    lever_error = at.z_error + ROUNDING * abs(reference_z)
+    moment_error = force_error * np.abs(lever) + size * lever_error * at.ds
+    rows = (n_x * at.ds, n_y * at.ds, -n_y * lever * at.ds, n_x * lever * at.ds)
+    return [math.fsum(row) for row in np.stack((*rows, force_error, moment_error)).tolist()]
 
 
 def _notices(lines: tuple[ContactLine, ...], torque: float, least_arm: float) -> tuple[Notice, ...]:

@@ -10,6 +10,10 @@ SAME = 8 * ROUNDING
 """Relative difference below which two doubles stand for the same number."""
 
 
+ANGLE_ROUNDING = 1.5 * ROUNDING
+"""Relative error of an angle given in degrees: it is rounded, and twice on its way to radians."""
+
+
 @dataclass(frozen=True, slots=True)
 class RollerByLength:
     """A roller and its working length.
@@ -20,11 +24,14 @@ class RollerByLength:
         Position angle phi1, rad.
     z_min, z_max : float
         Ends of the working length, m from the precession centre.
+    position_error : float
+        Error of phi1 besides its own rounding, rad: that of the terms that it is the sum of.
     """
 
     position_angle: float
     z_min: float
     z_max: float
+    position_error: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +44,14 @@ class RollerByAngle:
         Position angle phi1, rad.
     phi_min, phi_max : float
         Polar angles of the ends, rad.
+    position_error : float
+        As that of `RollerByLength`.
     """
 
     position_angle: float
     phi_min: float
     phi_max: float
+    position_error: float = 0.0
 
 
 Roller = RollerByLength | RollerByAngle
@@ -104,12 +114,17 @@ def wheel_rollers(
         )
     if not z_min < z_max:
         raise InvalidInput("z_max", z_max, "must be larger than {z_min}")
-    angles = [position_angle + 2 * math.pi * (i / rollers_total) for i in range(count)]
-    for i, angle in enumerate(angles):
-        if stands_in_line(angle):
+    turns = [2 * math.pi * (i / rollers_total) for i in range(count)]
+    for i, turn in enumerate(turns):
+        if stands_in_line(position_angle + turn):
             raise InvalidInput(
                 "position_angle",
                 position_angle,
                 f"puts roller {i + 1} at a multiple of half a turn: there its contact has no arm",
             )
-    return tuple(RollerByLength(angle, z_min, z_max) for angle in angles)
+    return tuple(
+        RollerByLength(
+            position_angle + turn, z_min, z_max, ANGLE_ROUNDING * (abs(position_angle) + turn)
+        )
+        for turn in turns
+    )

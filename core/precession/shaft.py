@@ -9,6 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -156,30 +157,63 @@ def shaft_stretches(
     return list(shaft_sections)
 
 
+class ShaftPiece(NamedTuple):
+    """A stretch of the shaft of one diameter, with no load inside it.
+
+    Attributes
+    ----------
+    behind_b : bool
+        Whether it lies between B and the clamp, not between C and B.
+    near, far : float
+        Its ends, m from the bearing in front of it: from B for a piece behind B, else from C.
+    length, diameter : float
+        Its sizes, m; the length to more digits than the difference of its ends.
+    from_b : float
+        Distance of its farther end from B, m.
+    """
+
+    behind_b: bool
+    near: float
+    far: float
+    length: float
+    diameter: float
+    from_b: float
+
+
 def shaft_pieces(
-    *, sections: Sequence[ShaftSection], bearing_distance: float
-) -> list[tuple[float, float, float]]:
-    """Stretches of the shaft, cut at B.
+    *, sections: Sequence[ShaftSection], bearing_distance: float, overhang: float
+) -> list[ShaftPiece]:
+    """Sections of the shaft, cut at B.
 
     Parameters
     ----------
     sections : sequence of ShaftSection
         The shaft from C to the clamp.
-    bearing_distance : float
-        Place a of B, m.
+    bearing_distance, overhang : float
+        Distances a from C to B and b from B to the clamp, m.
 
     Returns
     -------
-    list of tuple
-        Start, end and diameter of each stretch, m.
+    list of ShaftPiece
+
+    Notes
+    -----
+    A step's place behind B is counted from C or from the clamp, whichever is nearer to B: so the
+    smaller of the two distances keeps its digits.
     """
-    ends = [0.0]
-    for section in sections:
-        ends.append(ends[-1] + section.length)
+    a, b = bearing_distance, overhang
+    lengths = [section.length for section in sections]
+    from_c = [math.fsum(lengths[:i]) for i in range(len(lengths) + 1)]
+    behind = [s - a if a <= b else b - math.fsum(lengths[i:]) for i, s in enumerate(from_c)]
     pieces = []
-    for (start, end), section in zip(pairwise(ends), sections, strict=True):
-        cuts = [start, bearing_distance, end] if start < bearing_distance < end else [start, end]
-        pieces += [(left, right, section.diameter) for left, right in pairwise(cuts)]
+    for section, start, (near, far) in zip(sections, from_c, pairwise(behind), strict=False):
+        length, diameter = section.length, section.diameter
+        if near < 0:
+            part = length if far <= 0 else -near
+            pieces.append(ShaftPiece(False, start, start + part, part, diameter, from_b=-near))
+        if far > 0:
+            part = length if near >= 0 else far
+            pieces.append(ShaftPiece(True, max(near, 0.0), far, part, diameter, from_b=far))
     return pieces
 
 
@@ -248,24 +282,26 @@ def shaft_diagram(
         shaft_diameter=shaft_diameter,
         shaft_sections=shaft_sections,
     )
-    pieces = shaft_pieces(sections=sections, bearing_distance=bearing_distance)
+    pieces = shaft_pieces(sections=sections, bearing_distance=bearing_distance, overhang=overhang)
     at_b, at_c = -np.array(reaction_b), -np.array(reaction_c)
-    regular = np.linspace(0.0, bearing_distance + overhang, samples)
-    breaks = [piece[0] for piece in pieces[1:]]
-    position = np.sort(np.concatenate((np.setdiff1d(regular, breaks), breaks, [bearing_distance])))
+    starts = [piece.near + (bearing_distance if piece.behind_b else 0.0) for piece in pieces]
+    breaks = np.unique(starts[1:])
+    regular = np.setdiff1d(np.linspace(0.0, bearing_distance + overhang, samples), breaks)
+    position = np.sort(np.concatenate((regular, breaks, [bearing_distance])))
     behind = np.zeros(len(position), dtype=bool)
     behind[np.searchsorted(position, bearing_distance) + 1 :] = True
     place = position[:, None]
     deflection = np.zeros((len(position), 2))
-    for start, end, diameter in pieces:
-        loads = at_c + at_b if start >= bearing_distance else at_c
-        zero = at_b * bearing_distance if start >= bearing_distance else 0.0
-        near, far = np.maximum(start - place, 0.0), np.maximum(end - place, 0.0)
+    for piece, start in zip(pieces, starts, strict=True):
+        loads = at_c + at_b if piece.behind_b else at_c
+        zero = at_b * bearing_distance if piece.behind_b else 0.0
+        near = np.maximum(start - place, 0.0)
+        far = np.maximum(start + piece.length - place, 0.0)
         here = loads * place - zero
         deflection += (
             here * (far - near) * (far + near) / 2
             + loads * (far - near) * (far * far + far * near + near * near) / 3
-        ) / bending_stiffness(youngs_modulus=youngs_modulus, diameter=diameter)
+        ) / bending_stiffness(youngs_modulus=youngs_modulus, diameter=piece.diameter)
     return ShaftDiagram(
         position=position,
         shear_force=at_c + behind[:, None] * at_b,

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from core.arrays import Vector
 from core.precession.shaft import (
@@ -13,7 +14,7 @@ from core.precession.shaft import (
     shaft_pieces,
     shaft_stretches,
 )
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHORT_SHAFT = 3.3
 """Length over largest diameter below which shear adds more than 5 % to a deflection."""
@@ -54,7 +55,7 @@ class ShaftDeflection:
     simplification_error_B, simplification_error_C : float or None
         Relative error of those, dimensionless.
     accuracy : Accuracy
-        Of the deflections over their own size.
+        Of reactions and deflections, the simplified ones too, each as a vector over its size.
     notices : tuple of Notice
         Assumptions that the shaft strains.
     """
@@ -71,22 +72,6 @@ class ShaftDeflection:
     notices: tuple[Notice, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class _Influence:
-    """Deflection at one place per force at another, m/N, and the stretches behind them."""
-
-    at_c_by_c: float
-    at_c_by_b: float
-    at_b_by_b: float
-
-    def deflections(self, reaction_b: Plane, reaction_c: Plane) -> tuple[Deflection, Deflection]:
-        """Deflections of B and C under the satellite's forces, opposite to the reactions."""
-        loads = list(zip(reaction_b, reaction_c, strict=True))
-        at_b = [-b * self.at_b_by_b - c * self.at_c_by_b for b, c in loads]
-        at_c = [-b * self.at_c_by_b - c * self.at_c_by_c for b, c in loads]
-        return _deflection(*at_b), _deflection(*at_c)
-
-
 def shaft_deflection(
     *,
     force: Vector,
@@ -101,10 +86,15 @@ def shaft_deflection(
 ) -> ShaftDeflection:
     """Reactions, and the deflections of the shaft at B and C by Mohr's integral.
 
-    ``y_C = P_C*f_CC + P_B*f_CB``, ``y_B = P_C*f_CB + P_B*f_BB`` with ``P = -(reaction)`` and,
-    s counting from C, ``f_CC = integral s^2/(E*I) ds`` from 0 to a + b, ``f_CB = integral
-    s*(s - a)/(E*I) ds`` and ``f_BB = integral (s - a)^2/(E*I) ds`` from a to a + b; for one
-    diameter ``(a + b)^3/3, b^3/3 + a*b^2/2, b^3/3`` over ``E*I``.
+    The satellite presses on the shaft with P_B and P_C, opposite to the reactions: together the
+    force F of the mesh and, about C, its moment ``M = P_B*a`` in each plane. At s from C they
+    bend it with
+
+        P_C*s + P_B*max(s - a, 0) = F*s - M*min(s/a, 1),
+
+    and Mohr's integral takes that over E*I times s for the deflection of C, times
+    ``max(s - a, 0)`` for that of B. For one diameter ``y_C = (P_C*(a + b)^3/3 + P_B*f)/(E*I)``
+    and ``y_B = (P_C*f + P_B*b^3/3)/(E*I)`` with ``f = b^3/3 + a*b^2/2``.
 
     Parameters
     ----------
@@ -138,9 +128,10 @@ def shaft_deflection(
     Notes
     -----
     Source: Khatetovsky et al. 2020, eqs (28)-(36). Errata: (33)-(36) exchange the unit loads of
-    B and C, and (34) has C_x for C_y and ``(a + z2) + z2`` for ``a + z2``; as printed, Maxwell's
-    reciprocity fails. P_B and P_C are the forces on the shaft; the paper takes the reactions,
-    which turns the direction round.
+    B and C, (34) and (36) have ``(a + z2) + z2`` for ``a + z2``, and (34) has C_x for C_y; as
+    printed, Maxwell's reciprocity fails. (33), (35) have the sign opposite to (34), (36). P_B and
+    P_C are the forces on the shaft; the paper takes the reactions, which turns the direction
+    round.
 
     Examples
     --------
@@ -163,74 +154,95 @@ def shaft_deflection(
         shaft_diameter=shaft_diameter,
         shaft_sections=shaft_sections,
     )
-    influence = _influence(sections, bearing_distance, youngs_modulus)
-    at_b, at_c = influence.deflections(reaction_b, reaction_c)
-    simplified: tuple[Deflection | None, Deflection | None] = (None, None)
+    length = bearing_distance + overhang
+
+    def deflections(sections: Sequence[ShaftSection]) -> list[tuple[Deflection, float]]:
+        return [
+            _deflection(influence, force, moment, (force_error, moment_error))
+            for influence in _influences(sections, bearing_distance, overhang, youngs_modulus)
+        ]
+
+    (at_b, error_b), (at_c, error_c) = deflections(sections)
+    simplified_b, simplified_c = None, None
     smallest = min(section.diameter for section in sections)
     if any(section.diameter != smallest for section in sections):
-        simplified = _influence(
-            [ShaftSection(bearing_distance + overhang, smallest)], bearing_distance, youngs_modulus
-        ).deflections(reaction_b, reaction_c)
-    error_b = moment_error / bearing_distance + ROUNDING * math.hypot(*reaction_b)
-    error_c = force_error + error_b + ROUNDING * math.hypot(*reaction_c)
-    error = max(
-        _relative(by_b * error_b + by_c * error_c, by_b, by_c, reaction_b, reaction_c, place)
-        for by_b, by_c, place in (
-            (influence.at_b_by_b, influence.at_c_by_b, at_b),
-            (influence.at_c_by_b, influence.at_c_by_c, at_c),
+        (simplified_b, more_b), (simplified_c, more_c) = deflections(
+            [ShaftSection(length, smallest)]
         )
+        error_b, error_c = max(error_b, more_b), max(error_c, more_c)
+    size_b, size_c = math.hypot(*reaction_b), math.hypot(*reaction_c)
+    reaction_b_error = moment_error / bearing_distance + 2 * ROUNDING * size_b
+    reaction_c_error = force_error + reaction_b_error + ROUNDING * size_c
+    accuracy = Accuracy(
+        method="Mohr's integral in closed form",
+        relative_error=max(
+            error_b,
+            error_c,
+            _relative(reaction_b_error, size_b),
+            _relative(reaction_c_error, size_c),
+        ),
+        evaluations=1,
     )
-    length = bearing_distance + overhang
     return ShaftDeflection(
         reaction_B=reaction_b,
         reaction_C=reaction_c,
         deflection_B=at_b,
         deflection_C=at_c,
-        simplified_deflection_B=simplified[0],
-        simplified_deflection_C=simplified[1],
-        simplification_error_B=_simplification_error(simplified[0], at_b),
-        simplification_error_C=_simplification_error(simplified[1], at_c),
-        accuracy=Accuracy(
-            method="Mohr's integral in closed form", relative_error=error, evaluations=1
-        ),
-        notices=_notices(length, max(section.diameter for section in sections), at_c.total),
+        simplified_deflection_B=simplified_b,
+        simplified_deflection_C=simplified_c,
+        simplification_error_B=_simplification_error(simplified_b, at_b),
+        simplification_error_C=_simplification_error(simplified_c, at_c),
+        accuracy=accuracy,
+        notices=_notices(length, max(section.diameter for section in sections), at_c.total)
+        + poorly_known(accuracy),
     )
 
 
-def _deflection(x: float, y: float) -> Deflection:
-    return Deflection(x=x, y=y, total=math.hypot(x, y))
+class _Influence(NamedTuple):
+    """Deflection of a place per force F, m/N, and per moment M, 1/N; bounds of their errors."""
+
+    by_force: float
+    by_moment: float
+    by_force_error: float
+    by_moment_error: float
 
 
-def _influence(
-    sections: Sequence[ShaftSection], bearing_distance: float, youngs_modulus: float
-) -> _Influence:
-    a = bearing_distance
-    at_c_by_c, at_c_by_b, at_b_by_b = [], [], []
-    for start, end, diameter in shaft_pieces(sections=sections, bearing_distance=a):
-        flexibility = (end - start) / bending_stiffness(
-            youngs_modulus=youngs_modulus, diameter=diameter
-        )
-        at_c_by_c.append(flexibility * (start * start + start * end + end * end) / 3)
-        if start >= a:
-            near, far = start - a, end - a
-            squares = (near * near + near * far + far * far) / 3
-            at_b_by_b.append(flexibility * squares)
-            at_c_by_b.append(flexibility * (squares + a * (near + far) / 2))
-    return _Influence(math.fsum(at_c_by_c), math.fsum(at_c_by_b), math.fsum(at_b_by_b))
+def _influences(
+    sections: Sequence[ShaftSection], a: float, b: float, youngs_modulus: float
+) -> list[_Influence]:
+    """Influences on B and on C: Mohr's integrals, piece by piece."""
+    on_b: list[tuple[float, ...]] = []
+    on_c: list[tuple[float, ...]] = []
+    for piece in shaft_pieces(sections=sections, bearing_distance=a, overhang=b):
+        near, far = piece.near, piece.far
+        mean, square = (near + far) / 2, (near * near + near * far + far * far) / 3
+        if piece.behind_b:
+            b_means = (square + a * mean, mean)
+            c_means = (square + 2 * a * mean + a * a, mean + a)
+        else:
+            b_means, c_means = (0.0, 0.0), (square, square / a)
+        stiffness = bending_stiffness(youngs_modulus=youngs_modulus, diameter=piece.diameter)
+        error = ROUNDING * (12 + 6 * min(a, b) / piece.from_b)
+        for place, means in ((on_b, b_means), (on_c, c_means)):
+            force, moment = (piece.length / stiffness * mean for mean in means)
+            place.append((force, moment, error * force, error * moment))
+    return [_Influence(*map(math.fsum, zip(*place, strict=True))) for place in (on_b, on_c)]
 
 
-def _relative(
-    by_load: float,
-    by_b: float,
-    by_c: float,
-    reaction_b: Plane,
-    reaction_c: Plane,
-    place: Deflection,
-) -> float:
-    """Relative error of a deflection: of its loads, and of rounding where its terms cancel."""
-    size = by_b * math.hypot(*reaction_b) + by_c * math.hypot(*reaction_c)
-    error = by_load + 16 * ROUNDING * size
-    return error / place.total if place.total > error else float(error > 0)
+def _deflection(
+    influence: _Influence, force: Vector, moment: Vector, errors: tuple[float, float]
+) -> tuple[Deflection, float]:
+    """Deflection of a place and its relative error, from the loads and their errors."""
+    x = influence.by_force * force[0] - influence.by_moment * moment[1]
+    y = influence.by_force * force[1] + influence.by_moment * moment[0]
+    total = math.hypot(x, y)
+    sizes = (*errors, math.hypot(*force[:2]), math.hypot(*moment[:2]))
+    error = math.fsum(part * size for part, size in zip(influence, sizes, strict=True))
+    return Deflection(x=x, y=y, total=total), _relative(error, total)
+
+
+def _relative(error: float, size: float) -> float:
+    return error / size if size else float(error > 0)
 
 
 def _simplification_error(simplified: Deflection | None, exact: Deflection) -> float | None:

@@ -2,6 +2,6 @@
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-roller_curves       stiffness, load non-uniformity and stress over the dimensionless design
 roller_strength     stiffness, load sharing and bending stress of a design
+roller_curves       curves of these through a design
 """

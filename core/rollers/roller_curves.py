@@ -1,169 +1,92 @@
-"""Swinging rollers in dimensionless form: the curves of stiffness, non-uniformity and stress.
+"""Curves of swinging rollers through one design: what a figure shows beside it."""
 
-Lengths over the roller's diameter d, forces over ``E*d^2``. Each function takes a number or an
-array for the quantity that its curve runs over.
-"""
-
-import math
-from typing import Any, TypeVar
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray
+from core.rollers.roller_strength import (
+    RollerStrength,
+    load_nonuniformity,
+    roller_strength,
+    single_roller_limit,
+)
 
-Either = TypeVar("Either", float, FloatArray)
-
-SHEAR_FACTOR = 1.11
-"""Uneven shear over a round section, the source's rounding of 10/9."""
+SAMPLES = 121
+"""Places on each curve."""
 
 
-def relative_stiffness(
-    *,
-    relative_length: Either,
-    relative_width: float | FloatArray,
-    relative_sphere: float | FloatArray,
-    friction_coefficient: float | FloatArray,
-    modulus_ratio: float | FloatArray,
-) -> Either:
-    """Relative stiffness ``c/(b*E)`` of one end of a roller over its relative length.
+@dataclass(frozen=True, slots=True)
+class RollerCurves:
+    """Curves through a design.
 
-    With ``l = l/d, b = b/d, D = D/d`` the compliance is ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 +
-    b*(l + k*D + b)/4) + 4*1.11*b*(E/G)/pi*(l + b/2)``.
+    Attributes
+    ----------
+    design : RollerStrength
+        The design itself.
+    limit : float
+        delta from which on one roller carries everything.
+    length_ratio, relative_stiffness : array, shape (n,)
+        l/d, and c/(b*E) over it.
+    position_error : array, shape (n,)
+        delta.
+    nonuniformity : dict of int to array, shape (n,)
+        Psi over delta by the number of rollers.
+    stress : dict of float to array, shape (n,)
+        Bending stress over l/d, Pa, by the position tolerance, m.
+    """
+
+    design: RollerStrength
+    limit: float
+    length_ratio: FloatArray
+    relative_stiffness: FloatArray
+    position_error: FloatArray
+    nonuniformity: dict[int, FloatArray]
+    stress: dict[float, FloatArray]
+
+
+def roller_curves(**design: Any) -> RollerCurves:
+    """Curves of stiffness, non-uniformity and stress through a design.
 
     Parameters
     ----------
-    relative_length : float or array
-        Length over diameter l/d, dimensionless.
-    relative_width : float or array
-        Width of a sphere over diameter b/d.
-    relative_sphere : float or array
-        Diameter of a sphere over diameter D/d.
-    friction_coefficient : float or array
-        Friction coefficient k.
-    modulus_ratio : float or array
-        E/G, dimensionless.
+    **design
+        What `roller_strength` takes, of one design.
 
     Returns
     -------
-    float or array
-        Dimensionless, as `relative_length`.
+    RollerCurves
 
     Notes
     -----
-    Source: Ovsyannikov et al. 2019, eq. (10), their fig. 4.
-
-    Examples
-    --------
-    >>> round(relative_stiffness(relative_length=2.0, relative_width=0.8, relative_sphere=1.5,
-    ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
-    0.011424309
+    Source: Ovsyannikov et al. 2019, their figs 4, 5 and 6, with the sizes of the design.
     """
-    length: Either = relative_length
-    width: Any = relative_width
-    end_moment = friction_coefficient * relative_sphere + width
-    bending = end_moment * length / 4 + length * length / 3 + width * (length + end_moment) / 4
-    shear = 4 * SHEAR_FACTOR * modulus_ratio * (length + width / 2)
-    stiffness: Either = math.pi / (width * (64 * length * bending + shear))
-    return stiffness
-
-
-def load_nonuniformity(*, relative_position_error: Either, rollers: int) -> Either:
-    """Largest force over the mean one: ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
-
-    Parameters
-    ----------
-    relative_position_error : float or array
-        delta, dimensionless, >= 0.
-    rollers : int
-        Either n of rollers.
-
-    Returns
-    -------
-    float or array
-        Dimensionless, as `relative_position_error`; n from `single_roller_limit` on.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eq. (6), their fig. 5, ended where the other rollers unload.
-    """
-    psi = 1 + 4 * (rollers - 1) / rollers * relative_position_error
-    if isinstance(psi, float):
-        return min(float(rollers), psi)
-    return np.minimum(float(rollers), psi)
-
-
-def single_roller_limit(*, rollers: int) -> float:
-    """delta from which one roller carries everything: ``n/4``.
-
-    Parameters
-    ----------
-    rollers : int
-        Either n of rollers.
-
-    Returns
-    -------
-    float
-        Dimensionless.
-    """
-    return rollers / 4
-
-
-def relative_stress(
-    *,
-    relative_length: Either,
-    relative_width: float,
-    relative_sphere: float,
-    friction_coefficient: float,
-    modulus_ratio: float,
-    rollers: int,
-    relative_torque: float,
-    relative_radius: float,
-    relative_tolerance: float,
-    stress_concentration: float,
-) -> Either:
-    """Stress sigma/E of the most loaded roller over its relative length.
-
-    Parameters
-    ----------
-    relative_length : float or array
-        Length over diameter l/d, dimensionless.
-    relative_width, relative_sphere : float
-        Width and diameter of a sphere over the diameter, b/d and D/d.
-    friction_coefficient : float
-        Friction coefficient k.
-    modulus_ratio : float
-        E/G, dimensionless.
-    rollers : int
-        Either n of rollers.
-    relative_torque : float
-        ``T/(E*d^3)``.
-    relative_radius : float
-        R/d.
-    relative_tolerance : float
-        Position tolerance chi/d.
-    stress_concentration : float
-        K_sigma.
-
-    Returns
-    -------
-    float or array
-        Dimensionless, as `relative_length`.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eq. (13), their fig. 6, with n before the whole compliance
-    (erratum) and ended where one roller carries everything, eq. (15).
-    """
-    stiffness = relative_width * relative_stiffness(
-        relative_length=relative_length,
-        relative_width=relative_width,
-        relative_sphere=relative_sphere,
-        friction_coefficient=friction_coefficient,
-        modulus_ratio=modulus_ratio,
+    own = roller_strength(**design)
+    rollers, diameter = design["rollers"], design["diameter"]
+    ratios = np.linspace(min(0.5, own.length_ratio / 2), max(4.0, 1.5 * own.length_ratio), SAMPLES)
+    limit = single_roller_limit(rollers=rollers)
+    delta = own.relative_position_error
+    errors = np.linspace(0.0, max(2 * limit, 1.25 * delta), SAMPLES)
+    tolerance = delta * own.mean_force / own.stiffness
+    tolerances = (
+        [factor * tolerance for factor in (0.5, 1.0, 1.5, 2.0)]
+        if tolerance > 0
+        else [factor * diameter for factor in (0.0, 1e-4, 2e-4)]
     )
-    mean_force = relative_torque / (2 * relative_radius * rollers)
-    psi = load_nonuniformity(
-        relative_position_error=stiffness * (relative_tolerance / mean_force), rollers=rollers
+    by_length = design | {"cylinder_length": ratios * diameter, "gaps": None}
+    curves = {
+        each: roller_strength(**by_length | {"position_tolerance": each}) for each in tolerances
+    }
+    return RollerCurves(
+        design=own,
+        limit=limit,
+        length_ratio=ratios,
+        relative_stiffness=curves[tolerances[0]].relative_stiffness,
+        position_error=errors,
+        nonuniformity={
+            each: load_nonuniformity(relative_position_error=errors, rollers=each)
+            for each in sorted({3, 4, 6, 8, rollers})
+        },
+        stress={each: np.asarray(curve.bending_stress) for each, curve in curves.items()},
     )
-    arm = relative_length + relative_width / 2 + friction_coefficient * relative_sphere / 2
-    return stress_concentration * 32 / math.pi * arm * psi * mean_force

@@ -9,10 +9,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
 from core.errors import InvalidInput
 from core.load_sharing import share_load
-from core.results import ROUNDING, Accuracy, Notice
-from core.rollers.roller_curves import relative_stiffness
+from core.materials import check_poissons_ratio
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+SHEAR_FACTOR = 1.11
+"""Uneven shear over a round section, the source's rounding of 10/9."""
 
 SHORT_ROLLER = 1.0
 """Length over diameter below which the shear and the clamping outweigh beam bending."""
@@ -23,74 +27,132 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class RollerStrength:
-    """Load sharing and strength of the swinging rollers.
+    """Load sharing and strength of the swinging rollers of one design, or of an array of them.
 
     Attributes
     ----------
-    stiffness : float
+    stiffness : float or array
         Stiffness c of one end of a roller, N/m.
-    relative_stiffness : float
+    relative_stiffness : float or array
         ``c/(b*E)``, dimensionless.
-    mean_force : float
+    mean_force : float or array
         Mean force F_avg on one end of a roller, N.
-    relative_position_error : float
+    relative_position_error : float or array
         delta, dimensionless: ``c*chi/F_avg``; for a list of gaps, that of the tolerance with
         the same mean gap.
-    load_nonuniformity : float
+    load_nonuniformity : float or array
         Psi: largest force over the mean one, from 1 to the number of rollers.
-    max_force : float
+    max_force : float or array
         Largest force F_1 on one end of a roller, N.
-    centre_force : float
+    centre_force : float or array
         Force ``F_0 = 2*F_1`` on the middle of that roller, N.
-    forces : tuple of float
+    forces : tuple of float or array
         Force on one end of each roller, N. With a tolerance the first is the roller ahead.
-    displacement : float
+    displacement : float or array
         Displacement Delta of the disc's holes against the satellite's, m, from the zero of the
         gaps; with a tolerance, from the first contact.
-    bending_moment : float
+    bending_moment : float or array
         Bending moment of the most loaded roller beside its middle sphere, N*m.
-    bending_stress : float
+    bending_stress : float or array
         Stress there, Pa.
-    loaded_rollers : int
+    loaded_rollers : int or array of int
         Number of rollers that carry a force.
+    length_ratio, sphere_ratio : float or array
+        Length of the cylinder and diameter of a sphere over the cylinder's diameter.
+    width_ratio : float or array
+        Width of a sphere over its diameter.
+    deflection_ratio : float or array
+        Deflection of the most loaded roller over its length.
     accuracy : Accuracy
-        Of every number against its own size, of single forces against the largest.
-    notices : tuple of Notice
-        Assumptions that the rollers strain.
+        Of every number against its own size; of single forces against the largest; of the
+        displacement and of the relative position error against what the largest gap makes of
+        them, where that is more.
     """
 
-    stiffness: float
-    relative_stiffness: float
-    mean_force: float
-    relative_position_error: float
-    load_nonuniformity: float
-    max_force: float
-    centre_force: float
-    forces: tuple[float, ...]
-    displacement: float
-    bending_moment: float
-    bending_stress: float
-    loaded_rollers: int
+    stiffness: Number
+    relative_stiffness: Number
+    mean_force: Number
+    relative_position_error: Number
+    load_nonuniformity: Number
+    max_force: Number
+    centre_force: Number
+    forces: tuple[Number, ...]
+    displacement: Number
+    bending_moment: Number
+    bending_stress: Number
+    loaded_rollers: int | IntArray
+    length_ratio: Number
+    sphere_ratio: Number
+    width_ratio: Number
+    deflection_ratio: Number
     accuracy: Accuracy
-    notices: tuple[Notice, ...]
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """Assumptions that one design (not an array of them) strains."""
+        candidates = (
+            (
+                self.length_ratio < SHORT_ROLLER,
+                Notice(
+                    code="short_roller",
+                    detail="{cylinder_length} is shorter than {diameter}: a beam that short "
+                    "deforms mostly by shear and at its clamping, so the stiffness is a "
+                    "rough guide.",
+                    value=float(self.length_ratio),
+                    limit=SHORT_ROLLER,
+                ),
+            ),
+            (
+                self.sphere_ratio < 1,
+                Notice(
+                    code="sphere_below_roller",
+                    detail="{sphere_diameter} is smaller than {diameter}: the formulas take "
+                    "the sphere for rigid and the cylinder for the weak section.",
+                    value=float(self.sphere_ratio),
+                    limit=1.0,
+                ),
+            ),
+            (
+                self.width_ratio > 1,
+                Notice(
+                    code="sphere_too_wide",
+                    detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider than "
+                    "that.",
+                    value=float(self.width_ratio),
+                    limit=1.0,
+                ),
+            ),
+            (
+                self.deflection_ratio > LARGE_DEFLECTION,
+                Notice(
+                    code="large_deflection",
+                    detail="The most loaded roller bends by more than a tenth of "
+                    "{cylinder_length}: the formulas are those of small deflections.",
+                    value=float(self.deflection_ratio),
+                    limit=LARGE_DEFLECTION,
+                ),
+            ),
+        )
+        assumptions = tuple(notice for strained, notice in candidates if strained)
+        return assumptions + poorly_known(self.accuracy)
 
 
 def roller_strength(
     *,
-    output_torque: float,
-    hole_circle_radius: float,
+    output_torque: Number,
+    hole_circle_radius: Number,
     rollers: int,
-    cylinder_length: float,
-    sphere_width: float,
-    sphere_diameter: float,
-    diameter: float,
-    friction_coefficient: float,
-    youngs_modulus: float,
-    poissons_ratio: float | None = None,
-    shear_modulus: float | None = None,
-    stress_concentration: float = 1.0,
-    position_tolerance: float | None = None,
-    gaps: Sequence[float] | None = None,
+    cylinder_length: Number,
+    sphere_width: Number,
+    sphere_diameter: Number,
+    diameter: Number,
+    friction_coefficient: Number,
+    youngs_modulus: Number,
+    poissons_ratio: Number | None = None,
+    shear_modulus: Number | None = None,
+    stress_concentration: Number = 1.0,
+    position_tolerance: Number | None = None,
+    gaps: Sequence[Number] | None = None,
 ) -> RollerStrength:
     """Forces, displacement and bending stress of swinging rollers.
 
@@ -101,33 +163,33 @@ def roller_strength(
 
     Parameters
     ----------
-    output_torque : float
+    output_torque : float or array
         Output torque T, N*m, > 0.
-    hole_circle_radius : float
+    hole_circle_radius : float or array
         Radius R of the circle of holes, m.
     rollers : int
         Number n of rollers, >= 1.
-    cylinder_length : float
+    cylinder_length : float or array
         Length l of the cylinder between two spheres, m.
-    sphere_width : float
+    sphere_width : float or array
         Width b of a sphere, m.
-    sphere_diameter : float
+    sphere_diameter : float or array
         Diameter D of a sphere, m.
-    diameter : float
+    diameter : float or array
         Diameter d of the cylinder, m.
-    friction_coefficient : float
+    friction_coefficient : float or array
         Friction coefficient k of sphere and hole, >= 0.
-    youngs_modulus : float
+    youngs_modulus : float or array
         Young's modulus E, Pa.
-    poissons_ratio : float, optional
+    poissons_ratio : float or array, optional
         Poisson's ratio mu, 0 <= mu < 0.5; this or `shear_modulus`.
-    shear_modulus : float, optional
+    shear_modulus : float or array, optional
         Shear modulus G, Pa; this or `poissons_ratio`.
-    stress_concentration : float
+    stress_concentration : float or array
         Stress concentration factor K_sigma, > 0.
-    position_tolerance : float, optional
+    position_tolerance : float or array, optional
         Position tolerance chi of the holes, m, >= 0: the source's worst case. This or `gaps`.
-    gaps : sequence of float, optional
+    gaps : sequence of float or array, optional
         Gap g_i of each roller, m; only differences matter. This or `position_tolerance`.
 
     Returns
@@ -143,8 +205,11 @@ def roller_strength(
     -----
     Source: Ovsyannikov et al. 2019, eqs (1)-(9). Errata: (11)-(13) print the number of rollers
     only before the bending part of the compliance; by (6) with (9) it multiplies the shear part
-    too. As printed the stress is up to 9 % too high for short rollers. The source's limit for
-    one roller carrying everything, delta = 1, is ``n/4`` for its n = 4.
+    too. As printed the stress is too high: by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing
+    before the first term as well. (9) carries the shear angle of (8) over b/2, though shear does
+    not turn a section: kept, as the source's figures are made so; without it the compliance is 6 %
+    smaller at l/d = 1. The source's limit for one roller carrying everything, delta = 1, is
+    ``n/4`` for its n = 4.
 
     Examples
     --------
@@ -158,91 +223,172 @@ def roller_strength(
     >>> round(result.bending_stress/210e9, 13)
     0.0024213655009
     """
-    for name, value in (
-        ("output_torque", output_torque),
-        ("hole_circle_radius", hole_circle_radius),
-        ("cylinder_length", cylinder_length),
-        ("sphere_width", sphere_width),
-        ("sphere_diameter", sphere_diameter),
-        ("diameter", diameter),
-        ("youngs_modulus", youngs_modulus),
-        ("stress_concentration", stress_concentration),
-    ):
-        if not value > 0:
-            raise InvalidInput(name, value, "must be larger than 0")
+    check_positive(
+        output_torque=output_torque,
+        hole_circle_radius=hole_circle_radius,
+        cylinder_length=cylinder_length,
+        sphere_width=sphere_width,
+        sphere_diameter=sphere_diameter,
+        diameter=diameter,
+        youngs_modulus=youngs_modulus,
+        stress_concentration=stress_concentration,
+    )
+    check_not_negative(friction_coefficient=friction_coefficient)
     if rollers < 1:
         raise InvalidInput("rollers", rollers, "must be at least 1")
-    if not friction_coefficient >= 0:
-        raise InvalidInput("friction_coefficient", friction_coefficient, "must not be negative")
-    ratio = modulus_ratio(
-        youngs_modulus=youngs_modulus, poissons_ratio=poissons_ratio, shear_modulus=shear_modulus
-    )
     relative = relative_stiffness(
         relative_length=cylinder_length / diameter,
         relative_width=sphere_width / diameter,
         relative_sphere=sphere_diameter / diameter,
         friction_coefficient=friction_coefficient,
-        modulus_ratio=ratio,
+        modulus_ratio=modulus_ratio(
+            youngs_modulus=youngs_modulus,
+            poissons_ratio=poissons_ratio,
+            shear_modulus=shear_modulus,
+        ),
     )
     stiffness = relative * sphere_width * youngs_modulus
     total = output_torque / hole_circle_radius / 2
     mean_force = total / rollers
     closing = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
     sharing = share_load(total=total, stiffness=stiffness, gaps=closing)
-    max_force = max(sharing.forces)
     if position_tolerance is not None:
         delta = stiffness * position_tolerance / mean_force
     else:
-        first = min(closing)
-        spread = math.fsum(gap - first for gap in closing)
+        first = ascending(closing)[0]
+        spread = sum([gap - first for gap in closing])
         delta = stiffness * spread / (4 * max(rollers - 1, 1)) / mean_force
     arm = cylinder_length + sphere_width / 2 + friction_coefficient * sphere_diameter / 2
-    moment = arm * max_force
+    moment = arm * sharing.largest_force
     return RollerStrength(
         stiffness=stiffness,
         relative_stiffness=relative,
         mean_force=mean_force,
         relative_position_error=delta,
-        load_nonuniformity=max_force / mean_force,
-        max_force=max_force,
-        centre_force=2 * max_force,
+        load_nonuniformity=sharing.largest_force / mean_force,
+        max_force=sharing.largest_force,
+        centre_force=2 * sharing.largest_force,
         forces=sharing.forces,
         displacement=sharing.displacement,
         bending_moment=moment,
         bending_stress=stress_concentration * 32 / math.pi * (moment / diameter**2 / diameter),
         loaded_rollers=sharing.loaded,
+        length_ratio=cylinder_length / diameter,
+        sphere_ratio=sphere_diameter / diameter,
+        width_ratio=sphere_width / sphere_diameter,
+        deflection_ratio=sharing.largest_force / stiffness / cylinder_length,
         accuracy=Accuracy(
             method="closed form, contacts closed in the order of their gaps",
             # products of positive sums: the roundings, and those of the input, add up
             relative_error=sharing.relative_error + 16 * ROUNDING,
             evaluations=1,
         ),
-        notices=strained_assumptions(
-            length_ratio=cylinder_length / diameter,
-            sphere_ratio=sphere_diameter / diameter,
-            width_ratio=sphere_width / sphere_diameter,
-            deflection_ratio=max_force / stiffness / cylinder_length,
-        ),
     )
 
 
-def modulus_ratio(
-    *, youngs_modulus: float, poissons_ratio: float | None, shear_modulus: float | None
-) -> float:
-    """Ratio ``E/G``: ``2*(1 + mu)``, or from a shear modulus of its own.
+def relative_stiffness(
+    *,
+    relative_length: Number,
+    relative_width: Number,
+    relative_sphere: Number,
+    friction_coefficient: Number,
+    modulus_ratio: Number,
+) -> Number:
+    """Relative stiffness ``c/(b*E)`` of one end of a roller.
+
+    With ``l = l/d, b = b/d, D = D/d`` the compliance is ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 +
+    b*(l + k*D + b)/4) + 4*1.11*b*(E/G)/pi*(l + b/2)``.
 
     Parameters
     ----------
-    youngs_modulus : float
-        Young's modulus E, Pa.
-    poissons_ratio : float or None
-        Poisson's ratio mu, 0 <= mu < 0.5.
-    shear_modulus : float or None
-        Shear modulus G, Pa.
+    relative_length : float or array
+        Length over diameter l/d, dimensionless.
+    relative_width : float or array
+        Width of a sphere over diameter b/d.
+    relative_sphere : float or array
+        Diameter of a sphere over diameter D/d.
+    friction_coefficient : float or array
+        Friction coefficient k.
+    modulus_ratio : float or array
+        E/G, dimensionless.
+
+    Returns
+    -------
+    float or array
+        Dimensionless.
+
+    Notes
+    -----
+    Source: Ovsyannikov et al. 2019, eq. (10), their fig. 4.
+
+    Examples
+    --------
+    >>> round(relative_stiffness(relative_length=2.0, relative_width=0.8, relative_sphere=1.5,
+    ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
+    0.011424309
+    """
+    length, width = relative_length, relative_width
+    end = friction_coefficient * relative_sphere + width
+    bending = end * length / 4 + length * length / 3 + width * (length + end) / 4
+    shear = SHEAR_FACTOR * modulus_ratio * (length + width / 2)
+    return math.pi / (width * (64 * length * bending + 4 * shear))
+
+
+def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:
+    """Largest force over the mean one: ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
+
+    Parameters
+    ----------
+    relative_position_error : float or array
+        delta, dimensionless, >= 0.
+    rollers : int
+        Number n of rollers.
+
+    Returns
+    -------
+    float or array
+        Dimensionless; n from `single_roller_limit` on.
+
+    Notes
+    -----
+    Source: Ovsyannikov et al. 2019, eq. (6), their fig. 5, ended where the other rollers unload.
+    """
+    return smaller(float(rollers), 1 + 4 * (rollers - 1) / rollers * relative_position_error)
+
+
+def single_roller_limit(*, rollers: int) -> float:
+    """delta from which one roller carries everything: ``n/4``.
+
+    Parameters
+    ----------
+    rollers : int
+        Number n of rollers.
 
     Returns
     -------
     float
+        Dimensionless.
+    """
+    return rollers / 4
+
+
+def modulus_ratio(
+    *, youngs_modulus: Number, poissons_ratio: Number | None, shear_modulus: Number | None
+) -> Number:
+    """Ratio ``E/G``: ``2*(1 + mu)``, or from a shear modulus of its own.
+
+    Parameters
+    ----------
+    youngs_modulus : float or array
+        Young's modulus E, Pa.
+    poissons_ratio : float, array or None
+        Poisson's ratio mu, 0 <= mu < 0.5.
+    shear_modulus : float, array or None
+        Shear modulus G, Pa.
+
+    Returns
+    -------
+    float or array
         Dimensionless.
 
     Raises
@@ -253,21 +399,19 @@ def modulus_ratio(
     if shear_modulus is None and poissons_ratio is None:
         raise InvalidInput("poissons_ratio", None, "or {shear_modulus} must be given")
     if shear_modulus is None and poissons_ratio is not None:
-        if not 0 <= poissons_ratio < 0.5:
-            raise InvalidInput("poissons_ratio", poissons_ratio, "must be at least 0 and below 0.5")
+        check_poissons_ratio(poissons_ratio)
         return 2 * (1 + poissons_ratio)
     if poissons_ratio is not None or shear_modulus is None:
         raise InvalidInput(
             "shear_modulus", shear_modulus, "and {poissons_ratio} exclude each other"
         )
-    if not shear_modulus > 0:
-        raise InvalidInput("shear_modulus", shear_modulus, "must be larger than 0")
+    check_positive(shear_modulus=shear_modulus)
     return youngs_modulus / shear_modulus
 
 
 def roller_gaps(
-    *, rollers: int, position_tolerance: float | None, gaps: Sequence[float] | None
-) -> Sequence[float]:
+    *, rollers: int, position_tolerance: Number | None, gaps: Sequence[Number] | None
+) -> Sequence[Number]:
     """Gap of each roller: as given, or those of the worst case of a position tolerance chi, one
     roller ahead of the others by ``4*chi``.
 
@@ -275,14 +419,14 @@ def roller_gaps(
     ----------
     rollers : int
         Number n of rollers.
-    position_tolerance : float or None
+    position_tolerance : float, array or None
         Position tolerance chi of the holes, m, >= 0; this or `gaps`.
-    gaps : sequence of float or None
+    gaps : sequence of float or array, or None
         Gap g_i of each roller, m; this or `position_tolerance`.
 
     Returns
     -------
-    sequence of float
+    sequence of float or array
         n gaps, m.
 
     Raises
@@ -302,67 +446,5 @@ def roller_gaps(
         return gaps
     if position_tolerance is None:
         raise InvalidInput("position_tolerance", None, "or {gaps} must be given")
-    if not position_tolerance >= 0:
-        raise InvalidInput("position_tolerance", position_tolerance, "must not be negative")
+    check_not_negative(position_tolerance=position_tolerance)
     return [0.0] + [4 * position_tolerance] * (rollers - 1)
-
-
-def strained_assumptions(
-    *, length_ratio: float, sphere_ratio: float, width_ratio: float, deflection_ratio: float
-) -> tuple[Notice, ...]:
-    """Assumptions that rollers strain.
-
-    Parameters
-    ----------
-    length_ratio, sphere_ratio : float
-        Length of the cylinder and diameter of the sphere over the cylinder's diameter.
-    width_ratio : float
-        Width of the sphere over its diameter.
-    deflection_ratio : float
-        Deflection of the most loaded roller over its length.
-
-    Returns
-    -------
-    tuple of Notice
-    """
-    found = []
-    if length_ratio < SHORT_ROLLER:
-        found.append(
-            Notice(
-                code="short_roller",
-                detail="{cylinder_length} is shorter than {diameter}: a beam that short deforms "
-                "mostly by shear and at its clamping, so the stiffness is a rough guide.",
-                value=length_ratio,
-                limit=SHORT_ROLLER,
-            )
-        )
-    if sphere_ratio < 1:
-        found.append(
-            Notice(
-                code="sphere_below_roller",
-                detail="{sphere_diameter} is smaller than {diameter}: the formulas take the "
-                "sphere for rigid and the cylinder for the weak section.",
-                value=sphere_ratio,
-                limit=1.0,
-            )
-        )
-    if width_ratio > 1:
-        found.append(
-            Notice(
-                code="sphere_too_wide",
-                detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider than that.",
-                value=width_ratio,
-                limit=1.0,
-            )
-        )
-    if deflection_ratio > LARGE_DEFLECTION:
-        found.append(
-            Notice(
-                code="large_deflection",
-                detail="The most loaded roller bends by more than a tenth of {cylinder_length}: "
-                "the formulas are those of small deflections.",
-                value=deflection_ratio,
-                limit=LARGE_DEFLECTION,
-            )
-        )
-    return tuple(found)

@@ -6,6 +6,7 @@
  */
 import { formatNumber, formatQuantity, quantityParts, shownDigits, tidy } from "../format.js";
 import { message } from "../messages/index.js";
+import { impossible, impossibleWords, judged, judgement, wantedWords, withoutFalseSafety } from "../worked/contact.js";
 import { workedSteps } from "../worked/crank_planetary.js";
 
 const MOST_ROWS = 24;
@@ -74,24 +75,14 @@ function peakCell(section) {
   };
 }
 
-function pressureCell(section) {
+function pressureCell(answer, context) {
   const label = message("verdict.pressure");
-  if (!section) return { label };
-  const cell = {
-    label,
-    ...quantityParts(section.max_pressure_MPa, "MPa", Math.min(4, digitsOf(section))),
-  };
-  const safety = section.safety_factor;
-  if (safety === undefined) return { ...cell, note: message("verdict.noLimit") };
-  const within = safety >= 1;
-  return {
-    ...cell,
-    level: within ? "good" : "bad",
-    note: message(within ? "verdict.within" : "verdict.over", {
-      limit: formatQuantity(section.max_pressure_MPa * safety, "MPa", 4),
-      safety: formatNumber(safety, 3),
-    }),
-  };
+  if (!answer.hertz) return { label };
+  const { pressure, level } = judged(answer);
+  const value = pressure === undefined ? {} : quantityParts(pressure, "MPa", Math.min(4, digitsOf(answer.hertz)));
+  return impossible(answer).length > 0
+    ? { label, ...value, level: "bad", note: message("state.refused") }
+    : { label, ...value, level, note: judgement(answer, context) };
 }
 
 function columns(...names) {
@@ -197,22 +188,26 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry"],
 
-  ask({ post, input, sections, tables }) {
+  async ask({ post, input, sections, tables }) {
     const optional = ["equal_sharing", ...approximated(input), ...(tables.has("force") ? ["curves"] : [])];
-    return post("/crank-planetary", {
+    return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
       ...(sections.includes("hertz") && { contact: input.contact }),
       include: sections,
-    });
+    }));
   },
 
-  verdict(answer) {
-    return [peakCell(answer.contact_force), pairsCell(answer.cyclogram), pressureCell(answer.hertz)];
+  verdict(answer, context) {
+    return [peakCell(answer.contact_force), pairsCell(answer.cyclogram), pressureCell(answer, context)];
   },
+
+  /** Why the design cannot be built, and what has to be given before it can be judged: sentences. */
+  impossible: (answer, { input }) => impossibleWords(answer, input),
+  wanted: wantedWords,
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
-  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg"],
+  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { load: () => import("../drawing/crank_planetary.js"), section: "cyclogram", figure: "force", moving: true },

@@ -35,22 +35,29 @@ function change(value, own) {
   return Number.isFinite(percent) ? `${percent > 0 ? "+" : ""}${formatNumber(percent, 3)} %` : "≠";
 }
 
+/** The numbers of the sections, a row each: also what is known of some designs only. */
 function resultRows(sections, elsewhere, designs) {
-  const [{ answer: own }] = designs;
-  return sections.flatMap((section) => Object.entries(own?.[section] ?? {})
-    .filter(([name, value]) => typeof value === "number" && !elsewhere.includes(name))
-    .map(([name, value]) => ({
+  const of = (section) => designs.map(({ answer }) => answer?.[section] ?? {});
+  return sections.flatMap((section) => [...new Set(of(section).flatMap((values) =>
+    Object.keys(values).filter((name) => typeof values[name] === "number" && !elsewhere.includes(name))))]
+    .map((name) => ({
       title: message(`quantity.${name}`)[0],
       unit: shownUnit(unitOf(name)),
-      cells: designs.map(({ answer }, i) => {
-        const other = answer?.[section]?.[name];
-        if (other === undefined) return { text: "–" };
+      cells: of(section).map(({ [name]: value }, i, [{ [name]: own }]) => {
+        if (value === undefined) return { text: "–" };
         return {
-          text: quantityParts(other, unitOf(name), DIGITS).value,
-          ...(i > 0 && { change: change(other, value), differs: other !== value }),
+          text: quantityParts(value, unitOf(name), DIGITS).value,
+          ...(i > 0 && own !== undefined && { change: change(value, own), differs: value !== own }),
         };
       }),
     })));
+}
+
+/** Said above a design that cannot be built: its numbers are no reason to prefer it. */
+function refusedMark(calculator, { input, answer }) {
+  const reasons = answer && calculator.impossible ? calculator.impossible(answer, { input }) : [];
+  return reasons.length > 0 && html`<span class="refused" title="${reasons.join(" ")}"><span
+    class="sign bad" aria-hidden="true">✕</span>${message("state.refused")}</span>`;
 }
 
 function tableRows(rows) {
@@ -107,10 +114,10 @@ export function createCompare({ model, calculator, on }) {
       const all = [own, ...kept];
       fill(table, html`
         <table class="data">
-          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")}</th>${kept.map(({ name }, i) => html`
-            <th scope="col" data-design="${i}"><input class="box free-text" value="${name}" maxlength="24" aria-label="${message("compare.name", { name })}">
-              <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button>
-              <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", { name })}">×</button></span></th>`)}</tr></thead>
+          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")} ${refusedMark(calculator, own)}</th>${kept.map((design, i) => html`
+            <th scope="col" data-design="${i}"><input class="box free-text" value="${design.name}" maxlength="24" aria-label="${message("compare.name", design)}">
+              <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", design)}">${message("compare.open")}</button>
+              <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", design)}">×</button></span>${refusedMark(calculator, design)}</th>`)}</tr></thead>
           <tbody>${tableRows(inputRows(model, all))}</tbody>
           <tbody>${tableRows(resultRows(calculator.sections, calculator.elsewhere, all))}</tbody>
         </table>`);

@@ -1,7 +1,7 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
 import { exactText, formatNumber, formatQuantity, quantityParts } from "../format.js";
 import { element, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, translated } from "../messages/index.js";
 import { textIn } from "../schema_form.js";
 import { createChoice } from "./choice.js";
 import { createField } from "./field.js";
@@ -28,11 +28,15 @@ export function problemText(reading) {
 /** What a table knows about a name: shown under the box as the values that will be used. */
 function properties(entry) {
   if (!entry) return "";
-  const pressure = entry.allowable_pressure_MPa;
+  const limit = entry.limits.find(({ criterion }) => criterion === "endurance");
   return message("form.properties", {
     modulus: formatQuantity(entry.youngs_modulus_GPa, "GPa"),
     ratio: formatNumber(entry.poissons_ratio),
-    limit: pressure === undefined ? "" : message("form.allowable", { pressure: formatQuantity(pressure, "MPa") }),
+    limit: limit ? message("form.allowable", {
+      pressure: formatQuantity(limit.pressure_MPa, "MPa"),
+      criterion: translated(limit.criterion),
+      source: translated(limit.source),
+    }) : message("form.noLimit"),
   });
 }
 

@@ -4,6 +4,7 @@ import { element, fill, html } from "../lib/html.js";
 import { message, translated } from "../messages/index.js";
 import { shownUnit } from "../units.js";
 import { inWords } from "../wording.js";
+import { IMPOSSIBLE } from "../worked/contact.js";
 import { symbolMarkup } from "./symbol.js";
 import { tableMarkup } from "./table.js";
 
@@ -20,7 +21,7 @@ function asText(value, digits, unit = "") {
     return quantityParts(value, unit, whole ? 15 : digits).value;
   }
   if (typeof value === "boolean") return message(value ? "results.yes" : "results.no");
-  if (typeof value === "string") return value;
+  if (typeof value === "string") return translated(value);
   if (Array.isArray(value) && value.every(isScalar)) {
     return value.length === 0 ? message("results.none") : value.map((one) => asText(one, digits, unit)).join("; ");
   }
@@ -44,15 +45,15 @@ function row([name, value], digits) {
 }
 
 /** A list of flat records that no figure shows, as a table of its own. */
-function records([name, value]) {
+function records([name, value], elsewhere) {
   const isRecord = (one) => typeof one === "object" && !Array.isArray(one);
   if (value.length === 0 || !value.every(isRecord)) return null;
-  const columns = Object.keys(value[0]);
+  const columns = [...new Set(value.flatMap(Object.keys))].filter((column) => !elsewhere.includes(column));
   return tableMarkup({
     title: message(`quantity.${name}`)[0],
     columns: columns.map((column) => ({ title: message(`quantity.${column}`)[0], unit: unitOf(column) })),
     rows: value.map((record) => columns.map((column) =>
-      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column))))),
+      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column)) ?? "–"))),
   });
 }
 
@@ -67,8 +68,10 @@ function accuracyMarkup({ method, relative_error: error, evaluations, run_time_u
 
 function warningsMarkup(warnings = [], words) {
   if (warnings.length === 0) return "";
-  return html`<ul class="warnings">${warnings.map(({ detail }) =>
-    html`<li><span class="sign warning" aria-hidden="true">▲</span><span>${inWords(detail, words)}</span></li>`)}</ul>`;
+  return html`<ul class="warnings">${warnings.map(({ code, detail }) => {
+    const bad = IMPOSSIBLE.includes(code);
+    return html`<li><span class="sign ${bad ? "bad" : "warning"}" aria-hidden="true">${bad ? "✕" : "▲"}</span><span>${inWords(detail, words)}</span></li>`;
+  })}</ul>`;
 }
 
 function sectionMarkup(id, section, elsewhere, words) {
@@ -90,7 +93,7 @@ function sectionMarkup(id, section, elsewhere, words) {
           <th scope="col">${message("results.unit")}</th></tr></thead>
         <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
       </table>
-      ${lists.map(records)}
+      ${lists.map((list) => records(list, elsewhere))}
       ${accuracyMarkup(section.accuracy)}
     </section>`;
 }
@@ -114,7 +117,8 @@ export function createResults({ calculator, words }) {
   };
 }
 
-/** Every warning of an answer's sections. */
+/** Every warning of an answer and of its sections, once. */
 export function warningsOf(answer) {
-  return Object.values(answer).flatMap((section) => section?.warnings ?? []);
+  const all = [answer, ...Object.values(answer)].flatMap((part) => part?.warnings ?? []);
+  return [...new Map(all.map((warning) => [`${warning.code} ${warning.detail}`, warning])).values()];
 }

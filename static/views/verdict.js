@@ -3,7 +3,8 @@ import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
 const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
-const STATE_SIGNS = { fresh: "✓", computing: "…", wrong: "✕", refused: "✕", offline: "✕" };
+// A tick judges a design: that numbers and inputs belong together gets none.
+const STATE_SIGNS = { computing: "…", wrong: "✕", refused: "✕", offline: "✕" };
 
 function cellMarkup({ label, value, unit, note, level }) {
   const sign = level && html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level]}</span>`;
@@ -11,16 +12,16 @@ function cellMarkup({ label, value, unit, note, level }) {
     <div class="cell ${level ?? ""}">
       <dt>${label}</dt>
       <dd><span class="figures">${value ?? "–"}</span>${unit && html`<span class="figures-unit">${unit}</span>`}
-        <span class="note">${sign}${value === undefined ? message("verdict.missing") : note}</span></dd>
+        <span class="note">${sign}${note ?? message("verdict.missing")}</span></dd>
     </div>`;
 }
 
 function stateMarkup(state, note) {
+  const sign = STATE_SIGNS[state] && html`<span class="sign ${state === "computing" ? "" : "bad"}" aria-hidden="true">${STATE_SIGNS[state]}</span>`;
   return html`
     <div class="cell state ${state}">
       <dt>${message("state.label")}</dt>
-      <dd><span class="figures"><span class="sign ${state === "fresh" ? "good" : state === "computing" ? "" : "bad"}"
-        aria-hidden="true">${STATE_SIGNS[state]}</span>${message(`state.${state}`)}</span>
+      <dd><span class="figures">${sign}${message(`state.${state}`)}</span>
         <span class="note">${message(`state.${note}Note`)}</span></dd>
     </div>`;
 }
@@ -49,7 +50,7 @@ export function createVerdict() {
 
 /** The verdict in one sentence, for those who hear it. */
 export function spoken(cells) {
-  const words = cells.filter(({ value }) => value !== undefined)
-    .map(({ label, value, unit, note }) => `${label} ${value}${unit ? ` ${unit}` : ""}, ${note}`);
+  const words = cells.filter(({ note }) => note !== undefined)
+    .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
   return message("verdict.announce", { cells: `${words.join(". ")}.` });
 }

@@ -28,8 +28,8 @@ function formulas({ symbol, formula, values, value, unit }, digits) {
 }
 
 function noteText({ note, noteValues = {} }) {
-  const values = Object.entries(noteValues).map(([name, value]) =>
-    [name, Array.isArray(value) ? formatQuantity(...value) : formatNumber(value, 15)]);
+  const texts = { object: (value) => formatQuantity(...value), number: (value) => formatNumber(value, 15), string: translated };
+  const values = Object.entries(noteValues).map(([name, value]) => [name, texts[typeof value](value)]);
   return message(`worked.note.${note}`, Object.fromEntries(values));
 }
 

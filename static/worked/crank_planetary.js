@@ -268,12 +268,29 @@ function hertzSteps(section, contact, force, materialOf) {
   ];
   const conformal = section.conformal_pressure_MPa;
   if (conformal !== undefined) found.push(...conformalSteps(section, { w, r, R, ...elastic }));
-  if (section.safety_factor !== undefined) {
-    const allowable = Math.min(...[pin, hole].map((one) => one.allowable_pressure_MPa ?? Infinity));
-    found.push(result("safety_factor", "S", section.safety_factor, "", {
-      formula: "p_P/p_0",
-      values: { p_P: q("p_P", allowable, "MPa"), p_0: conformal === undefined ? p : q("p_c", conformal, "MPa") },
-      note: "allowable",
+  found.push(...safetySteps(section, conformal === undefined ? p : q("p_c", conformal, "MPa")));
+  return found;
+}
+
+/** Each body with a limit by this, under the pressure that governs; the smaller where both have one. */
+function safetySteps({ governing_pressure_MPa: governing, safety = [], safety_factor: smaller, conformal_pressure_MPa: conformal }, pressure) {
+  if (governing === undefined) return [];
+  const found = [result("governing_pressure_MPa", "p_g", governing, "MPa", {
+    formula: "p", values: { p: pressure }, ...(conformal === undefined ? { note: "governsHertz" } : { note: "governsConformal" }),
+  })];
+  const p_g = q("p_g", governing, "MPa");
+  for (const { body, limit_MPa: limit, criterion, source, safety_factor: factor } of safety) {
+    const index = body === "pin" ? 1 : 2;
+    found.push(result(`safety_${body}`, `S_${index}`, factor, "", {
+      formula: "p_P/p_g",
+      values: { p_P: q(`p_P${index}`, limit, "MPa"), p_g },
+      ...(source ? { note: "limit", noteValues: { criterion, source } } : { note: "limitGiven" }),
+    }));
+  }
+  if (smaller !== undefined) {
+    const [S_1, S_2] = safety.map(({ safety_factor: factor }, i) => q(`S_${i + 1}`, factor));
+    found.push(result("safety_factor", "S", smaller, "", {
+      formula: "min(S_1;S_2)", values: { S_1, S_2 }, note: "smaller",
     }));
   }
   return found;

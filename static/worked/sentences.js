@@ -1,6 +1,7 @@
 /** The verdict in plain words: what the answer means for the design. No DOM. */
 import { formatNumber, formatQuantity, quantityParts } from "../format.js";
 import { message } from "../messages/index.js";
+import { impossibleWords, judged, wantedWords } from "./contact.js";
 
 const say = (key, values) => message(`words.${key}`, values);
 
@@ -18,29 +19,40 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
 }
 
 /** The force grows with the torque, the pressure of a line contact with its root. */
-function pressure(section) {
-  const { max_pressure_MPa: hertz, conformal_pressure_MPa: conformal, safety_factor: safety } = section;
-  const governing = conformal ?? hertz;
-  const values = { pressure: formatQuantity(governing, "MPa", 4) };
-  if (safety === undefined) return [["", say("noLimit", values)]];
-  const judged = { ...values, limit: formatQuantity(governing * safety, "MPa", 4), safety: formatNumber(safety, 3) };
-  const found = [safety >= 1 ? ["good", say("within", judged)] : ["bad", say("over", judged)]];
-  if (conformal === undefined) {
-    const factor = formatNumber(safety ** 2, 3);
-    found.push(["", say(safety >= 1 ? "reserve" : "reduce", { factor })]);
+function pressure(answer, context) {
+  const { pressure: governing, loose, level, body, limit, safety, torque } = judged(answer);
+  if (governing === undefined) return [["warning", say("noTheory")]];
+  const shown = say("pressure", { pressure: formatQuantity(governing, "MPa", 4) });
+  const values = body && { limit: formatQuantity(limit, "MPa", 4), safety: formatNumber(safety, 3) };
+  const wanted = wantedWords(answer, context).join(" ");
+  if (level === "bad") {
+    return [
+      ["bad", `${shown} ${say(`over.${body}`, values)} ${say("help")}`],
+      wanted && ["warning", wanted],
+      torque && ["", say("reduce", { factor: formatNumber(torque, 3) })],
+    ];
   }
-  return found;
-}
-
-function crankPlanetary({ cyclogram, contact_force: force, hertz }) {
+  if (wanted) return [["warning", `${shown} ${wanted}`], body && ["", say(`alone.${body}`, values)]];
   return [
-    cyclogram && transmission(cyclogram),
-    force?.equal_sharing_peak_N !== undefined && evenness(force),
-    ...(hertz ? pressure(hertz) : []),
+    [level, `${shown} ${say(`within.${body}`, values)}${loose ? ` ${say("loose")}` : ""}`],
+    torque && ["", say("reserve", { factor: formatNumber(torque, 3) })],
   ];
 }
 
-function rollers({ roller_strength: section }, input) {
+/** Of what cannot be built, why; only its kinematics and its forces are said besides. */
+function crankPlanetary(answer, context) {
+  const { cyclogram, contact_force: force, hertz } = answer;
+  const reasons = impossibleWords(answer, context.input);
+  const [level, transmitted] = cyclogram ? transmission(cyclogram) : [];
+  return [
+    ...reasons.map((reason) => ["bad", reason]),
+    transmitted && [reasons.length > 0 && level === "good" ? "" : level, transmitted],
+    force?.equal_sharing_peak_N !== undefined && evenness(force),
+    ...(hertz && reasons.length === 0 ? pressure(answer, context) : []),
+  ];
+}
+
+function rollers({ roller_strength: section }, { input }) {
   if (!section) return [];
   const { loaded_rollers: loaded, load_nonuniformity: ratio, relative_position_error: delta } = section;
   const all = section.forces_N.length;
@@ -57,7 +69,7 @@ function rollers({ roller_strength: section }, input) {
   ];
 }
 
-function precession({ contact_line: line, meshing_load: load, shaft_deflection: shaft }, input) {
+function precession({ contact_line: line, meshing_load: load, shaft_deflection: shaft }, { input }) {
   const arms = (line?.lines ?? []).flatMap(({ phi_min_deg: from, phi_max_deg: to }) => [from, to])
     .map((phi) => Math.abs(Math.sin((phi * Math.PI) / 180)));
   return [
@@ -74,7 +86,10 @@ function precession({ contact_line: line, meshing_load: load, shaft_deflection: 
 
 const VERDICTS = { "crank-planetary": crankPlanetary, rollers, precession };
 
-/** Sentences on an answer, each `[level, text]`; level as in the verdict, "" for none. */
-export function sentencesOf(calculator, answer, input) {
-  return VERDICTS[calculator](answer, input).filter(Boolean);
+/**
+ * Sentences on an answer, each `[level, text]`; level as in the verdict, "" for none. `context`:
+ * the `input` and `materialOf(path, given)`.
+ */
+export function sentencesOf(calculator, answer, context) {
+  return VERDICTS[calculator](answer, context).filter(Boolean);
 }

@@ -11,7 +11,8 @@ from mpmath import mp, mpf
 MECHANISM = {"pins": 3, "ratio": 20}
 LOAD = {"output_torque_Nm": 500, "pin_circle_radius_mm": 50}
 CONTACT = {"contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
-JOB = {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT}
+JOB = {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT | {"eccentricity_mm": 2}}
+DEFAULT = {"pin_material": "steel_bearing", "hole_material": "steel_through_hardened"}
 
 pytestmark = pytest.mark.anyio
 
@@ -214,9 +215,10 @@ async def test_no_number_is_refused_by_the_fields_name(api, number):
     assert response.json()["errors"] == [{"pointer": "/ratio", "detail": "must be a finite number"}]
 
 
-async def test_a_hole_smaller_than_the_pin_is_refused_in_its_section(api):
+@pytest.mark.parametrize("asked", [{}, {"include": ["cyclogram"]}])
+async def test_a_hole_smaller_than_the_pin_is_refused_whatever_is_asked(api, asked):
     contact = {**CONTACT, "hole_radius_mm": 7.9}
-    response = await api.post("crank-planetary", json={**JOB, "contact": contact})
+    response = await api.post("crank-planetary", json={**JOB, "contact": contact, **asked})
     assert response.status_code == 422
     assert response.json()["errors"] == [
         {"pointer": "/contact/hole_radius_mm", "detail": "must be larger than pin_radius_mm"}
@@ -283,7 +285,118 @@ async def test_a_contact_wider_than_the_pin_gets_no_safety_factor_unless_a_theor
     assert answer["conformal_pressure_MPa"] > answer["max_pressure_MPa"]
     assert answer["half_width_ratio"] > 1
     assert [each["code"] for each in answer["warnings"]] == ["hertz_half_width"]
-    assert answer["safety_factor"] == pytest.approx(4000 / answer["conformal_pressure_MPa"])
+    assert answer["governing_pressure_MPa"] == answer["conformal_pressure_MPa"]
+    assert answer["safety_factor"] == pytest.approx(1500 / answer["conformal_pressure_MPa"])
+
+
+@pytest.mark.parametrize("body", ["pin", "hole"])
+async def test_a_body_is_judged_by_its_own_limit_only(api, body):
+    """Every material of the table against the default other body."""
+    table = {each["name"]: each for each in (await api.get("materials")).json()["materials"]}
+    without = {name for name, each in table.items() if "allowable_pressure_MPa" not in each}
+    assert len(without) == 8 and {"steel_structural", "iron_grey", "brass", "plastic_pom"} < without
+    for name in table:
+        chosen = DEFAULT | {f"{body}_material": name}
+        answer = (await api.post("hertz", json={**CONTACT, **chosen, "force_N": 3000})).json()
+        pressure = answer["governing_pressure_MPa"]
+        limits = {
+            each: table[chosen[f"{each}_material"]].get("allowable_pressure_MPa")
+            for each in ("pin", "hole")
+        }
+        known = {each: limit for each, limit in limits.items() if limit is not None}
+        found = {each["body"]: each for each in answer["safety"]}
+        assert {each: one["limit_MPa"] for each, one in found.items()} == known
+        for each, limit in known.items():
+            assert found[each]["criterion"] == "endurance" and found[each]["source"]
+            assert found[each]["safety_factor"] == pytest.approx(limit / pressure)
+        assert ("safety_factor" in answer) == (name not in without), name
+        if name not in without:
+            assert answer["safety_factor"] == pytest.approx(min(known.values()) / pressure)
+
+
+async def test_bearing_steel_is_judged_by_endurance_and_never_at_rest(api):
+    same = {"pin_material": "steel_bearing", "hole_material": "steel_bearing"}
+    answer = (await api.post("hertz", json={**CONTACT, **same, "force_N": 3000})).json()
+    assert {(each["limit_MPa"], each["criterion"]) for each in answer["safety"]} == {
+        (1500.0, "endurance")
+    }
+    assert answer["safety_factor"] == pytest.approx(1500 / answer["max_pressure_MPa"])
+
+
+async def test_the_default_steels_are_judged_as_before(api):
+    answer = (await api.post("hertz", json={**CONTACT, "force_N": 3000})).json()
+    assert answer["safety_factor"] == pytest.approx(766.9 / answer["max_pressure_MPa"])
+    assert min(answer["safety"], key=lambda each: each["safety_factor"])["body"] == "hole"
+
+
+async def test_what_is_not_known_of_the_safety_is_absent(api):
+    """Nothing of either body, or no pressure; a limit that is given has no source."""
+    own = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3}
+    none = {**CONTACT, "force_N": 1000, "pin_material": own, "hole_material": "plastic_pom"}
+    given = none | {"pin_material": own | {"allowable_pressure_MPa": 900}}
+    for body in (none, {**CONTACT, "force_N": 0}):
+        answer = (await api.post("hertz", json=body)).json()
+        assert "safety" not in answer and "safety_factor" not in answer
+    answer = (await api.post("hertz", json=given)).json()
+    (only,) = answer["safety"]
+    assert set(only) == {"body", "limit_MPa", "criterion", "safety_factor"}
+    assert (only["body"], only["limit_MPa"], only["criterion"]) == ("pin", 900, "given")
+    assert "safety_factor" not in answer
+
+
+@pytest.mark.parametrize(("torque", "pressure"), [(1000, 201.1), (3000, 406.1), (20000, 1923)])
+async def test_a_conformal_contact_is_judged_by_its_own_pressure(api, torque, pressure):
+    materials = dict.fromkeys(DEFAULT, "steel_case_hardened")
+    contact = {"contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 8.05, **materials}
+    load = {"output_torque_Nm": torque, "pin_circle_radius_mm": 28}
+    job = {"mechanism": MECHANISM, "load": load, "contact": contact, "include": ["hertz"]}
+    hertz = (await api.post("crank-planetary", json=job)).json()["hertz"]
+    assert hertz["governing_pressure_MPa"] == pytest.approx(pressure, rel=5e-4)
+    assert hertz["governing_pressure_MPa"] == hertz["conformal_pressure_MPa"]
+    for each in hertz["safety"]:
+        assert each["limit_MPa"] == 1500
+        assert each["safety_factor"] == hertz["safety_factor"]
+    assert hertz["safety_factor"] == pytest.approx(1500 / hertz["governing_pressure_MPa"])
+
+
+@pytest.mark.parametrize(
+    ("change", "codes"),
+    [
+        ({"eccentricity_mm": 2}, []),
+        ({"eccentricity_mm": 2.5}, ["interference"]),
+        ({"eccentricity_mm": 1.5}, ["clearance"]),
+        ({}, ["eccentricity_assumed"]),
+        ({"pins": 12, "pin_circle_radius_mm": 10, "eccentricity_mm": 2},
+         ["holes_overlap", "pins_overlap"]),
+        ({"pins": 12, "pin_circle_radius_mm": 35, "eccentricity_mm": 2}, ["holes_overlap"]),
+        ({"pins": 1, "satellites": 3, "pin_circle_radius_mm": 1, "eccentricity_mm": 2}, []),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize(
+    "include", [None, ["cyclogram"], ["contact_force"], ["hertz"], ["geometry"]]
+)
+async def test_the_fit_is_said_whichever_sections_are_asked(api, change, codes, include):
+    job = {
+        part: given | {name: value for name, value in change.items() if name in fields}
+        for part, given, fields in (
+            ("mechanism", MECHANISM, ("pins", "satellites")),
+            ("load", LOAD, ("pin_circle_radius_mm",)),
+            ("contact", CONTACT, ("eccentricity_mm",)),
+        )
+    }
+    asked = {} if include is None else {"include": include}
+    answer = (await api.post("crank-planetary", json=job | asked)).json()
+    assert [each["code"] for each in answer.get("warnings", [])] == codes
+    assert all(each["detail"] and "{" not in each["detail"] for each in answer.get("warnings", []))
+    assert "warnings" in answer or codes == []
+    if include == ["geometry"]:
+        alone = [each["code"] for each in answer["geometry"].get("warnings", [])]
+        assert alone == [code for code in codes if code != "eccentricity_assumed"]
+    if include == ["cyclogram"]:  # neither circle nor torque is known: only the sizes are judged
+        del job["load"]
+        answer = (await api.post("crank-planetary", json=job | asked)).json()
+        seen = [each["code"] for each in answer.get("warnings", [])]
+        assert seen == [code for code in codes if "overlap" not in code]
 
 
 async def test_any_peak_force_has_its_pressure_and_its_figure(api):

@@ -2,17 +2,16 @@
 
 import pytest
 
-from benchmarks.fuzz import Fuzz
-from benchmarks.fuzz_requests import Request
+from tests.oracles.fuzz import Fuzz
+from tests.oracles.fuzz_requests import Request
 
 pytestmark = pytest.mark.anyio
 
 HERTZ = {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
 
 
-@pytest.mark.parametrize("seed", range(2))
-async def test_nothing_breaks_the_service(seed):
-    report = await Fuzz().run(requests=1000, seed=seed)
+async def test_nothing_breaks_the_service():
+    report = await Fuzz().run(requests=1000, seed=0)
     assert report.failures == []
     assert {status for _, status in report.answers} == {200, 413, 422}
 

@@ -210,3 +210,20 @@ def test_starting_the_service_loads_neither_scipy_nor_plotly():
     code = "import sys, app.main; print(*(m for m in ('scipy', 'plotly') if m in sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == ""
+
+
+async def test_every_line_states_its_own_error(api):
+    lines = (await api.post("precession/contact-line", json=GEAR)).json()["lines"]
+    assert all(0 < line["relative_error"] < 1e-14 for line in lines)
+
+
+@pytest.mark.parametrize("path", ["contact-line", "meshing-load", "shaft-deflection"])
+async def test_what_is_hardly_known_is_warned_of(api, path):
+    """Limits in z that differ only in their last digits."""
+    rollers = [{"position_angle_deg": 30, "z_min_mm": 15, "z_max_mm": 15.0000000000003}]
+    body = {"contact-line": GEAR, "meshing-load": MESH, "shaft-deflection": SHAFT}[path]
+    answer = (await api.post(f"precession/{path}", json=body | {"rollers": rollers})).json()
+    assert answer["accuracy"]["relative_error"] > 1e-2
+    assert [each["code"] for each in answer["warnings"]] == ["hardly_known"]
+    known = (await api.post(f"precession/{path}", json=body)).json()
+    assert "warnings" not in known

@@ -41,7 +41,10 @@ def methods(cls: type) -> list[FunctionType]:
 
 
 ORDERED = {
+    "core.arrays.larger",
+    "core.arrays.smaller",
     "core.arrays.where",
+    "core.arrays.known_where",
     "core.arrays.refuse",
     "core.output.force_laws.depressed_cubic_roots",
     "core.output.force_bounds.least_total",

@@ -1,6 +1,7 @@
 """What the tests of every calculator's page do and read."""
 
 import re
+from pathlib import Path
 
 import httpx
 from playwright.sync_api import Locator, Page, expect
@@ -49,6 +50,20 @@ def choose(page: Page, choice: str, option: str) -> None:
 def verdict(page: Page, position: int) -> Locator:
     """The number in a cell of the verdict."""
     return page.locator(".verdict .numbers .cell").nth(position).locator(".figures")
+
+
+def saved(page: Page, button: Locator) -> Path:
+    """The file that a button gives."""
+    with page.expect_download() as download:
+        button.click()
+    return Path(download.value.path())
+
+
+def chosen(page: Page, setting: str, value: str) -> None:
+    """Choose a setting and close the sheet."""
+    page.get_by_role("button", name="Settings").click()
+    page.locator(f"#{setting}").select_option(value)
+    page.keyboard.press("Escape")
 
 
 def words_at(page: Page, path: str) -> Locator:

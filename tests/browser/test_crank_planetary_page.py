@@ -187,6 +187,65 @@ def test_a_dead_centre_is_a_cyclogram_and_words(page: Page, service: str) -> Non
     assert "∞" not in page.inner_text("body") and "NaN" not in page.inner_text("body")
 
 
+FITTED = ZYL | {"contact.eccentricity_mm": "1.5"}
+
+
+def test_nothing_is_called_safe_whose_limit_is_not_known(page: Page, service: str) -> None:
+    """A limit is entered where the page asks for it; then, and only then, there is a safety."""
+    show(page, service, FITTED | {"contact.hole_material": "plastic_pom"})
+    strip, words = page.locator(".verdict"), page.locator(".plain-words")
+    pressure = strip.locator(".numbers .cell").nth(2)
+    expect(pressure).to_have_class(re.compile("warning"))
+    expect(pressure).to_contain_text("no limit known for the hole: Acetal (POM-C)")
+    expect(strip.locator(".say")).to_have_attribute("data-level", "warning")
+    expect(strip.locator(".say")).to_contain_text("No limit is known for the hole")
+    assert "✓" not in strip.inner_text() and "afety" not in strip.inner_text()
+    assert "orque may grow" not in words.inner_text() and "afety" not in words.inner_text()
+    expect(words).to_contain_text("Only the limit of the pin is known: 1500")
+    assert page.locator('.results [data-name="safety_factor"]').count() == 0
+    expect(words_at(page, "contact.hole_material")).to_contain_text("no limit of the pressure")
+    expect(words_at(page, "contact.pin_material")).to_contain_text("1500\u00a0MPa (endurance: ISO")
+    change(page, option(page, "contact.hole_material", "own").check)
+    change(page, lambda: box(page, "contact.hole_material.allowable_pressure_MPa").fill("400"))
+    expect(pressure).to_contain_text("Hole within its limit, 400")
+    own = result(page, "safety_factor")
+    assert own == pytest.approx(400 / result(page, "governing_pressure_MPa"), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("fields", "reason"),
+    [
+        (
+            {"contact.hole_radius_mm": "6.47"},
+            "hole radius 6.47\u00a0mm, at least 6.5\u00a0mm needed",
+        ),
+        ({"mechanism.pins": "18"}, "neighbouring holes of a satellite overlap"),
+        ({"mechanism.pins": "50"}, "neighbouring pins overlap"),
+    ],
+)
+def test_what_cannot_be_built_is_red_with_the_reason(
+    page: Page, service: str, fields: dict[str, str], reason: str
+) -> None:
+    show(page, service, FITTED)
+    page.get_by_role("button", name="Keep this design").click()
+    for path, text in fields.items():
+        change(page, partial(box(page, path).fill, text))
+    strip, words = page.locator(".verdict"), page.locator(".plain-words")
+    expect(strip.locator(".say")).to_have_attribute("data-level", "bad")
+    expect(strip.locator(".say")).to_contain_text("Not possible")
+    for place in (strip.locator(".say"), words.locator(".sentences")):
+        expect(place).to_contain_text(reason)
+    expect(strip.locator(".now")).to_contain_text("Not possible")
+    expect(strip.locator(".numbers .cell").nth(2)).to_have_class(re.compile("bad"))
+    assert "✓" not in strip.inner_text() and "✓" not in words.inner_text()
+    assert page.locator('.results [data-name="safety_factor"]').count() == 0
+    compared = page.locator(".compare")
+    expect(compared.locator(".refused")).to_have_count(1)
+    row = compared.locator("tbody tr").filter(has_text=re.compile("^Safety factor"))
+    expect(row.locator("td").first).to_have_text("–")
+    assert number(row.locator("td").nth(1).inner_text()) > 0
+
+
 def test_other_options_start_from_the_same_design(page: Page, service: str) -> None:
     show(page, service, ZYL)
     change(page, lambda: option(page, "ratio", "teeth").check())

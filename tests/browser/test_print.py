@@ -9,8 +9,7 @@ from playwright.sync_api import Browser, Page, expect
 from pypdf import PdfReader
 
 from app import VERSION
-from tests.browser.calculator_page import settled, show
-from tests.browser.test_workbench import chosen, saved
+from tests.browser.calculator_page import chosen, saved, settled, show
 
 CALCULATORS = ("crank-planetary", "rollers", "precession")
 A4_POINTS = (595, 842)

@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import httpx
 import pytest
@@ -17,30 +16,18 @@ from tests.browser.calculator_page import (
     ask,
     box,
     choose,
+    chosen,
     first_example,
     number,
     reopen,
     result,
+    saved,
     settled,
     show,
     verdict,
 )
 
 TORQUE = "load.output_torque_Nm"
-
-
-def saved(page: Page, button: Any) -> Path:
-    """The file that a button gives."""
-    with page.expect_download() as download:
-        button.click()
-    return Path(download.value.path())
-
-
-def chosen(page: Page, setting: str, value: str) -> None:
-    """Choose a setting and close the sheet."""
-    page.get_by_role("button", name="Settings").click()
-    page.locator(f"#{setting}").select_option(value)
-    page.keyboard.press("Escape")
 
 
 def leading_number(text: str) -> float:

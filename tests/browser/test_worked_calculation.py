@@ -91,13 +91,15 @@ def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str)
     show(page, service, "crank-planetary")
     words = page.locator(".plain-words")
     expect(words).to_contain_text("Torque is transmitted at every crank angle")
-    expect(words).to_contain_text("decides: 548.6\u00a0MPa of 766.9\u00a0MPa allowed, safety 1.4")
+    expect(words).to_contain_text(
+        "Contact pressure 548.6\u00a0MPa. The hole governs: 766.9\u00a0MPa allowed, safety 1.4."
+    )
     expect(words.locator(".explained")).to_have_count(0)
     load = box(page, "load.output_torque_Nm")
     load.fill("20000")
     load.press("Enter")
     settled(page)
-    expect(words).to_contain_text("is too high")
+    expect(words).to_contain_text("It is too high for the hole")
     assert words.locator(".explained").count() >= 1
     for explained in words.locator(".explained").all():
         assert explained.locator("dd").count() == 3

@@ -8,9 +8,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
+from core.output.contact_force import contact_force
 from core.output.force_laws import depressed_cubic_roots
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
+from core.output.peak_force import PeakForce, peak_force
 from core.output.pin_forces import (
     approximate_peak_ratio,
     approximation_notices,
@@ -18,9 +19,6 @@ from core.output.pin_forces import (
     output_torque_from_input,
     reference_force,
 )
-
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 exponents = st.one_of(
@@ -270,3 +268,32 @@ def test_roots_of_a_cubic_known_beforehand(first: int, second: int) -> None:
         assert roots == pytest.approx(expected, abs=1e-6)
     else:
         assert any(abs(roots[0] - e) < 1e-6 for e in expected)
+
+
+def test_the_peak_of_a_mechanism_is_searched_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    searched = []
+
+    def counted(**given: object) -> PeakForce:
+        searched.append(given)
+        return peak_force(**given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("core.output.contact_force.peak_force", counted)
+    mechanism = Mechanism(pins=5, crank_angles=(0.0, 1.2345678), ratio=20.0)
+    sizes = [(float(torque), 0.04) for torque in range(1, 20)]
+    forces = [
+        contact_force(mechanism=mechanism, output_torque=torque, pin_circle_radius=radius)
+        for torque, radius in sizes
+    ]
+    assert len(searched) == 1
+    assert forces[9].peak_force == pytest.approx(10 * forces[0].peak_force, rel=1e-15)
+
+
+@pytest.mark.parametrize(("gap", "codes"), [(1e-9, []), (1e-11, ["hardly_known"])])
+def test_a_peak_beside_a_dead_centre_says_that_hardly_anything_is_known(
+    gap: float, codes: list[str]
+) -> None:
+    mechanism = Mechanism(pins=2, crank_angles=(0.0, math.pi - gap), ratio=20.0)
+    force = contact_force(
+        mechanism=mechanism, output_torque=1.0, pin_circle_radius=1.0, force_exponent=10.0
+    )
+    assert [notice.code for notice in force.notices] == codes

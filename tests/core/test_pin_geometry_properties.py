@@ -4,15 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import PinGeometry, pin_geometry
-
-settings.register_profile("no deadline", deadline=None)
-settings.load_profile("no deadline")
+from core.output.pin_geometry import PinGeometry, pin_fit, pin_geometry
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 
@@ -59,7 +56,7 @@ def test_contact_points_lie_on_pin_and_hole(
     apart = np.linalg.norm(found.hole_centres - found.pin_centres, axis=2)
     assert apart == pytest.approx(e, abs=tiny)
     assert found.clearance == 0.0
-    assert {n.code for n in found.notices} <= {"holes_overlap"}
+    assert {n.code for n in found.notices} <= {"holes_overlap", "pins_overlap"}
 
 
 @given(mechanisms(), st.floats(-50.0, 50.0), sizes())
@@ -160,3 +157,33 @@ def test_sizes_that_cannot_be_are_refused_by_name(parameter: str, value: float) 
     with pytest.raises(InvalidInput) as refusal:
         pin_geometry(mechanism=mechanism, **(size | {parameter: value}))
     assert refusal.value.parameter == parameter
+
+
+@given(mechanisms(), sizes(), st.floats(-1e-3, 1e-3))
+def test_the_fit_needs_no_crank_angle(
+    mechanism: Mechanism, size: dict[str, float], off: float
+) -> None:
+    size = size | {"eccentricity": max(size["eccentricity"] + off, 1e-6)}
+    fit = pin_fit(pins=mechanism.pins, **size)
+    found = pin_geometry(mechanism=mechanism, crank_angle=1.0, **size)
+    assert (fit.clearance, fit.notices) == (found.clearance, found.notices)
+    # without the circle, and without the eccentricity, what these would say is not said
+    del size["pin_circle_radius"]
+    alone = pin_fit(pins=mechanism.pins, **size)
+    assert alone.notices == tuple(n for n in fit.notices if "overlap" not in n.code)
+    del size["eccentricity"]
+    assumed = pin_fit(pins=mechanism.pins, **size)
+    assert assumed.clearance == 0.0
+    assert [n.code for n in assumed.notices] == ["eccentricity_assumed"]
+
+
+@given(st.integers(2, 60), st.integers(20, 400), st.sampled_from([-20, -2, 0, 2, 20]))
+def test_neighbours_overlap_from_touching_on(pins: int, radius: int, off: int) -> None:
+    # circles whose centres lie 2*radius + off micrometres apart touch at off = 0
+    circle = (2 * radius + off) * 1e-6 / 2 / math.sin(math.pi / pins)
+    size = {"pin_circle_radius": circle, "eccentricity": 1e-6}
+    radius_m = radius * 1e-6
+    holes = pin_fit(pins=pins, pin_radius=radius_m / 2, hole_radius=radius_m, **size)
+    assert ("holes_overlap" in {n.code for n in holes.notices}) == (off <= 0)
+    both = pin_fit(pins=pins, pin_radius=radius_m, hole_radius=radius_m * 1.5, **size)
+    assert ("pins_overlap" in {n.code for n in both.notices}) == (off <= 0)

@@ -11,8 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
-from core.precession.contact_line import contact_lines, contact_points
+from core.precession.contact_line import ContactLine, contact_lines, contact_points
 from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
+from core.results import ROUNDING
+from tests.oracles.condition import condition
 
 GEAR: dict[str, Any] = {
     "roller_circle_radius": 0.05,
@@ -120,6 +122,78 @@ def test_the_loaded_flank_has_an_arm_of_the_torques_sign(torque_sign: int) -> No
         assert np.all(arms * torque_sign > 0)
         assert line.arm_sign == torque_sign
         assert -2 * math.pi < line.phi_min < line.phi_max < 2 * math.pi
+
+
+ANGLES = dict.fromkeys(("nutation_angle", "position_angle", "phi_min", "phi_max"), 1.5)
+NEARLY = math.cos(math.radians(6)) - 1e-4
+"""A ratio u12 that leaves A only the last digits of cos(theta)."""
+STEEPEST = 0.05 * (math.cos(math.radians(6)) - 24 / 25) / math.sin(math.radians(6))
+
+
+def one_line(**inputs: float) -> ContactLine:
+    """The line of one roller, whose inputs stand beside those of the gear."""
+    names = [name for name in inputs if name not in GEAR]
+    kind = RollerByAngle if "phi_min" in names else RollerByLength
+    roller = kind(**{name: inputs[name] for name in names})
+    return contact_lines(**{name: inputs[name] for name in GEAR}, rollers=[roller]).lines[0]
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.025},
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.015003},
+        {"position_angle": -3.1, "z_min": 0.999 * STEEPEST, "z_max": 1.02 * STEEPEST},
+        {"position_angle": 3.1, "z_min": 1.01 * STEEPEST, "z_max": 1.02 * STEEPEST},
+        {"position_angle": 2.5, "z_min": 1e-4, "z_max": 2e-4, "ratio_u12": NEARLY},
+        {"position_angle": 0.5, "phi_min": -0.35, "phi_max": -0.2},
+        {"position_angle": 0.5, "phi_min": -0.499, "phi_max": -0.2},
+        {"position_angle": 0.5, "phi_min": -0.3, "phi_max": -0.2999},
+        {"position_angle": 0.5, "phi_min": 200 * math.pi - 0.3, "phi_max": 200 * math.pi - 0.2},
+        {"position_angle": 1.5, "phi_min": -0.3, "phi_max": 1.2, "ratio_u12": NEARLY},
+    ],
+)
+def test_the_stated_error_is_the_condition_of_the_input(inputs: dict[str, float]) -> None:
+    """Not less than what rounding of every input may do, and not many times more."""
+    inputs = GEAR | inputs
+    needed = condition(lambda **each: one_line(**each).length, inputs, {**ANGLES, "ratio_u12": 0.5})
+    stated = one_line(**inputs).relative_error / ROUNDING
+    assert needed <= stated <= 5 * needed + 10
+
+
+def test_every_line_states_its_own_error() -> None:
+    """A short line of which nothing is known beside a long one that is known well."""
+    narrow = 0.02 * (1 + 1e-13)
+    rollers = [RollerByLength(0.5, 0.015, 0.025), RollerByLength(0.5, 0.02, narrow)]
+    result = contact_lines(**GEAR, rollers=rollers)
+    known, unknown = result.lines
+    assert result.accuracy.relative_error < 1e-14
+    assert known.relative_error < 1e-14
+    assert 2 * ROUNDING / 1e-13 <= unknown.relative_error < 1e-2
+
+
+def test_a_length_that_is_hardly_known_is_noticed() -> None:
+    for extent, codes in ((1e-12, []), (2e-14, ["hardly_known"])):
+        roller = RollerByLength(0.5, 0.02, 0.02 * (1 + extent))
+        result = contact_lines(**GEAR, rollers=[roller])
+        assert [notice.code for notice in result.notices] == codes
+        for notice in result.notices:
+            assert notice.value == result.accuracy.relative_error > notice.limit == 1e-2
+            assert f"{notice.value:.2g}" in notice.detail
+
+
+def test_a_wheel_knows_its_rollers_no_better_than_its_first_one() -> None:
+    """Where the position of a roller is a small difference of large angles."""
+    (*_, last) = wheel_rollers(
+        rollers_total=4, position_angle=-1.5 * math.pi + 1e-6, z_min=0.015, z_max=0.025
+    )
+    assert last.position_angle == pytest.approx(1e-6, rel=1e-8)
+    (of_wheel,) = contact_lines(**GEAR, rollers=[last]).lines
+    (alone,) = contact_lines(
+        **GEAR, rollers=[RollerByLength(last.position_angle, 0.015, 0.025)]
+    ).lines
+    assert of_wheel.curve.sine_error >= 1.5 * ROUNDING * 3 * math.pi / 1e-6
+    assert alone.curve.sine_error < 4 * ROUNDING
 
 
 def refusal(kind: type[CalculationError], **changes: Any) -> Any:

@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.precession.contact_line import contact_points
-from core.precession.meshing_load import line_load, meshing_load
+from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
+from core.results import ROUNDING
+from tests.oracles.condition import condition
 
 GEAR: dict[str, Any] = {
     "roller_circle_radius": 0.05,
@@ -124,6 +126,75 @@ def test_largest_line_load_lies_at_an_end() -> None:
     (line,) = load.lines
     q = line_load(load=load, line=line, z=contact_points(line=line, samples=1001).z)
     assert max(q) == pytest.approx(load.max_line_load, rel=1e-13)
+
+
+MESH = GEAR | {"torque": 10.0, "reference_z": 0.02}
+ANGLES = dict.fromkeys(("nutation_angle", "position_angle", "phi_min", "phi_max"), 1.5)
+NEARLY = math.cos(math.radians(6)) - 1e-4
+"""A ratio u12 that leaves A only the last digits of cos(theta)."""
+STEEPEST = 0.05 * (math.cos(math.radians(6)) - 24 / 25) / math.sin(math.radians(6))
+
+
+def one_roller(**inputs: float) -> MeshingLoad:
+    """The load on one roller, whose inputs stand beside those of the mesh."""
+    names = [name for name in inputs if name not in MESH]
+    kind = RollerByAngle if "phi_min" in names else RollerByLength
+    roller = kind(**{name: inputs[name] for name in names})
+    return meshing_load(**{name: inputs[name] for name in MESH}, rollers=[roller])
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.025},
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.025, "reference_z": 2.0},
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.015001, "reference_z": 0.0150005},
+        {"position_angle": 0.5, "z_min": 0.015, "z_max": 0.015003},
+        {"position_angle": 0.5, "z_min": 1e-7, "z_max": 0.02},
+        {"position_angle": 0.5, "z_min": -0.02, "z_max": -1e-7, "torque": -3.0},
+        {"position_angle": 3.1, "z_min": 0.999 * STEEPEST, "z_max": 1.02 * STEEPEST},
+        {"position_angle": 3.1, "z_min": 1.01 * STEEPEST, "z_max": 1.02 * STEEPEST},
+        {"position_angle": 2.5, "z_min": 1e-4, "z_max": 2e-4, "ratio_u12": NEARLY},
+        {"position_angle": 2.5, "z_min": 1e-8, "z_max": 2e-7, "ratio_u12": NEARLY},
+        {"position_angle": 0.5, "phi_min": -0.35, "phi_max": -0.2},
+        {"position_angle": 0.5, "phi_min": -0.499, "phi_max": -0.2},
+        {"position_angle": 0.5, "phi_min": -0.3, "phi_max": -0.2999},
+        {"position_angle": 0.5, "phi_min": 200 * math.pi - 0.3, "phi_max": 200 * math.pi - 0.2},
+        {"position_angle": 1.5, "phi_min": 0.3, "phi_max": 1.2, "ratio_u12": NEARLY},
+    ],
+)
+def test_the_stated_error_is_the_condition_of_the_input(inputs: dict[str, float]) -> None:
+    """Not less than what rounding of every input may do, and not many times more."""
+    inputs = MESH | inputs
+    load = one_roller(**inputs)
+    unit = abs(inputs["torque"]) / inputs["roller_circle_radius"]
+    sizes = {
+        "force": max(math.hypot(*load.force), unit),
+        "moment": math.hypot(*load.moment),
+        "max_line_load": load.max_line_load,
+    }
+    needed = {
+        name: condition(
+            lambda name=name, **each: getattr(one_roller(**each), name),
+            inputs,
+            {**ANGLES, "ratio_u12": 0.5},
+            size=size,
+        )
+        for name, size in sizes.items()
+    }
+    stated = load.accuracy.relative_error / ROUNDING
+    assert max(needed.values()) <= stated <= 12 * max(needed.values())
+    assert load.force_error >= needed["force"] * ROUNDING * sizes["force"]
+    # about the axis the moment is the torque, which is as exact as it is given
+    beside_torque = needed["moment"] - abs(inputs["torque"]) / sizes["moment"]
+    assert load.moment_error >= beside_torque * ROUNDING * sizes["moment"]
+
+
+def test_a_load_that_is_hardly_known_is_noticed() -> None:
+    narrow = RollerByLength(1.0, 0.02, 0.02 * (1 + 2e-14))
+    load = meshing_load(**GEAR, rollers=[narrow], torque=10.0, reference_z=0.02)
+    assert [notice.code for notice in load.notices] == ["hardly_known"]
+    assert load.notices[0].value == load.accuracy.relative_error
 
 
 def test_small_arm_is_noticed() -> None:

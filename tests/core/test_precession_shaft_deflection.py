@@ -1,16 +1,22 @@
 """Invariants, refusals and notices of the shaft."""
 
+import itertools
 import math
+import random
+import statistics
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from core.errors import InvalidInput
 from core.precession.shaft import ShaftSection, shaft_diagram
-from core.precession.shaft_deflection import shaft_deflection
+from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
+from core.results import ROUNDING
+from tests.oracles.shaft import exact_deflection
 
 LOAD: dict[str, Any] = {
     "force": (168.756146705, -337.606954169, 0.0),
@@ -91,13 +97,149 @@ def test_the_smallest_diameter_everywhere_exaggerates() -> None:
     assert result.simplification_error_B > 0
 
 
-def test_the_error_of_the_load_is_passed_on() -> None:
-    exact = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.02).accuracy.relative_error
-    rough = shaft_deflection(
-        **LOAD, **SHAFT, shaft_diameter=0.02, force_error=1e-6, moment_error=1e-9
+def numbers(result: ShaftDeflection) -> list[tuple[float, float]]:
+    """All vectors of an answer."""
+    places = [
+        result.deflection_B,
+        result.deflection_C,
+        result.simplified_deflection_B,
+        result.simplified_deflection_C,
+    ]
+    deflections = [(place.x, place.y) for place in places if place is not None]
+    return [result.reaction_B, result.reaction_C, *deflections]
+
+
+@pytest.mark.parametrize("errors", [(1e-6, 0.0), (0.0, 1e-8), (1e-5, 1e-8), (0.0, 1e-3)])
+@pytest.mark.parametrize("moment", [(-0.03, -0.07), (3.0, 40.0)])
+def test_the_error_of_the_load_is_passed_on(
+    errors: tuple[float, float], moment: tuple[float, float]
+) -> None:
+    """As much as it may change the number that it changes most."""
+    load = {"force": (16.0, -33.0, 0.0), "moment": (*moment, 10.0)}
+    plain = shaft_deflection(**load, **SHAFT, shaft_sections=STEPPED)
+    stated = shaft_deflection(
+        **load, **SHAFT, shaft_sections=STEPPED, force_error=errors[0], moment_error=errors[1]
     ).accuracy.relative_error
-    assert exact < 1e-14
-    assert 1e-9 < rough < 1e-8
+    worst = 0.0
+    # of force and moment so turned that their changes add up at one place or another
+    for turn, side in itertools.product(np.linspace(0, 2 * math.pi, 181), (1, -1)):
+        cosine, sine = math.cos(turn), math.sin(turn)
+        changed = shaft_deflection(
+            force=(16.0 + errors[0] * cosine, -33.0 + errors[0] * sine, 0.0),
+            moment=(moment[0] + side * errors[1] * sine, moment[1] - side * errors[1] * cosine, 10),
+            **SHAFT,
+            shaft_sections=STEPPED,
+        )
+        worst = max(
+            worst,
+            *(
+                math.dist(one, other) / math.hypot(*one)
+                for one, other in zip(numbers(plain), numbers(changed), strict=True)
+            ),
+        )
+    assert stated - plain.accuracy.relative_error == pytest.approx(worst, rel=1e-4)
+
+
+def overstatement(result: ShaftDeflection, meant: dict[str, Any]) -> float:
+    """Stated over measured error of what was meant by the numbers of a request."""
+    a, b, modulus = meant["a"], meant["b"], meant["modulus"]
+    loads_b = [each / a for each in (meant["moment"][1], -meant["moment"][0])]
+    loads_c = [each - load for each, load in zip(meant["force"], loads_b, strict=True)]
+    exact = [[-load for load in loads_b], [-load for load in loads_c]]
+    plain = [(a + b, min(diameter for _, diameter in meant["sections"]))]
+    for sections in (meant["sections"], plain)[: 1 + (result.simplified_deflection_B is not None)]:
+        for place in (a, mpf(0)):
+            exact.append(
+                [
+                    exact_deflection(sections, a, b, modulus, *loads, place)
+                    for loads in zip(loads_b, loads_c, strict=True)
+                ]
+            )
+    worst = max(
+        mp.hypot(*(x - y for x, y in zip(found, wanted, strict=True))) / mp.hypot(*wanted)
+        for found, wanted in zip(numbers(result), exact, strict=True)
+    )
+    return result.accuracy.relative_error / max(float(worst), ROUNDING / 4)
+
+
+def random_shaft(r: random.Random, practical: bool) -> tuple[dict[str, Any], dict[str, Any]]:
+    """A request in doubles, and what was meant by it: numbers of any digits that round to them."""
+
+    def meant(value: float) -> mpf:
+        return mpf(value) * (1 + mpf(r.uniform(-1, 1)) / 2**54)
+
+    spread = (-0.5, 0.5) if practical else (-4, 4)
+    a, b = (meant(0.05 * 10 ** r.uniform(*spread)) for _ in range(2))
+    cuts = {a} if r.random() < 0.5 else set()
+    for _ in range(0 if r.random() < 0.3 else r.randint(1, 5)):
+        near = r.choice((mpf(0), a, a, a + b))
+        size = float(a + b) * r.random() if practical else float(min(a, b)) * 10 ** r.uniform(-9, 0)
+        cuts.add(near + r.choice((1, -1)) * meant(size))
+    places = [mpf(0), *sorted(c for c in cuts if 0 < c < a + b), a + b]
+    thick = (-2.3, -1.3) if practical else (-5, 0)
+    sections = [
+        (far - near, meant(10 ** r.uniform(*thick))) for near, far in itertools.pairwise(places)
+    ]
+    true = {
+        "a": a,
+        "b": b,
+        "modulus": meant(10 ** r.uniform(9, 12)),
+        "force": [meant(r.uniform(-1, 1) * 10 ** r.uniform(-3, 4)) for _ in range(2)],
+        "moment": [meant(r.uniform(-1, 1) * 10 ** r.uniform(-6, 3)) for _ in range(2)],
+        "sections": sections,
+    }
+    request = {
+        "force": (*map(float, true["force"]), 0.0),
+        "moment": (*map(float, true["moment"]), 5.0),
+        "bearing_distance": float(a),
+        "overhang": float(b),
+        "youngs_modulus": float(true["modulus"]),
+        "shaft_sections": [ShaftSection(*map(float, section)) for section in sections],
+    }
+    return request, true
+
+
+@pytest.mark.parametrize("practical", [True, False])
+def test_stated_errors_of_random_shafts(practical: bool) -> None:
+    """They hold for all numbers of an answer, and do not exaggerate."""
+    r = random.Random(practical)
+    ratios = []
+    for _ in range(200):
+        request, meant = random_shaft(r, practical)
+        ratios.append(overstatement(shaft_deflection(**request), meant))
+    assert min(ratios) >= 1
+    assert statistics.median(ratios) < 40
+
+
+def test_an_overhang_far_shorter_than_the_bearing_distance_keeps_its_digits() -> None:
+    """B's deflection hangs on the overhang alone, which places counted from C lose."""
+    true = {
+        "a": mpf("449.7"),
+        "b": mpf("1.173354954874685e-08"),
+        "modulus": mpf("21.3403"),
+        "force": [mpf("2e12"), mpf("-3e12")],
+        "moment": [mpf("5"), mpf("7")],
+        "sections": [
+            (mpf("390.5"), mpf("0.0043")),
+            (mpf("59.20000001173354954874685"), mpf("0.04104196752757515")),
+        ],
+    }
+    result = shaft_deflection(
+        force=(2e12, -3e12, 0.0),
+        moment=(5.0, 7.0, 3e11),
+        bearing_distance=449.7,
+        overhang=1.173354954874685e-08,
+        youngs_modulus=21.3403,
+        shaft_sections=[ShaftSection(*map(float, section)) for section in true["sections"]],
+    )
+    assert overstatement(result, true) >= 1
+    assert result.accuracy.relative_error < 1e-14
+
+
+def test_a_deflection_that_is_hardly_known_is_noticed() -> None:
+    for error, codes in ((1.0, []), (10.0, ["hardly_known"])):
+        result = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.02, force_error=error)
+        assert [notice.code for notice in result.notices] == codes
 
 
 def test_diagram() -> None:

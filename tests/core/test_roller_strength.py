@@ -9,13 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.rollers.roller_curves import (
+from core.rollers.roller_curves import roller_curves
+from core.rollers.roller_strength import (
+    RollerStrength,
     load_nonuniformity,
-    relative_stiffness,
-    relative_stress,
+    roller_strength,
     single_roller_limit,
 )
-from core.rollers.roller_strength import roller_strength
 
 DESIGN: dict[str, Any] = {
     "output_torque": 210.0,
@@ -121,30 +121,67 @@ def test_scaling(size: float, load: float) -> None:
     assert scaled.bending_stress == pytest.approx(load / size**2 * base.bending_stress, rel=1e-12)
 
 
-def test_curves_go_through_the_design() -> None:
-    result = roller_strength(**DESIGN)
-    shape: dict[str, Any] = {
-        "relative_width": 0.8,
-        "relative_sphere": 1.5,
-        "friction_coefficient": 0.16,
-        "modulus_ratio": 2.6,
-    }
-    lengths = np.array([0.5, 2.0, 5.0])
-    stiffness = relative_stiffness(relative_length=lengths, **shape)
-    assert stiffness[1] == pytest.approx(result.relative_stiffness, rel=1e-14)
-    assert np.all(np.diff(stiffness) < 0)
-    stress = relative_stress(
-        relative_length=lengths,
-        rollers=4,
-        relative_torque=0.001,
-        relative_radius=3.0,
-        relative_tolerance=2e-4,
-        stress_concentration=2.0,
-        **shape,
+@pytest.mark.parametrize("sharing", [{}, {"position_tolerance": 0.0}, {"gaps": [0, 3e-6, 0, 1e-5]}])
+def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
+    design = (without("position_tolerance") if "gaps" in sharing else DESIGN) | sharing
+    curves, own = roller_curves(**design), roller_strength(**design)
+    assert curves.design == own
+    place = own.length_ratio
+    assert np.interp(place, curves.length_ratio, curves.relative_stiffness) == pytest.approx(
+        own.relative_stiffness, rel=1e-3
     )
-    assert stress[1] == pytest.approx(result.bending_stress / 210e9, rel=1e-13)
-    psi = load_nonuniformity(relative_position_error=np.array([0.0, 0.5, 1.0, 9.0]), rollers=4)
-    assert psi.tolist() == [1.0, 2.5, 4.0, 4.0]
+    assert np.all(np.diff(curves.relative_stiffness) < 0)
+    tolerance = own.relative_position_error * own.mean_force / own.stiffness
+    same = roller_strength(**without("gaps") | {"position_tolerance": tolerance})
+    nearest = min(curves.stress, key=lambda each: abs(each - tolerance))
+    assert nearest == pytest.approx(tolerance, abs=1e-18)
+    assert np.interp(place, curves.length_ratio, curves.stress[nearest]) == pytest.approx(
+        same.bending_stress, rel=1e-3
+    )
+    assert curves.nonuniformity[4][-1] == 4.0
+    assert curves.position_error[-1] >= curves.limit == 1.0
+
+
+@given(st.integers(0, 2**32), st.integers(1, 8), st.booleans())
+def test_rollers_of_an_array_are_those_one_by_one(seed: int, rollers: int, worst: bool) -> None:
+    random, count = np.random.default_rng(seed), 5
+    designs: dict[str, Any] = {
+        "output_torque": 10.0 ** random.uniform(-2, 4, count),
+        "hole_circle_radius": random.uniform(0.01, 1, count),
+        "cylinder_length": random.uniform(0.001, 0.1, count),
+        "sphere_width": random.uniform(0.001, 0.03, count),
+        "sphere_diameter": random.uniform(0.001, 0.03, count),
+        "diameter": random.uniform(0.001, 0.03, count),
+        "friction_coefficient": random.uniform(0, 1, count),
+        "youngs_modulus": random.uniform(1e9, 3e11, count),
+        "poissons_ratio": random.uniform(0.0, 0.49, count),
+        "stress_concentration": random.uniform(1, 3, count),
+    }
+    spread = 10.0 ** random.uniform(-8, -4)
+    gaps = spread * random.integers(-2, 6, (rollers, count))
+    several = {"position_tolerance": abs(gaps[0])} if worst else {"gaps": [*gaps]}
+    together = roller_strength(**designs, rollers=rollers, **several)
+    for index in range(count):
+        one = roller_strength(
+            **{name: float(values[index]) for name, values in designs.items()},
+            rollers=rollers,
+            **(
+                {"position_tolerance": float(abs(gaps[0, index]))}
+                if worst
+                else {"gaps": gaps[:, index].tolist()}
+            ),
+        )
+        for name in RollerStrength.__slots__:
+            got, expected = getattr(together, name), getattr(one, name)
+            if name == "accuracy":
+                got, expected = got.relative_error, expected.relative_error
+            if name == "forces":
+                got = [force[index] for force in got]
+                assert got == pytest.approx(expected, rel=1e-14, abs=1e-14 * one.max_force)
+            else:
+                assert np.broadcast_to(got, count)[index] == pytest.approx(expected, rel=1e-14), (
+                    name
+                )
 
 
 def test_shear_modulus_or_poissons_ratio() -> None:
@@ -190,3 +227,12 @@ def test_notices(code: str, changes: dict[str, Any]) -> None:
     assert not roller_strength(**DESIGN).notices
     (notice,) = roller_strength(**DESIGN | changes).notices
     assert notice.code == code
+
+
+@pytest.mark.parametrize(("base", "codes"), [(1e-3, []), (1e12, ["hardly_known"])])
+def test_gaps_that_differ_only_by_rounding_say_that_hardly_anything_is_known(
+    base: float, codes: list[str]
+) -> None:
+    gaps = [base, base, base * (1 + 2.0**-50), base]
+    result = roller_strength(**without("position_tolerance") | {"gaps": gaps})
+    assert [notice.code for notice in result.notices] == codes

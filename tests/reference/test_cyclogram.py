@@ -7,14 +7,17 @@ grows with it, and no more.
 
 import math
 import random
+from fractions import Fraction
 from itertools import pairwise
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from core.output.cyclogram import cyclogram
-from core.output.mechanism import Mechanism
-from tests.reference.oracle_crank_planetary import (
+from core.output.mechanism import Mechanism, assembly_angles
+from tests.oracles.crank_planetary import (
     cosines,
     driving_count,
     driving_intervals,
@@ -219,3 +222,54 @@ def test_far_turns_keep_their_digits(turns: float) -> None:
         assert len(pair.driving) == len(exact)
         assert last[0] == pytest.approx(float(exact_last[0]), rel=1e-15)
         assert last[1] == pytest.approx(float(exact_last[1]), rel=1e-15)
+
+
+@given(
+    pins=st.sampled_from([1, 2, 3, 4, 6]),
+    sliver=st.floats(-10.5, -7).map(lambda power: 10**power),
+    start=st.sampled_from([0.0, 180.0]),
+    shown=st.sampled_from([1.0, 20 / 21, 2.0]),
+    data=st.data(),
+)
+def test_the_total_of_a_pair_holds_beside_slivers_at_the_ends_of_the_range(
+    pins: int, sliver: float, start: float, shown: float, data: st.DataObject
+) -> None:
+    cranks = st.sampled_from([0.0, 90.0, 180 - sliver, 180 + sliver, sliver, -sliver])
+    angles = data.draw(st.tuples(cranks, cranks))
+    mechanism = Mechanism(
+        pins=pins,
+        crank_angles=tuple(math.radians(angle) for angle in angles),
+        ratio=20.0,
+        initial_crank_angle=math.radians(start),
+    )
+    result = cyclogram(mechanism=mechanism, revolutions=shown)
+    waves = mpf(shown) * 21 / 20
+
+    def before(position: mpf) -> mpf:
+        """Part of the wave over which a pair of phase 0 drives up to a position, in turns."""
+        whole = mp.floor(position)
+        return whole / 2 + max(position - whole - mpf(1) / 2, mpf(0))
+
+    for pair in result.pairs:
+        phase = (mpf(angles[pair.satellite - 1]) + mpf(start)) / 360 + mpf(pair.pin - 1) / pins
+        exact = (before(waves + phase) - before(phase)) / waves
+        total = sum(stop - first for first, stop in pair.driving) / (2 * math.pi * shown)
+        assert abs(total - exact) <= result.accuracy.relative_error
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_assembly_angles_are_those_of_exact_fractions(seed: int) -> None:
+    # in turns: (alpha_j - alpha_1)*(z3 - z2)/z2, less the nearest whole number of pitches 1/z2;
+    # the same part where it is a whole number of 1/lcm(z2, N)
+    r = random.Random(seed)
+    pins, teeth, more = r.randint(1, 12), r.randint(5, 120), r.randint(1, 5)
+    degrees = [r.choice((15, 24, 90)) * r.randint(-20, 20) for _ in range(r.randint(1, 5))]
+    mechanism = Mechanism(pins, tuple(math.radians(each) for each in degrees), teeth / more)
+    common = Fraction(1, math.lcm(teeth, pins))
+    for found, angle in zip(
+        assembly_angles(mechanism=mechanism, satellite_teeth=teeth), degrees, strict=True
+    ):
+        turned = Fraction((angle - degrees[0]) * more, 360 * teeth)
+        left = abs(turned - round(turned * teeth) * Fraction(1, teeth))
+        assert found.hole_rotation == pytest.approx(float(2 * left) * math.pi, rel=1e-9, abs=1e-12)
+        assert found.identical is (turned % common == 0)

@@ -7,6 +7,8 @@ leave has to be closed over the contact and open beside it.
 
 import math
 import random
+from decimal import Decimal
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -18,11 +20,11 @@ from core.hertz import (
     conformal_half_angle_tangent,
     conformal_pressure,
     conformal_pressure_ratio,
+    conformal_profile,
     hertz,
 )
 from core.materials import ElasticMaterial
-
-mp.dps = 40
+from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 
 
 @pytest.mark.parametrize("seed", range(100))
@@ -57,7 +59,7 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
     p0 = mp.sqrt(w * modulus / (mp.pi * rho))
     a = mp.sqrt(4 * w * rho / (mp.pi * modulus))
     # largest |sx - sz|/2 below the middle, by its own stationary point
-    depth = mp.findroot(lambda z: mp.diff(_axis_shear, z), 0.8)
+    depth = mp.findroot(lambda z: mp.diff(axis_shear, z), 0.8)
     exact = {
         "reduced_radius": rho,
         "effective_modulus": modulus,
@@ -65,7 +67,7 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
         "mean_pressure": mp.pi / 4 * p0,
         "half_width": a,
         "half_width_ratio": a / mpf(pin_radius),
-        "max_shear": _axis_shear(depth) * p0,
+        "max_shear": axis_shear(depth) * p0,
         "max_shear_depth": depth * a,
     }
     stated = found.accuracy.relative_error
@@ -75,16 +77,6 @@ def test_every_number_of_the_line_contact(seed: int) -> None:
         assert error <= stated, name
     # load per width: p0 over an ellipse of half-axis a carries the load
     assert found.mean_pressure * 2 * found.half_width == pytest.approx(float(w), rel=1e-14)
-
-
-def _axis_shear(z: mpf) -> mpf:
-    """Principal shear below the middle of a Hertz line contact over p0, depth z over a.
-
-    Johnson, Contact Mechanics, eq. (4.46): sx = -p0*((1 + 2z^2)/sqrt(1 + z^2) - 2z),
-    sz = -p0/sqrt(1 + z^2).
-    """
-    root = mp.sqrt(1 + z * z)
-    return ((1 / root) - ((1 + 2 * z * z) / root - 2 * z)) / 2
 
 
 def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
@@ -115,31 +107,6 @@ def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
     assert found.max_shear_depth / found.half_width == pytest.approx(depths[best], abs=5e-4)
     assert found.max_shear / found.max_pressure == pytest.approx(0.300, abs=5e-4)
     assert found.max_shear_depth / found.half_width == pytest.approx(0.786, abs=5e-4)
-
-
-def exact_tangent(load_parameter: float) -> mpf:
-    """Root b of Persson's equation by bisection in mpmath."""
-
-    def excess(b: mpf) -> mpf:
-        y = b * b
-        return (2 - mp.log(y + 1) - 2 * y * y) - mpf(load_parameter) * mp.pi * y * (y + 1)
-
-    low, high = mpf(0), mpf(1)
-    while high - low > mpf(10) ** -38 * high:
-        middle = (low + high) / 2
-        if excess(middle) > 0:
-            low = middle
-        else:
-            high = middle
-    return (low + high) / 2
-
-
-def exact_pressure(y: mpf, b: mpf) -> mpf:
-    """p*R/Q at y = tan(angle/2), Ciavarella and Decuzzi 2001 for identical materials."""
-    inner, outer = mp.sqrt(b * b - y * y), mp.sqrt(b * b + 1)
-    return 2 * inner / (mp.pi * outer * (1 + y * y)) + mp.log((outer + inner) / (outer - inner)) / (
-        2 * mp.pi * b * b * (1 + b * b)
-    )
 
 
 LOAD_PARAMETERS = [1e-12, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 30.0, 300.0, 1e4, 1e8, 1e14]
@@ -241,3 +208,45 @@ def test_limit_of_validity_is_where_hertz_is_off_by_one_per_cent() -> None:
             high = middle
     half_width_ratio = 2 * mp.sqrt(2 / (mp.pi * low))
     assert float(half_width_ratio) == pytest.approx(HALF_WIDTH_RATIO_LIMIT, abs=1e-3)
+
+
+def test_the_stated_error_holds_where_nearly_equal_radii_are_typed_as_decimals() -> None:
+    """Millimetres with a few digits: what is meant is the decimal, not the double beside it."""
+    r = random.Random(3)
+    steel = ElasticMaterial(youngs_modulus=206e9, poissons_ratio=0.3)
+    shares = []
+    for _ in range(4000):
+        pin = Decimal(r.randint(1, 10**7)).scaleb(-5)
+        hole = pin + Decimal(r.randint(1, 9)).scaleb(-r.randint(3, 9))
+        found = hertz(
+            force=1e3,
+            contact_length=0.02,
+            pin_radius=float(pin) / 1e3,
+            hole_radius=float(hole) / 1e3,
+            pin_material=steel,
+            hole_material=steel,
+        )
+        exact = Fraction(pin) * Fraction(hole) / Fraction(hole - pin) / 1000
+        error = abs(Fraction(found.reduced_radius) / exact - 1)
+        shares.append(float(error / Fraction(found.accuracy.relative_error)))
+    assert max(shares) <= 1
+    assert max(shares) > 0.5, "a bound of half the size would be wrong"
+
+
+def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
+    steel = ElasticMaterial(youngs_modulus=206e9, poissons_ratio=0.3)
+    contact = hertz(
+        force=2e4,
+        contact_length=0.02,
+        pin_radius=0.008,
+        hole_radius=0.00802,
+        pin_material=steel,
+        hole_material=steel,
+    )
+    assert contact.conformal_half_angle is not None
+    arc, pressure = conformal_profile(contact=contact, samples=20001)
+    assert arc[-1] == pytest.approx(0.008 * contact.conformal_half_angle, rel=1e-14)
+    assert pressure.max() == pytest.approx(contact.conformal_pressure, rel=1e-14)
+    # the load: pressure times cosine over the arc, times the length
+    carried = np.trapezoid(pressure * np.cos(arc / 0.008), arc) * 0.02
+    assert carried == pytest.approx(2e4, rel=0.003)  # R - r << r, and where the arc is taken

@@ -7,8 +7,6 @@ line, a few widths around it, far away from it, and down to 1e-13 of their dista
 
 import math
 import random
-from itertools import pairwise
-from typing import Any
 
 import pytest
 from mpmath import mp, mpf
@@ -19,52 +17,14 @@ from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import shaft_deflection
-from tests.reference.oracle_precession import (
+from tests.oracles.cases import curve_scale, random_gear, random_interval, random_position
+from tests.oracles.precession import (
     length_by_angle,
     length_by_z,
     load_integrals,
-    scale,
     z_of_angle,
 )
-
-
-def random_gear(r: random.Random) -> dict[str, Any]:
-    theta = 10 ** r.uniform(-4, math.log10(1.5))
-    difference = r.choice([-1, 1]) * 10 ** r.uniform(-9, 0)
-    circle = 10 ** r.uniform(-3, 0)
-    return {
-        "roller_circle_radius": circle,
-        "roller_radius": circle * 10 ** r.uniform(-3, -0.01),
-        "nutation_angle": theta,
-        "ratio_u12": math.cos(theta) - difference,
-    }
-
-
-def random_position(r: random.Random) -> float:
-    small = 10 ** r.uniform(-6, math.log10(math.pi / 2))
-    return r.choice([-1, 1]) * r.choice([small, math.pi - small])
-
-
-def random_interval(r: random.Random, gear: dict[str, Any], phi_1: float) -> tuple[float, float]:
-    circle = gear["roller_circle_radius"]
-    kind = r.choice(["usual", "wide", "steep", "narrow"])
-    if kind == "usual":
-        start = circle * r.uniform(-1, 1)
-        return start, start + circle * 10 ** r.uniform(-3, 0)
-    if kind == "wide":
-        start = circle * r.choice([-1, 1]) * 10 ** r.uniform(-12, 3)
-        return start, start + max(circle * 10 ** r.uniform(-12, 3), abs(start) * 1e-13)
-    if kind == "steep":
-        a = float(scale(circle, gear["nutation_angle"], gear["ratio_u12"]))
-        width = abs(a * math.sin(phi_1))
-        start = -a * math.cos(phi_1) - width * r.uniform(-3, 10)
-        return start, start + max(width * 10 ** r.uniform(-1, 3), abs(start) * 1e-13)
-    start = circle * r.uniform(-1, 1)
-    return start, start + abs(start) * 10 ** r.uniform(-13, -1)
-
-
-def curve_scale(gear: dict[str, Any]) -> mpf:
-    return scale(gear["roller_circle_radius"], gear["nutation_angle"], gear["ratio_u12"])
+from tests.oracles.shaft import exact_deflection
 
 
 @pytest.mark.parametrize("seed", range(80))
@@ -114,7 +74,7 @@ def test_length_by_angle(seed: int) -> None:
     for z, phi, bound in zip(
         (line.z_min, line.z_max),
         sorted(ends, key=lambda end: z_of_angle(curve_scale(gear), phi_1, end)),
-        line.end_errors,
+        (point.error for point in line.limits[:2]),
         strict=True,
     ):
         true = z_of_angle(curve_scale(gear), phi_1, phi)
@@ -176,31 +136,6 @@ def test_meshing_load(seed: int) -> None:
     assert moment_error <= result.accuracy.relative_error * math.hypot(*result.moment)
 
 
-def exact_deflection(
-    sections: list[ShaftSection],
-    a: float,
-    b: float,
-    modulus: float,
-    load_b: mpf,
-    load_c: mpf,
-    place: mpf,
-) -> mpf:
-    """Mohr's integral over x from the clamp, with quadrature that is exact for its cubics."""
-    total, start = mpf(0), mpf(0)
-    for index, section in enumerate(sections):
-        end = start + mpf(section.length) if index < len(sections) - 1 else mpf(a) + mpf(b)
-        cuts = sorted({start, end, *(c for c in (mpf(a), place) if start < c < end)})
-        rigidity = mpf(modulus) * mp.pi * mpf(section.diameter) ** 4 / 64
-        for p, q in pairwise(cuts):
-            values = []
-            for x in (p, (p + q) / 2, q):
-                moment = load_c * x + load_b * max(x - mpf(a), mpf(0))
-                values.append(moment * max(x - place, mpf(0)))
-            total += (q - p) * (values[0] + 4 * values[1] + values[2]) / (6 * rigidity)
-        start = end
-    return total
-
-
 @pytest.mark.parametrize("seed", range(60))
 def test_shaft_deflection(seed: int) -> None:
     r = random.Random(seed)
@@ -209,7 +144,7 @@ def test_shaft_deflection(seed: int) -> None:
     modulus = 10 ** r.uniform(9, 12)
     number = r.randint(1, 6)
     lengths = [r.randint(1, 1000) / 4096 for _ in range(number)]  # exact sums
-    sections = [ShaftSection(length, 10 ** r.uniform(-3, -1)) for length in lengths]
+    sections = [(length, 10 ** r.uniform(-3, -1)) for length in lengths]
     total = sum(lengths)
     a = r.choice([total * r.randint(1, 63) / 64, lengths[0] if number > 1 else total / 2])
     b = total - a
@@ -219,7 +154,7 @@ def test_shaft_deflection(seed: int) -> None:
         bearing_distance=a,
         overhang=b,
         youngs_modulus=modulus,
-        shaft_sections=sections,
+        shaft_sections=[ShaftSection(*section) for section in sections],
     )
     stated = result.accuracy.relative_error
     diagram = shaft_diagram(
@@ -228,7 +163,7 @@ def test_shaft_deflection(seed: int) -> None:
         bearing_distance=a,
         overhang=b,
         youngs_modulus=modulus,
-        shaft_sections=sections,
+        shaft_sections=[ShaftSection(*section) for section in sections],
         samples=7,
     )
     for plane, name in enumerate(("x", "y")):

@@ -1,75 +1,23 @@
-"""Swinging rollers against 50-digit arithmetic of the definition, random and extreme input."""
+"""Swinging rollers against 40-digit arithmetic of the definition, random and extreme input."""
 
 import random
-from typing import Any
 
 import pytest
 from mpmath import mp, mpf
 
 from core.load_sharing import share_load
 from core.rollers.roller_strength import roller_strength
-
-mp.dps = 50
-
-
-def exact_compliance(case: dict[str, Any]) -> mpf:
-    """P3 (8) for a unit force: bending, shear, and the end's rotation over b/2."""
-    length, width, sphere, d, k, e = (
-        mpf(case[name])
-        for name in (
-            "cylinder_length",
-            "sphere_width",
-            "sphere_diameter",
-            "diameter",
-            "friction_coefficient",
-            "youngs_modulus",
-        )
-    )
-    shear_modulus = e / (2 * (1 + mpf(case["poissons_ratio"])))
-    rigidity = e * mp.pi * d**4 / 64
-    end_moment = (k * sphere + width) / 2
-    shear_angle = mpf("1.11") / (shear_modulus * mp.pi * d**2 / 4)
-    sag = end_moment * length**2 / (2 * rigidity) + length**3 / (3 * rigidity)
-    rotation = (end_moment * length + length**2 / 2) / rigidity + shear_angle
-    return sag + shear_angle * length + rotation * width / 2
-
-
-def exact_forces(total: mpf, stiffness: mpf, gaps: list[mpf]) -> list[mpf]:
-    """Bisection on the number of closed contacts, in any order: the definition itself."""
-    order = sorted(gaps)
-    for closed in range(len(gaps), 0, -1):
-        displacement = (total / stiffness + mp.fsum(order[:closed])) / closed
-        if displacement > order[closed - 1] or closed == 1:
-            return [stiffness * max(mpf(0), displacement - gap) for gap in gaps]
-    raise AssertionError
+from tests.oracles.cases import random_rollers
+from tests.oracles.rollers import exact_compliance, exact_forces
 
 
 def error(value: float, exact: mpf, scale: mpf) -> float:
     return float(abs(mpf(value) - exact) / abs(scale))
 
 
-def random_case(seed: int) -> dict[str, Any]:
-    r = random.Random(seed)
-    d = 10 ** r.uniform(-4, 0)
-    e = 10 ** r.uniform(8, 12)
-    return {
-        "output_torque": 10 ** r.uniform(-6, 9),
-        "hole_circle_radius": d * 10 ** r.uniform(-2, 3),
-        "rollers": r.choice([1, 2, 3, 4, 200, r.randint(1, 200)]),
-        "cylinder_length": d * 10 ** r.uniform(-3, 3),
-        "sphere_width": d * 10 ** r.uniform(-3, 3),
-        "sphere_diameter": d * 10 ** r.uniform(-3, 3),
-        "diameter": d,
-        "friction_coefficient": r.choice([0.0, 0.16, 10 ** r.uniform(-6, 1)]),
-        "youngs_modulus": e,
-        "poissons_ratio": r.uniform(0, 0.4999),
-        "stress_concentration": 10 ** r.uniform(0, 1),
-    }
-
-
 @pytest.mark.parametrize("seed", range(120))
 def test_every_number_by_tolerance(seed: int) -> None:
-    case = random_case(seed)
+    case = random_rollers(seed)
     r = random.Random(-seed - 1)
     n = case["rollers"]
     delta = r.choice([0.0, n / 4, n / 4 * (1 + 1e-9), 10 ** r.uniform(-6, 6)])

@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from app.schemas.base import AccuracyOut, ResponseModel, Values, quantity
+from app.schemas.base import AccuracyOut, ResponseModel, Values, WarningOut, quantity
 from app.schemas.precession.gear import GearFields
 from core.errors import InvalidInput
 from core.precession.contact_line import (
@@ -86,6 +86,7 @@ class ContactLineOut(ResponseModel):
     phi_min_deg: float
     phi_max_deg: float
     length_mm: float
+    relative_error: float = Field(description="Bound of the relative error of its length.")
     points: PointsOut | None = None
 
 
@@ -95,6 +96,7 @@ class ContactLineResponse(ResponseModel):
     lines: list[ContactLineOut]
     total_length_mm: float
     accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
 
     @classmethod
     def values(

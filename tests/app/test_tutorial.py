@@ -1,0 +1,89 @@
+"""The tutorial's requests, asked as they stand there, give the numbers printed there."""
+
+import json
+import re
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+
+TUTORIAL = (Path(__file__).parent.parent.parent / "docs" / "tutorial.md").read_text()
+BLOCK = re.compile(r"^( *)```(sh|json)\n(.*?)^\1```$", re.DOTALL | re.MULTILINE)
+ASKED = re.compile(r"ask (\S+) '(.*)'\n", re.DOTALL)
+
+BLOCKS = [(language, text) for _, language, text in BLOCK.findall(TUTORIAL)]
+STEPS = [
+    pytest.param(*asked.groups(), BLOCKS[index + 1], id=f"{index}-{asked[1]}")
+    for index, (language, text) in enumerate(BLOCKS)
+    if language == "sh" and (asked := ASKED.search(text))
+]
+
+
+def compare(printed, answer, place=""):
+    """What is printed stands in the answer, numbers to their last printed digit."""
+    if isinstance(printed, dict):
+        for name, value in printed.items():
+            assert name in answer, f"{place}/{name}"
+            compare(value, answer[name], f"{place}/{name}")
+    elif isinstance(printed, list):
+        assert len(printed) == len(answer), place
+        for index, value in enumerate(printed):
+            compare(value, answer[index], f"{place}/{index}")
+    elif isinstance(printed, Decimal):
+        last_digit = Decimal(1).scaleb(printed.as_tuple().exponent)
+        assert abs(Decimal(answer) - printed) <= last_digit / 2, f"{place}: {answer}"
+    else:
+        assert printed == answer, place
+
+
+def accuracies(answer):
+    if isinstance(answer, dict):
+        if "accuracy" in answer:
+            yield answer["accuracy"]
+        for value in answer.values():
+            yield from accuracies(value)
+
+
+def test_every_request_is_followed_by_its_answer():
+    assert len(STEPS) == 5
+    assert sum(language == "json" for language, _ in BLOCKS) == len(STEPS)
+
+
+@pytest.mark.anyio
+@pytest.mark.parametrize(("path", "body", "following"), STEPS)
+async def test_the_service_gives_the_printed_numbers(api, path, body, following):
+    language, text = following
+    assert language == "json"
+    response = await api.post(path, json=json.loads(body))
+    assert response.status_code == 200, response.text
+    answer = response.json()
+    compare(json.loads(text, parse_float=Decimal, parse_int=Decimal), answer)
+    assert "warnings" not in response.text
+    assert all(each["relative_error"] < 1e-12 for each in accuracies(answer))
+
+
+def test_numbers_in_the_text_are_those_of_the_blocks():
+    prose = BLOCK.sub("", TUTORIAL)
+    shown = {Decimal(each) for each in re.findall(r"\d+\.\d+", "".join(t for _, t in BLOCKS))}
+    own = {
+        "0.038",  # the radius in metres
+        "0.16",  # where the service warns, rounded
+        "0.02",  # the theory's example of a clearance
+        "20.4",  # the diameter of the holes
+    }
+    said = set(re.findall(r"\d+\.\d+", prose)) - own
+    assert {each for each in said if Decimal(each) not in shown} == set()
+
+
+@pytest.mark.anyio
+async def test_the_example_of_a_refusal_is_refused_with_its_place(api):
+    body = {
+        "pins": 2,
+        "satellites": 1,
+        "ratio": 20,
+        "output_torque_Nm": 400,
+        "pin_circle_radius_mm": 38,
+    }
+    refusal = await api.post("contact-force", json=body)
+    assert refusal.status_code == 422
+    assert "crank_angle_deg" in refusal.text

@@ -1,0 +1,114 @@
+"""Random mechanisms, gears and rollers, with the awkward ones well represented."""
+
+import math
+import random
+from typing import Any
+
+from mpmath import mp, mpf
+
+from core.output.mechanism import Mechanism
+from tests.oracles.crank_planetary import largest_gap
+from tests.oracles.precession import scale
+
+EXPONENTS = [0.0, 1e-9, 0.3, 1.0, 10 / 9, 1.5, 3.0, 20.0, 120.0, 500.0]
+
+
+def random_crank_angles(r: random.Random, satellites: int, pins: int) -> tuple[float, ...]:
+    """Crank angles: any, evenly spaced, coincident, nearly so, whole degrees, pin pitches."""
+    kind = r.choice(["any", "even", "coincident", "near", "near even", "degrees", "pitch"])
+    if kind == "even":
+        return tuple(j * 2 * math.pi / satellites for j in range(satellites))
+    if kind == "coincident":
+        return tuple(r.choice([0.5, 2.0, 0.5 + math.pi]) for _ in range(satellites))
+    if kind == "near":
+        base = r.uniform(-7, 7)
+        return tuple(base + r.choice([-1, 1]) * 10 ** r.uniform(-13, -3) for _ in range(satellites))
+    if kind == "near even":
+        return tuple(
+            j * 2 * math.pi / satellites + r.choice([-1, 1]) * 10 ** r.uniform(-13, -3)
+            for j in range(satellites)
+        )
+    if kind == "degrees":
+        return tuple(math.radians(r.randrange(0, 360, 15)) for _ in range(satellites))
+    if kind == "pitch":
+        step = math.pi / pins
+        return tuple(
+            step * r.randint(0, 2 * pins) + r.choice([0, 0, 1, -1]) * 10 ** r.uniform(-13, -6)
+            for _ in range(satellites)
+        )
+    return tuple(r.uniform(0, 2 * math.pi) for _ in range(satellites))
+
+
+def random_mechanism(seed: int, largest_pins: int = 40) -> tuple[Mechanism, float]:
+    """A mechanism without a dead centre, and a force exponent."""
+    r = random.Random(seed)
+    while True:
+        pins = r.choice([1, 2, 3, 3, 4, 5, 6, 7, 8, r.randint(3, largest_pins)])
+        satellites = r.randint(1, 6)
+        mechanism = Mechanism(
+            pins=pins,
+            crank_angles=random_crank_angles(r, satellites, pins),
+            ratio=r.choice([20.0, 1.0, 10 ** r.uniform(-1, 3)]),
+            initial_crank_angle=r.choice([0.0, math.pi, r.uniform(-4, 4)]),
+        )
+        exponent = r.choice([*EXPONENTS, 10 ** r.uniform(-3, 2.7)])
+        if largest_gap(pins, mechanism.crank_angles) < mp.pi - mpf("1e-3"):
+            return mechanism, exponent
+
+
+def random_gear(r: random.Random) -> dict[str, Any]:
+    theta = 10 ** r.uniform(-4, math.log10(1.5))
+    difference = r.choice([-1, 1]) * 10 ** r.uniform(-9, 0)
+    circle = 10 ** r.uniform(-3, 0)
+    return {
+        "roller_circle_radius": circle,
+        "roller_radius": circle * 10 ** r.uniform(-3, -0.01),
+        "nutation_angle": theta,
+        "ratio_u12": math.cos(theta) - difference,
+    }
+
+
+def random_position(r: random.Random) -> float:
+    small = 10 ** r.uniform(-6, math.log10(math.pi / 2))
+    return r.choice([-1, 1]) * r.choice([small, math.pi - small])
+
+
+def random_interval(r: random.Random, gear: dict[str, Any], phi_1: float) -> tuple[float, float]:
+    circle = gear["roller_circle_radius"]
+    kind = r.choice(["usual", "wide", "steep", "narrow"])
+    if kind == "usual":
+        start = circle * r.uniform(-1, 1)
+        return start, start + circle * 10 ** r.uniform(-3, 0)
+    if kind == "wide":
+        start = circle * r.choice([-1, 1]) * 10 ** r.uniform(-12, 3)
+        return start, start + max(circle * 10 ** r.uniform(-12, 3), abs(start) * 1e-13)
+    if kind == "steep":
+        a = float(scale(circle, gear["nutation_angle"], gear["ratio_u12"]))
+        width = abs(a * math.sin(phi_1))
+        start = -a * math.cos(phi_1) - width * r.uniform(-3, 10)
+        return start, start + max(width * 10 ** r.uniform(-1, 3), abs(start) * 1e-13)
+    start = circle * r.uniform(-1, 1)
+    return start, start + abs(start) * 10 ** r.uniform(-13, -1)
+
+
+def curve_scale(gear: dict[str, Any]) -> mpf:
+    return scale(gear["roller_circle_radius"], gear["nutation_angle"], gear["ratio_u12"])
+
+
+def random_rollers(seed: int) -> dict[str, Any]:
+    r = random.Random(seed)
+    d = 10 ** r.uniform(-4, 0)
+    e = 10 ** r.uniform(8, 12)
+    return {
+        "output_torque": 10 ** r.uniform(-6, 9),
+        "hole_circle_radius": d * 10 ** r.uniform(-2, 3),
+        "rollers": r.choice([1, 2, 3, 4, 200, r.randint(1, 200)]),
+        "cylinder_length": d * 10 ** r.uniform(-3, 3),
+        "sphere_width": d * 10 ** r.uniform(-3, 3),
+        "sphere_diameter": d * 10 ** r.uniform(-3, 3),
+        "diameter": d,
+        "friction_coefficient": r.choice([0.0, 0.16, 10 ** r.uniform(-6, 1)]),
+        "youngs_modulus": e,
+        "poissons_ratio": r.uniform(0, 0.4999),
+        "stress_concentration": 10 ** r.uniform(0, 1),
+    }
