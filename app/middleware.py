@@ -65,7 +65,8 @@ class Requests:
             pass  # before its body was whole: there is nobody to answer
         except asyncio.CancelledError:  # the service stops, and has waited long enough
             if not status:
-                await unavailable("The service is stopping").response()(scope, receive, with_headers)
+                stopping = unavailable("The service is stopping").response()
+                await stopping(scope, receive, with_headers)
         except Exception as error:
             failed = error
             if not status:
