@@ -253,7 +253,7 @@ class Jobs:
                 child = await asyncio.to_thread(_started, former)
                 await child.receive()
         except Exception as error:
-            LOG.warning("a process for calculations could not be started", exc_info=error)
+            LOG.warning("a process for calculations could not be started: %r", error)
             if not self._children:
                 self._refuse_waiting()
         else:
