@@ -146,6 +146,12 @@ def one_line(**inputs: float) -> ContactLine:
         {"position_angle": -3.1, "z_min": 0.999 * STEEPEST, "z_max": 1.02 * STEEPEST},
         {"position_angle": 3.1, "z_min": 1.01 * STEEPEST, "z_max": 1.02 * STEEPEST},
         {"position_angle": 2.5, "z_min": 1e-4, "z_max": 2e-4, "ratio_u12": NEARLY},
+        {
+            "position_angle": 10 * math.pi + 6e-5,
+            "z_min": 1e-5 - STEEPEST,
+            "z_max": 1e-3 - STEEPEST,
+        },
+        {"position_angle": 10 * math.pi + 6e-5, "phi_min": 0.001, "phi_max": 0.3},
         {"position_angle": 0.5, "phi_min": -0.35, "phi_max": -0.2},
         {"position_angle": 0.5, "phi_min": -0.499, "phi_max": -0.2},
         {"position_angle": 0.5, "phi_min": -0.3, "phi_max": -0.2999},

@@ -161,6 +161,13 @@ def one_roller(**inputs: float) -> MeshingLoad:
         {"position_angle": 0.5, "phi_min": -0.3, "phi_max": -0.2999},
         {"position_angle": 0.5, "phi_min": 200 * math.pi - 0.3, "phi_max": 200 * math.pi - 0.2},
         {"position_angle": 1.5, "phi_min": 0.3, "phi_max": 1.2, "ratio_u12": NEARLY},
+        {"position_angle": 20.5 * math.pi, "z_min": 0.015, "z_max": 0.025},
+        {
+            "position_angle": 0.5,
+            "phi_min": 200 * math.pi - 0.3,
+            "phi_max": 200 * math.pi - 0.2999,
+            "reference_z": STEEPEST * math.sin(0.29995) / math.sin(0.20005),
+        },
     ],
 )
 def test_the_stated_error_is_the_condition_of_the_input(inputs: dict[str, float]) -> None:
