@@ -30,7 +30,7 @@ from core.arrays import (
 )
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial, effective_modulus
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""
@@ -124,8 +124,9 @@ class HertzContact:
     def notices(self) -> tuple[Notice, ...]:
         """Limits of validity that one contact (not an array of them) strains."""
         ratio = self.half_width_ratio
+        unknown = poorly_known(self.accuracy)
         if ratio <= HALF_WIDTH_RATIO_LIMIT:
-            return ()
+            return unknown
         if self.conformal_pressure is not None:
             code, cure = "hertz_half_width", "use {conformal_pressure}"
         elif ratio <= 1:
@@ -144,6 +145,7 @@ class HertzContact:
                 value=float(ratio),
                 limit=HALF_WIDTH_RATIO_LIMIT,
             ),
+            *unknown,
         )
 
 

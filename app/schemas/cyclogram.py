@@ -2,7 +2,7 @@
 
 import math
 
-from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, quantity
+from app.schemas.base import AccuracyOut, RequestModel, ResponseModel, Values, WarningOut, quantity
 from app.schemas.mechanism import MechanismFields
 from app.units import UNITS
 from core.errors import InvalidInput
@@ -117,6 +117,7 @@ class CyclogramResponse(ResponseModel):
     dead_zones_deg: list[Range] | None = None
     assembly: list[AssemblyAngleOut] | None = None
     accuracy: AccuracyOut
+    warnings: list[WarningOut] | None = None
 
     @classmethod
     def values(

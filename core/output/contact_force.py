@@ -16,7 +16,7 @@ from core.output.pin_forces import (
     force_ratios,
     reference_force,
 )
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ class ContactForce:
         Of the forces and their ratio; `approximate_peak_error` is known to that, absolutely, and
         a smooth peak's angle to its root.
     notices : tuple of Notice
-        Limits that the approximation breaks, where it was asked.
+        Limits that the approximation breaks, where it was asked; that hardly anything is known.
     """
 
     reference_force: float
@@ -175,6 +175,8 @@ def contact_force(
         if approximation
         else None
     )
+    # T, u, eta and R as given, their products, and the units they came in
+    accuracy = replace(peak.accuracy, relative_error=max(errors) + 5 * ROUNDING)
     return ContactForce(
         reference_force=reference,
         peak_force=reference * peak.peak_force_ratio,
@@ -187,13 +189,13 @@ def contact_force(
         approximate_peak_error=(
             None if approximate is None else approximate / peak.peak_force_ratio - 1
         ),
-        # T, u, eta and R as given, their products, and the units they came in
-        accuracy=replace(peak.accuracy, relative_error=max(errors) + 5 * ROUNDING),
+        accuracy=accuracy,
         notices=(
             approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
             if approximation
             else ()
-        ),
+        )
+        + poorly_known(accuracy),
     )
 
 

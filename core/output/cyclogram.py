@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from core.errors import InvalidInput
 from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
-from core.results import ROUNDING, Accuracy
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
@@ -91,6 +91,11 @@ class Cyclogram:
     dead_zones: tuple[tuple[float, float], ...]
     accuracy: Accuracy
 
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """That hardly anything is known, of a range hardly longer than rounding."""
+        return poorly_known(self.accuracy)
+
 
 def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     """Cyclogram of the pin/hole pairs over a number of crank revolutions, in closed form.
@@ -163,7 +168,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         dead_zones=dead_zones,
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
+            # the total of a pair has the ends of all its driving phases
+            relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
             + (phases.error + max(dropped, cut_off)) / shown.waves,
             evaluations=pair_count,
         ),

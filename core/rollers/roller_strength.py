@@ -13,7 +13,7 @@ from core.arrays import IntArray, Number, ascending, check_not_negative, check_p
 from core.errors import InvalidInput
 from core.load_sharing import share_load
 from core.materials import check_poissons_ratio
-from core.results import ROUNDING, Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHEAR_FACTOR = 1.11
 """Uneven shear over a round section, the source's rounding of 10/9."""
@@ -64,8 +64,9 @@ class RollerStrength:
     deflection_ratio : float or array
         Deflection of the most loaded roller over its length.
     accuracy : Accuracy
-        Of every number against its own size; of single forces against the largest, of the
-        displacement against the larger of it and the largest gap.
+        Of every number against its own size; of single forces against the largest; of the
+        displacement and of the relative position error against what the largest gap makes of
+        them, where that is more.
     """
 
     stiffness: Number
@@ -89,40 +90,51 @@ class RollerStrength:
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Assumptions that one design (not an array of them) strains."""
-        assumptions = (
+        candidates = (
             (
                 self.length_ratio < SHORT_ROLLER,
-                "short_roller",
-                "{cylinder_length} is shorter than {diameter}: a beam that short deforms mostly by "
-                "shear and at its clamping, so the stiffness is a rough guide.",
-                (self.length_ratio, SHORT_ROLLER),
+                Notice(
+                    code="short_roller",
+                    detail="{cylinder_length} is shorter than {diameter}: a beam that short "
+                    "deforms mostly by shear and at its clamping, so the stiffness is a "
+                    "rough guide.",
+                    value=float(self.length_ratio),
+                    limit=SHORT_ROLLER,
+                ),
             ),
             (
                 self.sphere_ratio < 1,
-                "sphere_below_roller",
-                "{sphere_diameter} is smaller than {diameter}: the formulas take the sphere for "
-                "rigid and the cylinder for the weak section.",
-                (self.sphere_ratio, 1.0),
+                Notice(
+                    code="sphere_below_roller",
+                    detail="{sphere_diameter} is smaller than {diameter}: the formulas take "
+                    "the sphere for rigid and the cylinder for the weak section.",
+                    value=float(self.sphere_ratio),
+                    limit=1.0,
+                ),
             ),
             (
                 self.width_ratio > 1,
-                "sphere_too_wide",
-                "{sphere_width} exceeds {sphere_diameter}: no sphere is wider than that.",
-                (self.width_ratio, 1.0),
+                Notice(
+                    code="sphere_too_wide",
+                    detail="{sphere_width} exceeds {sphere_diameter}: no sphere is wider than "
+                    "that.",
+                    value=float(self.width_ratio),
+                    limit=1.0,
+                ),
             ),
             (
                 self.deflection_ratio > LARGE_DEFLECTION,
-                "large_deflection",
-                "The most loaded roller bends by more than a tenth of {cylinder_length}: the "
-                "formulas are those of small deflections.",
-                (self.deflection_ratio, LARGE_DEFLECTION),
+                Notice(
+                    code="large_deflection",
+                    detail="The most loaded roller bends by more than a tenth of "
+                    "{cylinder_length}: the formulas are those of small deflections.",
+                    value=float(self.deflection_ratio),
+                    limit=LARGE_DEFLECTION,
+                ),
             ),
         )
-        return tuple(
-            Notice(code=code, detail=detail, value=float(value), limit=limit)
-            for strained, code, detail, (value, limit) in assumptions
-            if strained
-        )
+        assumptions = tuple(notice for strained, notice in candidates if strained)
+        return assumptions + poorly_known(self.accuracy)
 
 
 def roller_strength(

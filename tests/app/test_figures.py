@@ -87,6 +87,23 @@ async def test_the_peak_marker_stands_on_the_highest_curve(api):
     assert highest == pytest.approx(answer["peak_force_N"], rel=2e-4)
 
 
+@pytest.mark.parametrize(
+    ("materials", "limits"),
+    [
+        ({}, {"Limit of the pin": 1500, "Limit of the hole": 766.9}),
+        ({"hole_material": "steel_structural"}, {"Limit of the pin": 1500}),
+        ({"pin_material": "brass"}, {"Limit of the hole": 766.9}),
+        ({"pin_material": "brass", "hole_material": "plastic_pom"}, {}),
+    ],
+)
+async def test_a_limit_is_drawn_for_the_bodies_that_have_one(api, materials, limits):
+    body = {**CONTACT, "force_N": 9000, **materials}
+    drawn = (await api.post("hertz/chart", json=body)).json()["data"][1:]
+    assert {each["name"]: each["y"] for each in drawn} == {
+        name: [pytest.approx(limit)] * 2 for name, limit in limits.items()
+    }
+
+
 async def test_a_jump_of_the_force_is_drawn_upright(api):
     """With equal sharing the force jumps where a pair starts: no slope of a sample's width."""
     body = {**CHARTS["contact-force"], "force_exponent": 0}

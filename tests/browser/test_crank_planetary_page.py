@@ -198,7 +198,7 @@ def test_nothing_is_called_safe_whose_limit_is_not_known(page: Page, service: st
     expect(pressure).to_have_class(re.compile("warning"))
     expect(pressure).to_contain_text("no limit known for the hole: Acetal (POM-C)")
     expect(strip.locator(".say")).to_have_attribute("data-level", "warning")
-    expect(strip.locator(".say")).to_contain_text("No limit of the hole's material")
+    expect(strip.locator(".say")).to_contain_text("No limit is known for the hole")
     assert "✓" not in strip.inner_text() and "afety" not in strip.inner_text()
     assert "orque may grow" not in words.inner_text() and "afety" not in words.inner_text()
     expect(words).to_contain_text("Only the limit of the pin is known: 1500")

@@ -286,3 +286,14 @@ def test_the_peak_of_a_mechanism_is_searched_for_once(monkeypatch: pytest.Monkey
     ]
     assert len(searched) == 1
     assert forces[9].peak_force == pytest.approx(10 * forces[0].peak_force, rel=1e-15)
+
+
+@pytest.mark.parametrize(("gap", "codes"), [(1e-9, []), (1e-11, ["hardly_known"])])
+def test_a_peak_beside_a_dead_centre_says_that_hardly_anything_is_known(
+    gap: float, codes: list[str]
+) -> None:
+    mechanism = Mechanism(pins=2, crank_angles=(0.0, math.pi - gap), ratio=20.0)
+    force = contact_force(
+        mechanism=mechanism, output_torque=1.0, pin_circle_radius=1.0, force_exponent=10.0
+    )
+    assert [notice.code for notice in force.notices] == codes

@@ -318,3 +318,10 @@ def test_a_range_of_no_length_is_refused(turns: float) -> None:
 def test_teeth_that_do_not_mesh_are_refused(teeth: tuple[int, int]) -> None:
     with pytest.raises(InvalidInput):
         ratio_from_teeth(satellite_teeth=teeth[0], ring_teeth=teeth[1])
+
+
+def test_a_range_hardly_longer_than_rounding_says_that_hardly_anything_is_known() -> None:
+    mechanism = Mechanism(pins=3, crank_angles=(0.0, 1e-12), ratio=20.0)
+    for revolutions, codes in ((1.0, []), (1.1e-12, ["hardly_known"])):
+        shown = cyclogram(mechanism=mechanism, revolutions=revolutions)
+        assert [notice.code for notice in shown.notices] == codes

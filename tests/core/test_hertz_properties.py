@@ -308,3 +308,18 @@ def test_materials_of_the_table_are_plausible(name: str) -> None:
     # a limit that holds under a load at rest says nothing of the long run
     judged = entry.material.limit
     assert judged is None or (judged.criterion == "endurance" and judged in entry.limits)
+
+
+@pytest.mark.parametrize(("gap", "codes"), [(1e-12, []), (3e-15, ["hardly_known"])])
+def test_radii_that_are_equal_but_for_rounding_say_that_hardly_anything_is_known(
+    gap: float, codes: list[str]
+) -> None:
+    contact = hertz(
+        force=1e-12,
+        contact_length=1.0,
+        pin_radius=1.0,
+        hole_radius=1.0 + gap,
+        pin_material=STEEL,
+        hole_material=ElasticMaterial(youngs_modulus=100e9, poissons_ratio=0.3),
+    )
+    assert [notice.code for notice in contact.notices] == codes

@@ -9,7 +9,7 @@ from mpmath import mp, mpf
 
 def to_ball(value: mpf | float) -> arb:
     """A number as a ball of the digits that mpmath works with, exact where they hold it."""
-    ctx.prec = max(ctx.prec, mp.prec)
+    ctx.prec = max(ctx.prec, mp.prec + 64)  # for sums that cancel
     return arb(value)
 
 

@@ -100,7 +100,7 @@ def peak(
     breaks = _breaks(theta, 2 * mp.pi if whole_turn else 2 * mp.pi / pins)
     segments = list(pairwise(breaks))
     if screened:
-        segments = _worth_searching(segments, theta, exponent)
+        segments = _worth_searching(segments, theta, float(exponent))
     knots = []
     for start, end in segments:
         inner = [start + (end - start) * mpf(2 * i + 1) / (2 * samples) for i in range(samples)]

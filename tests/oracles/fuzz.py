@@ -4,7 +4,6 @@ No failure of the service, nothing that is not finite, the schema of the descrip
 of its mechanics; a refusal is a known problem that points into the body.
 """
 
-import asyncio
 import json
 import time
 import warnings
@@ -17,7 +16,8 @@ import jsonschema_rs
 from app.main import create_app
 from app.settings import Settings
 from tests.oracles.fuzz_invariants import INVARIANTS, check_accuracy
-from tests.oracles.fuzz_requests import API, MODELS, Body, Draw, Request, random_request
+from tests.oracles.fuzz_requests import MODELS, Body, Draw, Request, random_request
+from tests.oracles.in_process import API, exchange
 
 SLOW_S = 1.0
 FIELDS = {name for model in MODELS.values() for name in model.get("properties", ())}
@@ -66,37 +66,16 @@ class Fuzz:
 
     async def send(self, request: Request) -> tuple[int, dict[bytes, bytes], bytes]:
         """Status, headers and body of the answer to a request; its time is noted."""
-        body = request.body()
-        parts = [body] if len(body) < 2 else [body[: len(body) // 2], body[len(body) // 2 :]]
-        scope = {
-            "type": "http", "asgi": {"version": "3.0"}, "http_version": "1.1", "scheme": "http",
-            "method": request.method, "path": API + request.endpoint, "root_path": "",
-            "raw_path": (API + request.endpoint).encode(), "query_string": request.query.encode(),
-            "headers": [(b"host", b"service"), *((key.encode(), value.encode("latin-1"))
-                                                 for key, value in request.headers.items())],
-            "server": ("service", 80), "client": ("127.0.0.1", 1),
-        }  # fmt: skip
-        status, headers, received = 0, {}, []
-
-        async def receive() -> Body:
-            if not parts:
-                await asyncio.Event().wait()  # the client stays
-            return {"type": "http.request", "body": parts.pop(0), "more_body": bool(parts)}
-
-        async def send(message: Body) -> None:
-            nonlocal status, headers
-            if message["type"] == "http.response.start":
-                status, headers = message["status"], dict(message["headers"])
-            else:
-                received.append(message.get("body", b""))
-
-        start = time.perf_counter()
-        await self.app(scope, receive, send)
+        body, start = request.body(), time.perf_counter()
+        answer = await exchange(
+            self.app, API + request.endpoint, body,
+            method=request.method, query=request.query, headers=request.headers,
+        )  # fmt: skip
         took = time.perf_counter() - start
-        self.report.answers[request.endpoint, status] += 1
+        self.report.answers[request.endpoint, answer[0]] += 1
         if took > SLOW_S:
             self.report.slow.append((took, request.endpoint, repr(body[:300])))
-        return status, headers, b"".join(received)
+        return answer
 
     async def ask(self, endpoint: str, body: Body) -> Body | None:
         """Answer to one more request, for an invariant of two; None where it is refused."""

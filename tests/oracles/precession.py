@@ -96,7 +96,8 @@ def load_integrals(
         return [nx * ds, ny * ds, -ny * z_arm * ds, nx * z_arm * ds, arm * ds]
 
     totals = [arb(0)] * 5
-    steepest, height = from_ball(-offset), from_ball(abs(width))
+    steepest = -curve_scale * mp.cos(mpf(phi_1))
+    height = abs(curve_scale * mp.sin(mpf(phi_1)))
     for left, right in _graded(mpf(z_min), mpf(z_max), steepest, height):
         totals = [t + p for t, p in zip(totals, _gauss(integrand, left, right), strict=True)]
     return tuple(from_ball(total) for total in totals)

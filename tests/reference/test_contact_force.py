@@ -16,7 +16,7 @@ import pytest
 from mpmath import mp, mpf
 
 from core.errors import ImpossibleMechanism
-from core.output.contact_force import contact_force
+from core.output.contact_force import contact_force, drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios
@@ -283,3 +283,26 @@ def test_the_stated_error_is_that_of_the_worse_of_both_peaks() -> None:
     for exponent in (0.0, 1.0):
         alone = contact_force(**load, force_exponent=exponent)
         assert both.accuracy.relative_error >= alone.accuracy.relative_error
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_curve_drawn_shows_both_sides_of_a_jump(seed: int) -> None:
+    # under equal sharing the force jumps at a switching angle, and its peak is one of both sides
+    mechanism, _ = random_mechanism(4000 + seed, largest_pins=9)
+    angles, _ = drawing_angles(mechanism=mechanism, samples=7)
+    drawn = force_ratios(mechanism=mechanism, crank_angles=angles, force_exponent=0.0)
+    exact = peak(mechanism.pins, mechanism.crank_angles, 0.0, screened=True).ratio
+    assert drawn.max() == pytest.approx(float(exact), rel=1e-7)
+
+
+@pytest.mark.parametrize(("pins", "satellites"), [(6, 1), (8, 1), (3, 3), (5, 4)])
+def test_error_of_the_approximation_is_that_over_the_exact_peak(pins: int, satellites: int) -> None:
+    mechanism = Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=20.0)
+    found = contact_force(
+        mechanism=mechanism, output_torque=1.0, pin_circle_radius=1.0, approximation=True
+    )
+    exact = float(peak(pins, mechanism.crank_angles, 1.0).ratio)
+    assert found.approximate_peak is not None
+    error = (found.approximate_peak - exact) / exact
+    assert abs(error) > 0.05
+    assert found.approximate_peak_error == pytest.approx(error, rel=1e-12)

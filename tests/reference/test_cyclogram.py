@@ -7,6 +7,7 @@ grows with it, and no more.
 
 import math
 import random
+from fractions import Fraction
 from itertools import pairwise
 
 import pytest
@@ -15,7 +16,7 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from core.output.cyclogram import cyclogram
-from core.output.mechanism import Mechanism
+from core.output.mechanism import Mechanism, assembly_angles
 from tests.oracles.crank_planetary import (
     cosines,
     driving_count,
@@ -254,3 +255,21 @@ def test_the_total_of_a_pair_holds_beside_slivers_at_the_ends_of_the_range(
         exact = (before(waves + phase) - before(phase)) / waves
         total = sum(stop - first for first, stop in pair.driving) / (2 * math.pi * shown)
         assert abs(total - exact) <= result.accuracy.relative_error
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_assembly_angles_are_those_of_exact_fractions(seed: int) -> None:
+    # in turns: (alpha_j - alpha_1)*(z3 - z2)/z2, less the nearest whole number of pitches 1/z2;
+    # the same part where it is a whole number of 1/lcm(z2, N)
+    r = random.Random(seed)
+    pins, teeth, more = r.randint(1, 12), r.randint(5, 120), r.randint(1, 5)
+    degrees = [r.choice((15, 24, 90)) * r.randint(-20, 20) for _ in range(r.randint(1, 5))]
+    mechanism = Mechanism(pins, tuple(math.radians(each) for each in degrees), teeth / more)
+    common = Fraction(1, math.lcm(teeth, pins))
+    for found, angle in zip(
+        assembly_angles(mechanism=mechanism, satellite_teeth=teeth), degrees, strict=True
+    ):
+        turned = Fraction((angle - degrees[0]) * more, 360 * teeth)
+        left = abs(turned - round(turned * teeth) * Fraction(1, teeth))
+        assert found.hole_rotation == pytest.approx(float(2 * left) * math.pi, rel=1e-9, abs=1e-12)
+        assert found.identical is (turned % common == 0)

@@ -95,7 +95,7 @@ test("every material is judged by its own limit, or not at all", () => {
       assert.equal(pressure.level, "warning", name);
       assert.equal(pressure.value, "91.36");
       assert.equal(pressure.note, `no limit known for the ${body}: ${title}`);
-      assert.deepEqual(wanted, [`No limit of the ${body}'s material, ${title}, is known: enter one.`]);
+      assert.deepEqual(wanted, [`No limit is known for the ${body}, ${title}: enter one.`]);
       assert.doesNotMatch(said, /safety|torque/i);
       assert.deepEqual(sentences.map(([level]) => level), ["warning", ""]);
       const other = body === "pin" ? "hole" : "pin";

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { afterEach, test } from "node:test";
 
 import { formatNumber, parseNumber } from "../../static/format.js";
@@ -35,6 +35,17 @@ for (const language of OTHERS) {
     for (const [said, words] of service.sentences) {
       const places = new Set(said.match(/\{\d\}/g));
       for (const place of words.match(/\{\d\}/g) ?? []) assert.ok(places.has(place), words);
+    }
+  });
+
+  test(`${language}: materials, their limits and where these come from`, async () => {
+    await useLanguage(language);
+    const { materials } = JSON.parse(readFileSync(new URL("worked_examples.json", import.meta.url)));
+    for (const { title, group, limits } of materials) {
+      const judged = limits.filter(({ criterion }) => criterion === "endurance");
+      for (const said of [title, group, ...judged.flatMap(({ criterion, source }) => [criterion, source])]) {
+        assert.notEqual(translated(said), said);
+      }
     }
   });
 

@@ -1,0 +1,18 @@
+"""Random requests as people type them, and the exact value of every number of the answer."""
+
+from tests.oracles.answers.calculation import Calculation
+from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
+from tests.oracles.answers.hertz import HERTZ
+from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
+from tests.oracles.answers.rollers import ROLLER_STRENGTH
+
+CALCULATIONS: tuple[Calculation, ...] = (
+    CONTACT_FORCE,
+    CYCLOGRAM,
+    GEOMETRY,
+    HERTZ,
+    ROLLER_STRENGTH,
+    CONTACT_LINE,
+    MESHING_LOAD,
+    SHAFT_DEFLECTION,
+)

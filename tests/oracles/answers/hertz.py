@@ -1,0 +1,105 @@
+"""Pin in hole: N, mm, MPa."""
+
+from functools import cache
+from typing import Any
+
+from mpmath import mp, mpf
+
+from tests.oracles.answers.calculation import Body, Calculation, Draw, Number, Numbers, typed
+from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
+from tests.oracles.in_process import Service
+
+MATERIALS = ("steel_bearing", "steel_through_hardened", "iron_grey", "bronze_tin", "plastic_pom")
+
+
+def request(r: Draw) -> Body:
+    """Radii from far apart to nearly equal, materials by name or by values, alike or not."""
+    pin = r.size(0.5, 100)
+    apart = pin * (10 ** r.uniform(-15, 6) if r.extreme else 10 ** r.uniform(-4, 0.5))
+    body: Body = {
+        "force_N": r.size(1, 1e5, decades=40),
+        "contact_length_mm": r.size(1, 100),
+        "pin_radius_mm": pin,
+        # the sum of two decimals, as people type it
+        "hole_radius_mm": float(f"{pin + float(f'{apart:.1e}'):.15g}"),
+        "pin_material": material(r),
+        "hole_material": material(r),
+    }
+    if r.chance(0.5):
+        body["hole_material"] = body["pin_material"]
+    for factor in ("dynamic_factor", "distribution_factor"):
+        if r.chance(0.3):
+            body[factor] = r.size(1, 3)
+    return body
+
+
+def material(r: Draw) -> Any:
+    if r.chance(0.5):
+        return r.choice(MATERIALS)
+    body = {"youngs_modulus_GPa": r.size(1, 300), "poissons_ratio": r.decimal(0, 0.49)}
+    return body | ({"allowable_pressure_MPa": r.size(10, 2000)} if r.chance(0.5) else {})
+
+
+@cache
+def table() -> dict[str, Any]:
+    """The table of materials, as the service gives it."""
+    return {each["name"]: each for each in Service().get("materials")["materials"]}
+
+
+def numbers(body: Body, answer: Any) -> Numbers:
+    """Hertz from the difference of the decimals; Persson where the answer has it."""
+    r, R = typed(body["pin_radius_mm"]), typed(body["hole_radius_mm"])
+    load = typed(body["force_N"]) / typed(body["contact_length_mm"])
+    for factor in ("dynamic_factor", "distribution_factor"):
+        load *= typed(body.get(factor, 1.0))
+    given = [
+        table()[each] if isinstance(each, str) else each
+        for each in (body["pin_material"], body["hole_material"])
+    ]
+    moduli = [
+        1000 * typed(each["youngs_modulus_GPa"]) / (1 - typed(each["poissons_ratio"]) ** 2)
+        for each in given
+    ]
+    modulus = 1 / (1 / moduli[0] + 1 / moduli[1])
+    rho = R * r / (R - r)
+    peak, half_width = (
+        mp.sqrt(load * modulus / (mp.pi * rho)),
+        mp.sqrt(4 * load * rho / (mp.pi * modulus)),
+    )
+    depth = mp.sqrt((mp.sqrt(5) - 1) / 2)
+    exact: dict[str, mpf] = {
+        "/max_pressure_MPa": peak,
+        "/mean_pressure_MPa": mp.pi / 4 * peak,
+        "/half_width_mm": half_width,
+        "/half_width_ratio": half_width / r,
+        "/max_shear_MPa": axis_shear(depth) * peak,
+        "/max_shear_depth_mm": depth * half_width,
+        "/reduced_radius_mm": rho,
+        "/effective_modulus_GPa": modulus / 1000,
+    }
+    governing = peak
+    if "conformal_pressure_MPa" in answer:
+        parameter = moduli[0] * (R - r) / load
+        b = exact_tangent(parameter)
+        governing = peak * exact_pressure(mpf(0), b) / mp.sqrt(parameter / (2 * mp.pi))
+        exact["/conformal_pressure_MPa"] = governing
+        exact["/conformal_half_angle_deg"] = mp.degrees(2 * mp.atan(b))
+    if "governing_pressure_MPa" in answer:
+        exact["/governing_pressure_MPa"] = governing
+    factors = [typed(each["limit_MPa"]) / governing for each in answer.get("safety", ())]
+    found = {pointer: Number(answer[pointer[1:]], value) for pointer, value in exact.items()}
+    for index, factor in enumerate(factors):
+        sent = answer["safety"][index]["safety_factor"]
+        found[f"/safety/{index}/safety_factor"] = Number(sent, factor)
+    if "safety_factor" in answer:
+        found["/safety_factor"] = Number(answer["safety_factor"], min(factors))
+    return found
+
+
+HERTZ = Calculation(
+    "Hertz and conformal contact",
+    "hertz",
+    request,
+    numbers,
+    unbounded={"/safety/*/limit_MPa": "as given"},
+)
