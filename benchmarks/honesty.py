@@ -16,7 +16,7 @@ from pathlib import Path
 
 from benchmarks.options import options
 from tests.oracles.answers import CALCULATIONS
-from tests.oracles.answers.calculation import PART, Calculation, pattern
+from tests.oracles.answers.calculation import GIVEN, Calculation, pattern
 from tests.oracles.answers.outcome import Outcome, outcome
 
 CASES = 10_000
@@ -145,7 +145,7 @@ def main(cases: int, smallest: bool = False) -> int:
         f"- {verdict.calculation.path}: {place[1:]}, {known}\n"
         for verdict in verdicts
         for place, known in (verdict.calculation.unbounded or {}).items()
-        if known != PART
+        if known != GIVEN
     )
     if smallest:
         print(report)
