@@ -16,6 +16,7 @@ from core.arrays import (
     check_not_negative,
     check_positive,
     every,
+    larger,
     refuse,
     some,
     where,
@@ -115,13 +116,17 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
         last = where(closes, following, last)
         closed = closed + closes
     rest = remaining / closed
+    approach = rest + (last - first)  # of the contact with the smallest gap
+    furthest = larger(abs(first), abs(last))
     forces = tuple([where(gap <= last, stiffness * (rest + (last - gap)), 0.0) for gap in gaps])
     return LoadSharing(
         forces=forces,
-        largest_force=stiffness * (rest + (last - first)),
+        largest_force=stiffness * approach,
         displacement=last + rest,
         loaded=sum([force > 0 for force in forces]),
         # The first force is the sum of positive terms, of which `remaining` carries one rounding
-        # for each contact closed, relative to total/c; the largest force is at least its m-th.
-        relative_error=ROUNDING * (3 + closed),
+        # for each contact closed, relative to total/c; the largest force is at least its m-th. The
+        # gaps are known to rounding: their differences magnify that.
+        relative_error=ROUNDING
+        * (3 + closed + 2 * furthest / where(approach > 0, approach, math.inf)),
     )

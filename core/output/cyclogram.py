@@ -168,7 +168,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         dead_zones=dead_zones,
         accuracy=Accuracy(
             method="closed form",
-            relative_error=4 * ROUNDING * max(1.0, 1 / shown.waves)
+            # the total of a pair has the ends of all its driving phases
+            relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
             + (phases.error + max(dropped, cut_off)) / shown.waves,
             evaluations=pair_count,
         ),

@@ -145,6 +145,9 @@ def force_ratios(
     Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Cosines are divided by the largest
     first, so that no power of them under- or overflows.
 
+    Erratum of Yanchevsky et al. 2018 after fig. 6: the maxima of the next pairs follow at 180/N
+    degrees of the wave only for K = 2 with odd N, else at 360/N.
+
     Examples
     --------
     One satellite, three pins, crank angle in the middle of pair 1's working phase.

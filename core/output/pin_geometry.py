@@ -179,7 +179,7 @@ class PinGeometry:
         ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
         `FIT_TOLERANCE`.
     accuracy : Accuracy
-        Of the coordinates, relative to the pin circle radius.
+        Of the coordinates, relative to the sum of pin circle radius, pin radius and eccentricity.
     notices : tuple of Notice
         Those of `pin_fit`.
     """
@@ -267,7 +267,8 @@ def pin_geometry(
     direction = np.stack((np.sin(crank), np.cos(crank)), axis=-1)[:, None, :]
     wave = np.add.outer(crank, pin_angle) + math.pi / 2
     pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
-    turns = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    turned = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    furthest = max(map(abs, mechanism.crank_angles))
     # Adding 0.0 turns the zero of a negative sine into a plain zero.
     return PinGeometry(
         pin_centres=pin_centres + 0.0,
@@ -278,7 +279,7 @@ def pin_geometry(
         clearance=fit.clearance,
         accuracy=Accuracy(
             method="closed form",
-            relative_error=ROUNDING * (4 + turns + 2 * math.pi),
+            relative_error=ROUNDING * (4 + turned + furthest + 2 * math.pi),
             evaluations=mechanism.pins * mechanism.satellites,
         ),
         notices=fit.notices,

@@ -139,8 +139,9 @@ def contact_lines(
 
     Notes
     -----
-    Source: Khatetovsky et al. 2020, eqs (1)-(7). Their slope (5) is a difference that cancels;
-    simplified it is ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2``.
+    Source: Khatetovsky et al. 2020, eqs (1)-(7). Errata: (1) ends in "= 0", and their slope (5)
+    has the sign opposite to its derivative, besides being a difference that cancels; it is
+    ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2``.
 
     Examples
     --------

@@ -102,9 +102,9 @@ def meshing_load(
 
     Notes
     -----
-    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10) prints ``n_y = cos(phi)``; the
-    outward normal, and the one of their own (22), (25), (26), has ``-cos(phi)``, with which the
-    arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
+    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10), and the middle step of (22),
+    print ``n_y = cos(phi)``; the outward normal, and the one of their own (25), (26), has
+    ``-cos(phi)``, with which the arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
 
     Examples
     --------

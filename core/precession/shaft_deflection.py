@@ -128,9 +128,10 @@ def shaft_deflection(
     Notes
     -----
     Source: Khatetovsky et al. 2020, eqs (28)-(36). Errata: (33)-(36) exchange the unit loads of
-    B and C, and (34) has C_x for C_y and ``(a + z2) + z2`` for ``a + z2``; as printed, Maxwell's
-    reciprocity fails. P_B and P_C are the forces on the shaft; the paper takes the reactions,
-    which turns the direction round.
+    B and C, (34) and (36) have ``(a + z2) + z2`` for ``a + z2``, and (34) has C_x for C_y; as
+    printed, Maxwell's reciprocity fails. (33), (35) have the sign opposite to (34), (36). P_B and
+    P_C are the forces on the shaft; the paper takes the reactions, which turns the direction
+    round.
 
     Examples
     --------

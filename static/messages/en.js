@@ -280,9 +280,10 @@ export default {
       "Yanchevskiy 2021, after eq. (11): that f stays below 1 is false for one satellite (1.249 for three pins).",
       "Yanchevskiy 2021, assembly: the angle of satellite j counts (j − 1)·α; as printed, with j·α, the first satellite would be turned against itself.",
       "Yanchevsky 2018, eq. (5): holds for 3 to 5 pins and 1 or 2 satellites as stated; shown there beside the exact peak, with its error.",
+      "Yanchevsky 2018, after fig. 6: the maxima of the next pairs follow at 180°/N of the wave only for two satellites and an odd N, else at 360°/N.",
     ],
     ovsyannikov: [
-      "Ovsyannikov 2019, eqs. (11) to (13): the number of rollers multiplies the whole compliance, the shear term too; as printed the stress of short rollers is up to 9 % too high.",
+      "Ovsyannikov 2019, eqs. (11) to (13): the number of rollers multiplies the whole compliance, the shear term too; as printed the stress is too high: by 9 % at l/d = 1, χ/d = 4·10⁻⁴, and by 18 to 29 % at l/d = 0.5.",
       "Ovsyannikov 2019, “δ > 1”: the limit at which one roller carries all is δ = n/4.",
     ],
     khatetovsky: [

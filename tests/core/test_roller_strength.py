@@ -227,3 +227,12 @@ def test_notices(code: str, changes: dict[str, Any]) -> None:
     assert not roller_strength(**DESIGN).notices
     (notice,) = roller_strength(**DESIGN | changes).notices
     assert notice.code == code
+
+
+@pytest.mark.parametrize(("base", "codes"), [(1e-3, []), (1e12, ["hardly_known"])])
+def test_gaps_that_differ_only_by_rounding_say_that_hardly_anything_is_known(
+    base: float, codes: list[str]
+) -> None:
+    gaps = [base, base, base * (1 + 2.0**-50), base]
+    result = roller_strength(**without("position_tolerance") | {"gaps": gaps})
+    assert [notice.code for notice in result.notices] == codes

@@ -194,6 +194,24 @@ def test_peak_position_in_the_middle_of_the_working_phase(pins: int, satellites:
     assert there.max() == there[0, 0]
 
 
+@pytest.mark.parametrize(
+    ("pins", "satellites", "spacing"),
+    [(3, 2, 180), (5, 2, 180), (4, 2, 360), (6, 2, 360), (4, 1, 360), (5, 1, 360)],
+)
+def test_erratum_after_figure_6_period_of_the_maxima(
+    pins: int, satellites: int, spacing: int
+) -> None:
+    # "for the next pairs the maximum is observed with the period 180/N(1 - 1/i14)": only where
+    # the second satellite's pairs stand between those of the first, K = 2 with odd N
+    wave = np.linspace(0.0, 360.0, 7200, endpoint=False)
+    forces = force_ratios(
+        mechanism=p1_mechanism(pins, satellites), crank_angles=np.radians(wave) / (1 + 1 / RATIO)
+    )
+    maxima = np.unique(wave[forces.reshape(len(wave), -1).argmax(axis=0)].round(1))
+    assert np.diff(maxima) == pytest.approx(spacing / pins, abs=0.06)
+    assert len(maxima) == 360 * pins / spacing
+
+
 def test_peak_position_of_three_pins_and_one_satellite() -> None:
     # "at (90 +- 45)/(1 - 1/i14)", about: the exact distance from the middle is 43.34 degrees of
     # the wave, so P1's 45 is good to 2 degrees

@@ -1,5 +1,5 @@
-"""Paper values: Khatetovsky, Dokonov, Galyuzhin 2020 (P5), UDC 621.833, and why its eqs (10),
-(24), C_x and (33)-(36) cannot be right as printed.
+"""Paper values: Khatetovsky, Dokonov, Galyuzhin 2020 (P5), UDC 621.833, and why its eqs (1), (5),
+(10), (22), (24), C_x and (33)-(36) cannot be right as printed.
 
 P5 gives no numbers: the checked case was evaluated from its formulas to 40 digits elsewhere.
 """
@@ -49,6 +49,35 @@ def test_the_wheel_gives_the_same_rollers() -> None:
     assert load.force == pytest.approx((168.756146705, -337.606954169, 0.0), rel=1e-11)
 
 
+@pytest.mark.parametrize(("phi", "phi_1"), [(-0.4, 0.5), (-0.9, 2.0), (0.3, -1.1)])
+def test_errata_1_and_5(phi: float, phi_1: float) -> None:
+    angle = GEAR["nutation_angle"]
+    factor = R_C * (math.cos(angle) - GEAR["ratio_u12"]) / math.sin(angle)
+
+    def z(x: float) -> float:
+        """P5 (1) without its "= 0", over the arc x = rho*phi."""
+        return -factor * math.sin(x / RHO) / math.sin(x / RHO + phi_1)
+
+    x = RHO * phi
+    # "= 0" would put every contact point in the plane z = 0
+    assert abs(z(x)) > 1e-3
+    line = contact_lines(**GEAR | {"rollers": [RollerByLength(phi_1, z(x), z(x) + 1e-3)]}).lines[0]
+    assert contact_points(line=line, samples=2).z[0] == z(x)
+    # (5) is the derivative of (1) with the other sign; (4), (12)-(17) use its square
+    printed = (
+        factor
+        / RHO
+        * (
+            math.cos(phi) / math.sin(phi_1 + phi)
+            - math.sin(phi) * math.cos(phi_1 + phi) / math.sin(phi_1 + phi) ** 2
+        )
+    )
+    step = 1e-6 * RHO
+    slope = (z(x + step) - z(x - step)) / (2 * step)
+    assert slope == pytest.approx(-printed, rel=1e-7)
+    assert slope == pytest.approx(-factor * math.sin(phi_1) / (RHO * math.sin(phi + phi_1) ** 2))
+
+
 def frame_1(phi: float, sign: float) -> tuple[float, float, float, float]:
     """Point (2), (3) and normal (9), (10) on the roller, n_y = sign*cos(phi)."""
     return RHO * math.sin(phi), R_C - RHO * math.cos(phi), math.sin(phi), sign * math.cos(phi)
@@ -69,10 +98,10 @@ def arm_in_wheel_frame(phi: float, phi_1: float, sign: float) -> float:
 
 
 @pytest.mark.parametrize(("phi", "phi_1"), [(-0.4, 0.5), (-0.9, 2.0), (0.3, -1.1)])
-def test_erratum_10_contradicts_25_and_26(phi: float, phi_1: float) -> None:
+def test_errata_10_and_22_contradict_25_and_26(phi: float, phi_1: float) -> None:
     n_x_25 = math.sin(phi) * math.cos(phi_1) + math.cos(phi) * math.sin(phi_1)
     n_y_26 = math.sin(phi) * math.sin(phi_1) - math.cos(phi) * math.cos(phi_1)
-    printed = turned(math.sin(phi), math.cos(phi), phi_1)
+    printed = turned(math.sin(phi), math.cos(phi), phi_1)  # as the middle step of (22) has it
     derived = turned(math.sin(phi), -math.cos(phi), phi_1)
     assert derived == pytest.approx((n_x_25, n_y_26), abs=1e-15)
     assert abs(printed[0] - n_x_25) > 0.1
@@ -176,3 +205,19 @@ def test_erratum_34_mixes_the_planes() -> None:
     none, along_x = (0.0, 0.0), (1.0, 0.0)
     assert printed_deflections(0.03, 0.05, none, along_x, 1)[0] != 0
     assert derived_deflections(0.03, 0.05, none, along_x, 1) == (0.0, 0.0)
+
+
+def test_errata_33_and_35_have_the_sign_opposite_to_34_and_36() -> None:
+    # (33) is minus the deflection of B; (34) without its misprints is plus that of C
+    a, b, load_b, load_c = 30.0, 40.0, (2.0, 2.0), (3.0, 3.0)
+    at_b, at_c = derived_deflections(a, b, load_b, load_c, 1)
+    printed_b, _ = printed_deflections(a, b, load_b, load_c, 1)
+    assert at_b == pytest.approx(536000 / 3, rel=1e-13)
+    assert printed_deflections(a, b, load_b, load_c, 1)[1] == pytest.approx(-at_b, rel=1e-13)
+
+    def amended_34(s: float) -> float:
+        return (-load_c[1] * (a + s) - load_b[1] * s) * -(a + s)
+
+    amended = load_c[1] * a**3 / 3 + b * (amended_34(0) + 4 * amended_34(b / 2) + amended_34(b)) / 6
+    assert amended == pytest.approx(at_c, rel=1e-13)
+    assert printed_b > 0

@@ -192,8 +192,12 @@ def phases(body: Body, answer: Any) -> Numbers:
         for side in ("from_deg", "to_deg"):
             found[f"/driving_count/{index}/{side}"] = bounded(each[side], *different)
         # not in the middle, where often one pair takes over from another
-        inside = mpf(each["from_deg"]) + (mpf(each["to_deg"]) - mpf(each["from_deg"])) / mp.e
-        found[f"/driving_count/{index}/pairs"] = Number(each["pairs"], mpf(driving(inside)), mpf(1))
+        width = mpf(each["to_deg"]) - mpf(each["from_deg"])
+        inside = mpf(each["from_deg"]) + width / mp.e
+        # both ends may be off by what is stated
+        known = width > 4 * answer["accuracy"]["relative_error"] * end
+        exact = mpf(driving(inside)) if known else mpf(each["pairs"])
+        found[f"/driving_count/{index}/pairs"] = Number(each["pairs"], exact, mpf(1))
     for index, angle in enumerate(answer["dead_centres_deg"]):
         found[f"/dead_centres_deg/{index}"] = bounded(angle, *different)
     for index, zone in enumerate(answer.get("dead_zones_deg", ())):
@@ -244,17 +248,18 @@ def geometry(r: Draw) -> Body:
 
 
 def coordinates(body: Body, answer: Any) -> Numbers:
-    """Centres of pins and holes, contact points: over the radius of the pin circle."""
+    """Centres of pins and holes, contact points: over the size of the figure."""
     given, contact = body["mechanism"], body["contact"]
     circle, pin = typed(body["load"]["pin_circle_radius_mm"]), typed(contact["pin_radius_mm"])
     e = typed(contact["eccentricity_mm"])
+    size = circle + pin + e
     turned = typed(body["crank_angle_deg"])
     start = typed(given.get("initial_crank_angle_deg", 0.0))
     found = {}
 
     def put(pointer: str, sent: list[float], exact: tuple[mpf, mpf]) -> None:
         for axis in (0, 1):
-            found[f"{pointer}/{axis}"] = Number(sent[axis], exact[axis], circle)
+            found[f"{pointer}/{axis}"] = Number(sent[axis], exact[axis], size)
 
     cranks = angles(given)
     centres = []

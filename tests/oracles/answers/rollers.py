@@ -92,6 +92,10 @@ def numbers(body: Body, answer: Any) -> Numbers:
     if "position_tolerance_mm" in body and count == 1:
         own["relative_position_error"] = stiffness * typed(body["position_tolerance_mm"]) / mean
     found = {f"/{name}": Number(answer[name], value) for name, value in own.items()}
+    delta = own["relative_position_error"]
+    by_largest = max(delta, stiffness * max(map(abs, gaps)) / mean)
+    sent = answer["relative_position_error"]
+    found["/relative_position_error"] = Number(sent, delta, by_largest)
     for index, force in enumerate(forces):
         found[f"/forces_N/{index}"] = Number(answer["forces_N"][index], force, largest)
     size = max(abs(displacement), *map(abs, gaps))
