@@ -1,6 +1,5 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
-import asyncio
 import gc
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -14,8 +13,8 @@ from fastapi.staticfiles import StaticFiles
 
 from app import VERSION, observability, problems
 from app.examples import REQUESTS
+from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
-from app.processes import prepared
 from app.route import API, RESPONSES
 from app.routers import (
     batch,
@@ -44,6 +43,10 @@ CALCULATIONS = (
 )
 """In the order in which a request is matched: the shortest first."""
 
+PRELOAD = (*(calculation.__name__ for calculation in CALCULATIONS), "uvicorn")
+"""What processes for calculations import ahead; uvicorn as they import the service's main module,
+`app.serve`, each anew."""
+
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
 A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
@@ -70,25 +73,14 @@ def complete_description(app: FastAPI) -> None:
     app.openapi = openapi  # type: ignore[method-assign]
 
 
-def _import_app() -> None:
-    """Nothing: to be called is to have imported this module."""
-
-
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Be ready once the process for long calculations is."""
-
-    async def prepare() -> None:
-        await prepared(_import_app)
-        app.state.ready = True
-
+    """Have processes for long calculations as long as the service runs."""
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()
     gc.freeze()
-    preparing = asyncio.create_task(prepare())
-    yield
-    app.state.ready = False
-    preparing.cancel()
+    async with app.state.jobs:
+        yield
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -114,7 +106,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         # What is seen from outside is in app.observability.
         telemetry={"tracing": False, "metrics": False, "logs": False},
     )
-    app.state.ready = False
+    app.state.jobs = Jobs(
+        processes=settings.processes, waiting=settings.max_waiting, preload=PRELOAD
+    )
     for calculation in CALCULATIONS:
         # As if they were its own: FastAPI matches those of included routers twice, and slowly.
         app.router.routes += calculation.router.routes
@@ -146,8 +140,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     @app.get("/readyz", include_in_schema=False)
     async def readyz() -> PlainTextResponse:
-        if not app.state.ready:
-            raise problems.unavailable("The service is starting or stopping")
+        if not app.state.jobs.ready:
+            raise problems.unavailable("No process for calculations is there yet, or any more")
         return PlainTextResponse("ready")
 
     @app.get("/metrics", include_in_schema=False)

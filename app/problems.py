@@ -1,14 +1,15 @@
 """Errors as problem details (RFC 9457): one shape, one table from exception to status."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from http import HTTPStatus
 from typing import Any, Self
 
 import orjson
 from fastapi import FastAPI, Request
-from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.schemas.base import FIELD_ERROR, api_text
@@ -17,8 +18,17 @@ from core.errors import ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
 
-RETRY_AFTER_S = "5"
-"""When to ask again after a 503, seconds."""
+RETRY_AFTER_S = 5
+"""When to ask again after a 503 where nothing says more, seconds."""
+
+MAX_ERRORS = 50
+"""Most wrong fields that an answer names."""
+
+MAX_DESCRIBED = 1000
+"""Most errors that pydantic is asked to describe, which costs more than to find them."""
+
+MAX_NAME = 64
+"""Most letters of a name in a pointer; longer ones are cut."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +61,8 @@ class Problem(Exception):
         Its kind and this occurrence, for people.
     errors : list of ErrorItem
         The fields it is about.
+    more : int
+        How many fields besides are wrong.
     where : dict
         Position at which it happens, by API names.
     headers : dict
@@ -62,6 +74,7 @@ class Problem(Exception):
     title: str
     detail: str
     errors: list[ErrorItem] = field(default_factory=list)
+    more: int = 0
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
 
@@ -78,9 +91,19 @@ class Problem(Exception):
             "detail": self.detail,
             "errors": [{"pointer": each.pointer, "detail": each.detail} for each in self.errors],
         }
+        if self.more:
+            body["more"] = self.more
         if self.where:
             body["where"] = self.where
         return body
+
+    def naming_at_most(self, errors: int) -> Self:
+        """The same with at most so many errors; `more` says how many are left out."""
+        if len(self.errors) <= errors:
+            return self
+        more = self.more + len(self.errors) - errors
+        named = self.errors[:errors]
+        return replace(self, errors=named, more=more, detail=_sentence(named, more))
 
     def response(self) -> Response:
         """The problem as an HTTP answer."""
@@ -89,13 +112,27 @@ class Problem(Exception):
         )
 
 
-def invalid_input(errors: list[ErrorItem]) -> Problem:
-    """Problem of a request whose fields are wrong."""
-    detail = "; ".join(
+def invalid_input(errors: list[ErrorItem], more: int = 0) -> Problem:
+    """Problem of a request whose fields are wrong: the first of them, and how many besides."""
+    problem = Problem(
+        422, "invalid-input", "The input is wrong", _sentence(errors, more), errors, more
+    )
+    return problem.naming_at_most(MAX_ERRORS)
+
+
+def _sentence(errors: list[ErrorItem], more: int) -> str:
+    """What is wrong with a request, for people."""
+    parts = [
         f"{each.pointer.lstrip('/').replace('/', '.') or 'The body'} {each.detail}"
         for each in errors
-    )
-    return Problem(422, "invalid-input", "The input is wrong", detail, errors)
+    ]
+    if more:
+        parts.append(f"{more} more" if parts else _count(more))
+    return "; ".join(parts)
+
+
+def _count(wrong: int) -> str:
+    return "1 field is wrong" if wrong == 1 else f"{wrong} fields are wrong"
 
 
 def too_large(limit: int) -> Problem:
@@ -115,11 +152,10 @@ def http_problem(error: HTTPException) -> Problem:
     )
 
 
-def unavailable(detail: str) -> Problem:
+def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     """Problem of a service that cannot answer now but may soon."""
-    return Problem(
-        503, "unavailable", "Not available now", detail, headers={"retry-after": RETRY_AFTER_S}
-    )
+    headers = {"retry-after": str(retry_after_s)}
+    return Problem(503, "unavailable", "Not available now", detail, headers=headers)
 
 
 def failure(request_id: str) -> Problem:
@@ -133,8 +169,12 @@ def failure(request_id: str) -> Problem:
 
 
 def pointer(path: Iterable[str | int]) -> str:
-    """JSON pointer (RFC 6901) of a path."""
-    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
+    """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
+    return "".join("/" + _cut(str(part)).replace("~", "~0").replace("/", "~1") for part in path)
+
+
+def _cut(name: str) -> str:
+    return name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
 
 
 UNION_TAGS = (
@@ -177,7 +217,7 @@ _MESSAGES = {
 """What pydantic's error types say to a user; the only place where they are worded."""
 
 
-def _worded(error: dict[str, Any]) -> str:
+def _worded(error: ErrorDetails) -> str:
     kind, context = error["type"], error.get("ctx", {})
     if kind == FIELD_ERROR:
         return str(context["message"])
@@ -186,29 +226,34 @@ def _worded(error: dict[str, Any]) -> str:
         value = context.get(name)
         return text.format(f"{value:.15g}" if isinstance(value, float) else value)
     if kind == "json_invalid":
-        return f"is not valid JSON: {context['error']}"
+        return _no_json(context["error"])
     return _MESSAGES.get(kind, str(error.get("msg", "is not valid")).lower())
 
 
-def wrong_fields(errors: Iterable[Any]) -> Problem:
+def _no_json(why: str) -> str:
+    return f"is not valid JSON: {why}"
+
+
+def wrong_json(why: str) -> Problem:
+    """Problem of a body that is no JSON."""
+    return invalid_input([ErrorItem("", _no_json(why))])
+
+
+def wrong_fields(error: ValidationError) -> Problem:
     """Problem of what pydantic found wrong with a request."""
-    return invalid_input(_items(errors))
-
-
-def _items(errors: Iterable[Any]) -> list[ErrorItem]:
+    count = error.error_count()
+    if count > MAX_DESCRIBED:
+        return invalid_input([], count)
     items: dict[str, ErrorItem] = {}
-    for error in errors:
-        path = list(error["loc"])
-        if error["type"] == "json_invalid":
+    for each in error.errors(include_url=False, include_input=False):
+        path = [part for part in each["loc"] if part not in UNION_TAGS]
+        if each["type"] == "json_invalid":
             path = []
-        elif path and path[0] == "body":
-            path = path[1:]
-        if error["type"] == FIELD_ERROR:
-            path.append(error["ctx"]["field"])
-        path = [part for part in path if part not in UNION_TAGS]
+        elif each["type"] == FIELD_ERROR:
+            path.append(each["ctx"]["field"])
         place = pointer(path)
-        items.setdefault(place, ErrorItem(place, _worded(error)))
-    return list(items.values())
+        items.setdefault(place, ErrorItem(place, _worded(each)))
+    return invalid_input(list(items.values()))
 
 
 def impossible(error: ImpossibleMechanism) -> Problem:
@@ -236,15 +281,10 @@ def install(app: FastAPI) -> None:
         assert isinstance(error, ImpossibleMechanism)
         return impossible(error).response()
 
-    async def on_validation(_: Request, error: Exception) -> Response:
-        assert isinstance(error, RequestValidationError)
-        return wrong_fields(error.errors()).response()
-
     async def on_http(_: Request, error: Exception) -> Response:
         assert isinstance(error, HTTPException)
         return http_problem(error).response()
 
     app.add_exception_handler(Problem, on_problem)
     app.add_exception_handler(ImpossibleMechanism, on_impossible)
-    app.add_exception_handler(RequestValidationError, on_validation)
     app.add_exception_handler(HTTPException, on_http)

@@ -1,21 +1,19 @@
-"""Processes for long calculations: where the event loop answers nobody while it calculates.
+"""Long calculations: in processes beside the event loop, which answers nobody while it calculates.
 
 A job comes back as the bytes of its answer: the loop neither calculates nor encodes. Its process
-is killed when the time is over or the client has gone; no calculation needs to ask whether it
+is ended when the time is over or the client has gone; no calculation needs to ask whether it
 should stop.
 """
 
+import asyncio
 import logging
-import signal
 import traceback
-from collections.abc import Callable
-from contextlib import suppress
-from typing import Any
+from collections.abc import Callable, Coroutine, Iterator
+from typing import Any, TypeVar
 
-import anyio
-from anyio.to_process import current_default_process_limiter, run_sync
 from starlette.requests import ClientDisconnect
 
+from app.jobs import Busy, CannotRun, Jobs, Stopped, TooLong, Unfinished
 from app.problems import Problem, impossible, unavailable
 from app.record import Record, at_hand
 from core.errors import ImpossibleMechanism
@@ -26,109 +24,158 @@ INLINE_MS = 15.0
 """Estimated cost up to which a request runs in the event loop, milliseconds; handing it over costs
 half of one."""
 
+Result = TypeVar("Result")
+
 
 class CalculationFailed(Exception):
     """An error of our own in a process; its text is the traceback from there."""
 
 
-async def in_process(job: Callable[..., bytes], *args: Any, record: Record) -> bytes:
-    """Outcome of a job that runs in a process as long as there is time and someone waits.
+def refuse_if_busy(jobs: Jobs) -> None:
+    """Refuse a request for a process at once where too many are waiting.
+
+    Raises
+    ------
+    Problem
+        503, and when there may be room.
+    """
+    try:
+        jobs.admit()
+    except Busy as busy:
+        raise _too_many(busy) from None
+
+
+def _too_many(busy: Busy) -> Problem:
+    return unavailable("Too many calculations are waiting", busy.retry_after_s)
+
+
+async def in_process(
+    jobs: Jobs, job: Callable[..., Iterator[Any]], *args: Any, record: Record
+) -> Any:
+    """What a job yields that yields once, in a process, as long as there is time and someone waits.
 
     If something stops the process from outside, another one tries it once more.
 
     Parameters
     ----------
+    jobs : Jobs
+        The processes.
     job : callable
-        What to run: a function of a module.
+        What to run: a generator function of a module.
     *args
         Its arguments; they are pickled.
     record : Record
         The request.
 
-    Returns
-    -------
-    bytes
-
     Raises
     ------
     Problem
-        The job's own; if the time is over: 503, and when to try again.
+        The job's own; 503, and when to try again, if too many are waiting, or the time is over.
     ClientDisconnect
         If the client goes before.
     """
-    settings = record.settings
-    limiter = current_default_process_limiter()
-    if settings.processes:
-        limiter.total_tokens = settings.processes
-    outcome: tuple[bytes, list[float]] | Exception = unavailable(
-        f"The calculation was not done within {settings.max_seconds:g} s: it is too long, or "
-        "too many are under way"
-    )
-    gone = anyio.Event()
-    with anyio.move_on_after(settings.max_seconds):
-        async with anyio.create_task_group() as group:
-            group.start_soon(_stop_when_gone, record, gone, group.cancel_scope)
-            for _ in range(2):
-                try:
-                    outcome = await run_sync(_done, job, args, cancellable=True, limiter=limiter)
-                    break
-                except (CalculationFailed, Problem) as failed:
-                    outcome = failed
-                    break
-                except Exception as broken:
-                    LOG.warning("a process for calculations was stopped", exc_info=broken)
-                    outcome = unavailable("The process of the calculation was stopped")
-            group.cancel_scope.cancel()
-    if gone.is_set():
-        raise ClientDisconnect
-    if isinstance(outcome, Exception):
-        raise outcome
-    content, calculations_us = outcome
-    for run_time_us in calculations_us:
-        record.calculation_took(run_time_us)
-    return content
+    limit_s = record.settings.max_seconds
+    for last in (False, True):
+        try:
+            (part,) = await in_parts(
+                jobs, job, *args, record=record, limit_s=limit_s, admitted=last
+            )
+            break
+        except Unfinished as unfinished:
+            if last or isinstance(unfinished, TooLong):
+                raise why(unfinished, record) from None
+    return part
 
 
-async def prepared(job: Callable[[], None]) -> None:
-    """Do in a process what has to be done before its first long request, in no limited time.
+async def in_parts(
+    jobs: Jobs,
+    job: Callable[..., Iterator[Any]],
+    *args: Any,
+    record: Record,
+    limit_s: float,
+    admitted: bool,
+) -> list[Any]:
+    """All that a job yields, in a process, as long as someone waits for it.
 
     Parameters
     ----------
-    job : callable
-        What to do: a function of a module.
+    jobs, job, *args, record
+        As `in_process` takes them.
+    limit_s : float
+        Longest time of the job, seconds.
+    admitted : bool
+        Whether it is a part of work that has been admitted, and waits however many do.
+
+    Raises
+    ------
+    Problem, ClientDisconnect
+        As `in_process`.
+    TooLong, Stopped
+        If the job does not come to its end; with what it had yielded.
     """
-    with suppress(anyio.BrokenWorkerProcess, OSError):
-        await run_sync(_prepare, job, cancellable=True)
+    running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted)
+    try:
+        return [_noted(part, record) for part in await _while_wanted(running, record)]
+    except Busy as busy:
+        raise _too_many(busy) from None
+    except CannotRun:
+        raise unavailable("No process for calculations can be started") from None
+    except Unfinished as unfinished:
+        if isinstance(unfinished, Stopped):
+            LOG.warning("a process for calculations was stopped")
+        unfinished.parts = [_noted(part, record) for part in unfinished.parts]
+        raise
 
 
-async def _stop_when_gone(record: Record, gone: anyio.Event, scope: anyio.CancelScope) -> None:
+def why(unfinished: Unfinished, record: Record) -> Problem:
+    """Problem of a calculation that has not come to its end."""
+    if isinstance(unfinished, TooLong):
+        return unavailable(
+            f"The calculation was not done within {record.settings.max_seconds:g} s: it is too long"
+        )
+    return unavailable("The process of the calculation was stopped")
+
+
+async def _while_wanted(work: Coroutine[Any, Any, Result], record: Record) -> Result:
+    """Outcome of work, which is cancelled where the client goes before."""
+    working = asyncio.ensure_future(work)
+    leaving = asyncio.ensure_future(_gone(record))
+    try:
+        await asyncio.wait((working, leaving), return_when=asyncio.FIRST_COMPLETED)
+        if not working.done():
+            raise ClientDisconnect
+        return working.result()
+    finally:
+        working.cancel()
+        leaving.cancel()
+
+
+async def _gone(record: Record) -> None:
     while (await record.receive())["type"] != "http.disconnect":
         pass
-    gone.set()
-    scope.cancel()
 
 
-def _prepare(job: Callable[[], None]) -> None:
-    _outlive_signals()
-    job()
+def _noted(part: Any, record: Record) -> Any:
+    """What the job had yielded, or raised; the run times of its calculations are noted."""
+    if isinstance(part, Exception):
+        raise part
+    value, calculations_us = part
+    for run_time_us in calculations_us:
+        record.calculation_took(run_time_us)
+    return value
 
 
-def _outlive_signals() -> None:
-    """Leave stopping to the worker: signals to its whole group would lose requests in flight."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-
-
-def _done(job: Callable[..., bytes], args: tuple[Any, ...]) -> tuple[bytes, list[float]]:
-    """Run a job in this process: what it returns, and the run times of its calculations."""
-    _outlive_signals()
+def _told(job: Callable[..., Iterator[Any]], args: tuple[Any, ...]) -> Iterator[Any]:
+    """What a job yields in this process, with the run times of its calculations; or its error."""
     record = Record()
     at_hand.set(record)
     try:
-        return job(*args), record.calculations_us
-    except Problem:
-        raise
+        for value in job(*args):
+            yield value, record.calculations_us
+            record.calculations_us = []
+    except Problem as problem:
+        yield problem
     except ImpossibleMechanism as error:
-        raise impossible(error) from None
+        yield impossible(error)
     except Exception:
-        raise CalculationFailed(traceback.format_exc()) from None
+        yield CalculationFailed(traceback.format_exc())

@@ -1,5 +1,6 @@
 """What an operator may set, by environment variables that start with ``KHV_``."""
 
+import math
 import os
 from dataclasses import dataclass, fields
 from typing import Any, Self
@@ -22,9 +23,11 @@ class Settings:
     max_batch : int
         Most requests in one batch.
     max_seconds : float
-        Longest time of a calculation, waiting for a free process included, seconds.
+        Longest time of a calculation, seconds; waiting for a free process is not counted.
     processes : int
         Processes for long calculations, for each worker; 0 for one to a processor.
+    max_waiting : int
+        Most long calculations that wait for a process of a worker.
     max_connections : int
         Most open connections of a worker.
     receive_seconds : float
@@ -39,13 +42,14 @@ class Settings:
         Least level that is logged: a line for each request is INFO.
     """
 
-    max_body_bytes: int = 1_048_576
+    max_body_bytes: int = 262_144
     max_batch_bytes: int = 8_388_608
     max_pairs: int = 10_000
     max_curve_samples: int = 10_001
     max_batch: int = 10_000
     max_seconds: float = 10.0
     processes: int = 0
+    max_waiting: int = 64
     max_connections: int = 2_000
     receive_seconds: float = 10.0
     keep_alive_seconds: int = 5
@@ -60,7 +64,7 @@ class Settings:
         Raises
         ------
         ValueError
-            If a value is not a number where a number is needed.
+            If a value is not a number that can be where one is needed.
         """
         given: dict[str, Any] = {}
         for field in fields(cls):
@@ -76,4 +80,7 @@ class Settings:
                 given[field.name] = field.type(text)
             except ValueError as error:
                 raise ValueError(f"{name} must be a number, not {text!r}") from error
+            least = 0 if field.name == "processes" else 1e-3
+            if field.type is not str and not least <= given[field.name] < math.inf:
+                raise ValueError(f"{name} must be at least {least}, not {text}")
         return cls(**given)

@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 import httpx
 
@@ -57,6 +57,37 @@ class Service:
         self.process.wait(30)
         self.reader.join()
         self.process.stdout.close()
+
+
+def family(pid: int) -> list[int]:
+    """A process and all that it and they have started."""
+    started: list[str] = []
+    try:
+        for thread in os.listdir(f"/proc/{pid}/task"):
+            with open(f"/proc/{pid}/task/{thread}/children") as listed:
+                started += listed.read().split()
+    except FileNotFoundError:  # it has ended meanwhile
+        return []
+    return [pid, *(each for child in started for each in family(int(child)))]
+
+
+def lives(pid: int) -> bool:
+    """Whether a process still runs; one that nobody has buried does not."""
+    try:
+        with open(f"/proc/{pid}/stat") as stat:
+            return stat.read().rsplit(")", 1)[1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def calculators(pid: int) -> set[int]:
+    """Processes for calculations of a worker: all that its fork server has started."""
+    servers = []
+    for child in family(pid)[1:]:
+        with suppress(FileNotFoundError), open(f"/proc/{child}/cmdline", "rb") as command:
+            if b"forkserver" in command.read():
+                servers.append(child)
+    return {child for server in servers for child in family(server)[1:] if lives(child)}
 
 
 def eventually(holds: Callable[[], bool]) -> bool:

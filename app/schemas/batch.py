@@ -1,8 +1,8 @@
 """Request and answer of a batch: many requests of one calculation."""
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import FailFast, Field
 
 from app.schemas.base import RequestModel, ResponseModel
 from app.schemas.service import ProblemOut
@@ -21,11 +21,17 @@ Calculation = Literal[
 ]
 
 
+MAX_REQUESTS = 10_000
+"""Most requests of a batch."""
+
+
 class BatchRequest(RequestModel):
     """Requests of one calculation, each as its own endpoint takes it."""
 
     calculation: Calculation
-    requests: list[dict[str, Any]] = Field(min_length=1)
+    requests: Annotated[
+        list[dict[str, Any]], FailFast(), Field(min_length=1, max_length=MAX_REQUESTS)
+    ]
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more requests than the operator allows.

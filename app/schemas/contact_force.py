@@ -95,7 +95,7 @@ class LoadFields(RequestModel):
         help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
     )
     include: list[ForceSection] = Field(
-        default=[], description="Optional results: what is not named is not computed."
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
     samples: int = quantity(
         "Samples",

@@ -79,6 +79,7 @@ class CrankPlanetaryRequest(RequestModel):
     include: list[Section] = Field(
         default=["cyclogram", "contact_force", "hertz"],
         min_length=1,
+        max_length=4,
         description="Sections of the answer: what is not named is not computed.",
     )
 

@@ -13,6 +13,9 @@ from core.output.mechanism import Mechanism, ratio_from_teeth
 MAX_PAIRS = 10_000
 """Most pairs (pins times satellites) of one mechanism."""
 
+MAX_SATELLITES = 100
+"""Most satellites of one mechanism."""
+
 MAX_DRAWN_PAIRS = 240
 """Most pairs that a figure shows."""
 
@@ -37,7 +40,7 @@ class MechanismFields(RequestModel):
         group="mechanism",
         default=2,
         ge=1,
-        le=100,
+        le=MAX_SATELLITES,
         step=1,
         help="Number of satellites, each on its own crank.",
     )
@@ -54,6 +57,7 @@ class MechanismFields(RequestModel):
         symbol="α₁ … α_K",
         group="mechanism",
         default=None,
+        max_length=MAX_SATELLITES,
         help="Angle of each crank, one for each satellite, instead of an even spacing.",
     )
     ratio: float | None = quantity(

@@ -66,6 +66,7 @@ class RollerStrengthRequest(RequestModel):
         symbol="g₁ … g_n",
         group="load",
         default=None,
+        max_length=MAX_ROLLERS,
         help="Gap of each roller before it carries, instead of the worst case of a tolerance.",
     )
     diameter_mm: float = quantity(

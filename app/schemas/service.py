@@ -30,7 +30,8 @@ class ProblemOut(ResponseModel):
     title: str
     status: int
     detail: str
-    errors: list[FieldProblem]
+    errors: list[FieldProblem] = Field(description="The wrong fields, 50 of them at most.")
+    more: int | None = Field(default=None, description="How many fields besides are wrong.")
     where: dict[str, float] | None = Field(
         default=None, description="Position at which the mechanism cannot work."
     )

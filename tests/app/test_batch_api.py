@@ -2,15 +2,19 @@
 
 import asyncio
 import json
+from functools import partial
 
 import httpx
 import pytest
 
-from app import batches
+from app.batches import Batched, answers
 from app.examples import REQUESTS
-from app.main import create_app
-from app.problems import unavailable
+from app.jobs import Jobs
+from app.main import PRELOAD, create_app
+from app.record import Record
+from app.schemas.hertz import HertzRequest
 from app.settings import Settings
+from tests.app import jobs_to_run
 
 pytestmark = pytest.mark.anyio
 
@@ -108,20 +112,128 @@ async def test_a_batch_may_be_larger_than_a_request_but_not_too_large():
             assert answer.status_code == status
 
 
-async def test_one_request_that_takes_too_long_does_not_fail_the_others(api, monkeypatch):
-    light = {"pins": 3, "ratio": 20, **LOAD}
-    heavy = light | {"pins": 5}
+async def evaluated(forces, endpoint, **limits):
+    """Answers to Hertz requests of these forces, and the forces of which answers came together."""
 
-    async def in_process(job, batched, requests, settings, *, record):
-        if heavy in requests:
-            raise unavailable("The calculation was not done in time")
-        return job(batched, requests, settings)
+    async def stays():
+        await asyncio.Event().wait()
 
-    monkeypatch.setattr(batches, "in_process", in_process)
-    body = {"calculation": "contact_force", "requests": [light, heavy, light]}
-    first, second, third = (await api.post("batch", json=body)).json()["results"]
-    assert same(first, third) and "result" in first
-    assert second["problem"]["status"] == 503
+    requests = [json.dumps(REQUESTS["hertz"] | {"force_N": force}).encode() for force in forces]
+    record = Record(Settings(**limits), receive=stays)
+    async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
+        batched = Batched(HertzRequest, endpoint)
+        slices = [some async for some in answers(jobs, batched, requests, record)]
+    return [json.loads(line) for some in slices for line in some], slices
+
+
+def noted(file):
+    return [float(line) for line in file.read_text().split()]
+
+
+async def test_each_request_is_calculated_once_however_often_the_time_of_a_slice_is_over(tmp_path):
+    """Each takes 10 ms: a slice of 0.25 s holds some."""
+    forces = [0.01] * 120
+    file = tmp_path / "evaluations"
+    done, slices = await evaluated(forces, partial(jobs_to_run.noted, file))
+    assert [each["result"]["force_N"] for each in done] == forces
+    assert noted(file) == forces
+    assert len(slices) > 4
+
+
+async def test_a_request_that_takes_too_long_is_refused_alone_and_nothing_is_done_twice(tmp_path):
+    forces = [*range(100, 160), 666, *range(200, 260), 666, 300]
+    file = tmp_path / "evaluations"
+    done, _ = await evaluated(forces, partial(jobs_to_run.endless, file), max_seconds=0.5)
+    assert noted(file) == forces
+    for force, each in zip(forces, done, strict=True):
+        if force == 666:
+            assert each["problem"]["status"] == 503
+            assert "0.5 s" in each["problem"]["detail"]
+        else:
+            assert each["result"]["force_N"] == force
+
+
+async def test_a_request_whose_process_dies_is_tried_once_more_alone(tmp_path):
+    forces = [1, 2, 13, 3, 4]
+    file = tmp_path / "evaluations"
+    done, _ = await evaluated(forces, partial(jobs_to_run.noted, file))
+    assert noted(file) == [1, 2, 13, 13, 3, 4]
+    assert [each.get("problem", {}).get("status") for each in done] == [None, None, 503, None, None]
+
+
+async def test_a_batch_that_is_under_way_is_not_refused_for_a_full_queue(api):
+    heavy = {"pins": 30, "satellites": 20, "ratio": 20, "crank_spacing_deg": 7, **LOAD}
+    body = {"calculation": "contact_force", "requests": [heavy | {"force_exponent": 1.5}] * 60}
+    single = {"pins": 270, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
+    transport = httpx.ASGITransport(create_app(Settings(processes=1, max_waiting=1)))
+    async with httpx.AsyncClient(transport=transport, base_url="http://s/api/v1/") as client:
+        asked = asyncio.create_task(client.post("batch", json=body, timeout=300))
+        statuses = []
+        while not asked.done():
+            some = (client.post("cyclogram", json=single, timeout=300) for _ in range(4))
+            statuses += [each.status_code for each in await asyncio.gather(*some)]
+        results = (await asked).json()["results"]
+    assert {200, 503} == set(statuses)
+    assert len(results) == 60
+    assert all("result" in each for each in results)
+
+
+async def test_a_batch_names_so_many_wrong_fields_only(api):
+    wrong = [{f"field {field}": 0 for field in range(45)}] * 20
+    good = REQUESTS["hertz"]
+    body = {"calculation": "hertz", "requests": [*wrong, good, good | {"force_N": -1}]}
+    results = (await api.post("batch", json=body)).json()["results"]
+    problems = [each["problem"] for each in results if "problem" in each]
+    assert len(problems) == 21
+    assert [len(each["errors"]) for each in problems] == [49, 49, 2] + 18 * [0]
+    assert "more" not in problems[0]
+    assert [each["more"] for each in problems[2:]] == [47, *17 * [49], 1]
+    assert problems[-1]["detail"] == "1 field is wrong"
+    assert "result" in results[20]
+
+
+async def test_what_is_too_large_alone_is_too_large_in_a_batch():
+    settings = Settings(max_body_bytes=2000, max_batch_bytes=20_000)
+    transport = httpx.ASGITransport(create_app(settings))
+    async with httpx.AsyncClient(transport=transport, base_url="http://service") as client:
+        requests = [REQUESTS["hertz"], {"x": "y" * 2000}, REQUESTS["hertz"]]
+        body = {"calculation": "hertz", "requests": requests}
+        results = (await client.post("/api/v1/batch", json=body)).json()["results"]
+    assert ["result" in each for each in results] == [True, False, True]
+    assert results[1]["problem"]["status"] == 413
+
+
+@pytest.mark.parametrize("accept", ["application/json", "application/x-ndjson"])
+async def test_batches_travel_compressed_where_the_client_takes_that(api, accept):
+    body = {"calculation": "hertz", "requests": [REQUESTS["hertz"]] * 300}
+    sizes = {}
+    for coding in ("gzip", "identity"):
+        headers = {"accept": accept, "accept-encoding": coding}
+        async with api.stream("POST", "batch", json=body, headers=headers) as answer:
+            assert answer.headers.get("content-encoding", "identity") == coding
+            assert answer.headers["vary"] == "accept-encoding"
+            sizes[coding] = len(b"".join([part async for part in answer.aiter_raw()]))
+        assert answer.status_code == 200
+    assert sizes["gzip"] < sizes["identity"] / 5
+
+
+@pytest.mark.parametrize(
+    ("content", "pointer", "detail"),
+    [
+        (b'{"calculation": "hertz", "requests": [', "", "is not valid JSON: EOF"),
+        (b'{"calculation": "hertz"}', "/requests", "is needed"),
+        (b'{"calculation": "x", "requests": [{}]}', "/calculation", "must be one of"),
+        (b'{"calculation": "hertz", "requests": [{}], "x": 0}', "/x", "is not a known field"),
+        (b'{"calculation": "hertz", "requests": [{}, 1, 2]}', "/requests/1", "must be an object"),
+        (b"[]", "", "must be an object"),
+    ],
+)
+async def test_what_is_wrong_with_a_batch_is_said(api, content, pointer, detail):
+    answer = await api.post("batch", content=content, headers={"content-type": "application/json"})
+    assert answer.status_code == 422
+    (error,) = answer.json()["errors"]
+    assert error["pointer"] == pointer
+    assert error["detail"].startswith(detail)
 
 
 async def test_the_service_answers_others_while_a_batch_runs(api):

@@ -31,7 +31,7 @@ def refused(response: httpx.Response, status: int) -> list[tuple[str, str]]:
     problem = response.json()
     assert response.status_code == problem["status"] == status
     assert response.headers["content-type"] == "application/problem+json"
-    assert set(problem) - {"where"} == SHAPE
+    assert set(problem) - {"where", "more"} == SHAPE
     assert problem["type"].startswith("/problems/")
     assert problem["title"]
     assert problem["detail"]
@@ -70,6 +70,30 @@ async def test_a_wrong_field_is_named_in_plain_words(api, body, pointer, detail)
 async def test_several_wrong_fields_are_all_named(api):
     response = await api.post("cyclogram", json={"pins": 0, "ratio": -1, "color": "red"})
     assert [pointer for pointer, _ in refused(response, 422)] == ["/pins", "/ratio", "/color"]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "named"), [(49, 49), (50, 50), (51, 50), (999, 50), (1001, 0), (20_000, 0)]
+)
+async def test_so_many_wrong_fields_are_named_and_the_rest_counted(api, wrong, named):
+    body = {"pins": 3, "ratio": 20} | {f"f{n}": 0 for n in range(wrong)}
+    response = await api.post("cyclogram", json=body)
+    errors = refused(response, 422)
+    assert errors == [(f"/f{n}", "is not a known field") for n in range(named)]
+    problem = response.json()
+    assert problem.get("more", 0) == wrong - named
+    if wrong == 51:
+        assert problem["detail"].endswith("f49 is not a known field; 1 more")
+    if not named:
+        assert problem["detail"] == f"{wrong} fields are wrong"
+
+
+async def test_long_names_are_cut(api):
+    body = {"pins": 3, "ratio": 20, "x" * 64: 0, "y" * 65: 0}
+    response = await api.post("cyclogram", json=body)
+    pointers = [pointer for pointer, _ in refused(response, 422)]
+    assert pointers == ["/" + "x" * 64, "/" + "y" * 63 + "…"]
+    assert "y" * 64 not in response.text
 
 
 async def test_a_body_that_is_not_sent_as_json_is_refused_with_the_reason(api):

@@ -5,14 +5,16 @@ import json
 import os
 import random
 import signal
+from contextlib import suppress
 
 import httpx
 import pytest
 
-from app import processes
+from app import jobs, processes
 from app.main import create_app
 from app.schemas.contact_force import ContactForceRequest
 from app.settings import Settings
+from tests.running_service import calculators
 
 pytestmark = pytest.mark.anyio
 
@@ -41,11 +43,15 @@ def service(**limits):
     )
 
 
-def descendants():
-    """Processes started by this one that are still calculating or waiting for work."""
-    children = f"/proc/{os.getpid()}/task/{os.getpid()}/children"
-    with open(children) as listed:
-        return [int(pid) for pid in listed.read().split()]
+def at_work():
+    """Processes for calculations that this one has."""
+    return calculators(os.getpid())
+
+
+async def until(holds):
+    """Wait for what has to come."""
+    while not holds():
+        await asyncio.sleep(0.02)
 
 
 async def test_health_is_answered_while_a_long_calculation_runs():
@@ -59,17 +65,36 @@ async def test_health_is_answered_while_a_long_calculation_runs():
 
 
 async def test_what_takes_too_long_is_stopped_and_refused_for_now():
-    async with service(max_seconds=60) as api:
+    others = at_work()
+    async with service(max_seconds=0.5, processes=1) as api:
+        asked = asyncio.create_task(api.post("contact-force", json=SLOW))
+        await until(lambda: at_work() - others)
+        (killed,) = at_work() - others
+        response = await asked
+        assert response.status_code == 503
+        assert response.headers["content-type"] == "application/problem+json"
+        assert int(response.headers["retry-after"]) > 0
+        assert "0.5 s" in response.json()["detail"]
+        await until(lambda: killed not in at_work())
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
-    async with service(max_seconds=0.5) as api:
-        before = descendants()
-        response = await api.post("contact-force", json=SLOW)
-    assert response.status_code == 503
-    assert response.headers["content-type"] == "application/problem+json"
-    assert int(response.headers["retry-after"]) > 0
-    assert "0.5 s" in response.json()["detail"]
-    assert before
-    assert not set(before) & set(descendants())
+        assert len(at_work() - others) == 1
+
+
+async def test_where_too_many_wait_all_that_is_long_is_refused_at_once():
+    batch = {"calculation": "contact_force", "requests": [{"pins": 3, "ratio": 20.0, **LOAD}]}
+    async with service(processes=1, max_waiting=2) as api:
+        assert (await api.post("cyclogram", json=MANY)).status_code == 200
+        waiting = [asyncio.create_task(api.post("contact-force", json=SLOW)) for _ in range(3)]
+        await asyncio.sleep(0.3)
+        for path, body in (("contact-force", SLOW), ("batch", batch)):
+            refused = await api.post(path, json=body)
+            assert refused.status_code == 503
+            assert "waiting" in refused.json()["detail"]
+            assert 1 <= int(refused.headers["retry-after"]) <= 60
+        assert (await api.post("cyclogram", json={"pins": 3, "ratio": 20})).status_code == 200
+        assert not any(each.done() for each in waiting)
+        assert [each.status_code for each in await asyncio.gather(*waiting)] == [200] * 3
+        assert (await api.post("batch", json=batch)).status_code == 200
 
 
 @pytest.mark.parametrize(
@@ -81,15 +106,18 @@ async def test_what_takes_too_long_is_stopped_and_refused_for_now():
 )
 async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     """Told by the ASGI message alone: the process is killed long before its time is over."""
-    app = create_app(Settings(max_seconds=60))
+    others = at_work()
+    app = create_app(Settings(max_seconds=60, processes=1))
     content = json.dumps(body).encode()
     messages = iter([{"type": "http.request", "body": content, "more_body": False}])
-    sent = []
+    sent, busy = [], []
 
     async def receive():
         for message in messages:
             return message
-        await asyncio.sleep(0.8)
+        await until(lambda: at_work() - others)
+        await asyncio.sleep(0.5)
+        busy.extend(at_work() - others)
         return {"type": "http.disconnect"}
 
     async def send(message):
@@ -105,7 +133,8 @@ async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     }
     await app(scope, receive, send)
     assert not sent
-    assert not descendants()  # what has finished its work stays for the next
+    assert len(busy) >= 1
+    await until(lambda: not at_work() & set(busy))
 
 
 async def test_a_process_that_dies_is_no_server_error():
@@ -114,8 +143,9 @@ async def test_a_process_that_dies_is_no_server_error():
         slow = asyncio.create_task(api.post("contact-force", json=SLOW))
         while not slow.done():  # the first to die is replaced, so the second has to die too
             await asyncio.sleep(0.3)
-            for pid in descendants():
-                os.kill(pid, signal.SIGKILL)
+            for pid in at_work():
+                with suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
         assert (await slow).status_code == 503
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
 
@@ -171,3 +201,33 @@ async def test_the_operator_limits_pairs_and_samples():
             assert response.status_code == 422
             assert [each["pointer"] for each in response.json()["errors"]] == [pointer]
         assert (await api.post("cyclogram", json=job | {"pins": 6})).status_code == 200
+
+
+async def test_the_service_is_ready_as_long_as_jobs_can_run(monkeypatch):
+    def fails(former):
+        raise OSError("no more processes")
+
+    app = create_app(Settings(processes=1))
+    transport = httpx.ASGITransport(app)
+    async with httpx.AsyncClient(transport=transport, base_url="http://service") as client:
+
+        async def ready():
+            return (await client.get("/readyz")).status_code == 200
+
+        assert not await ready()
+        async with app.router.lifespan_context(app):
+            while not await ready():
+                await asyncio.sleep(0.02)
+            with monkeypatch.context() as patched:
+                patched.setattr(jobs, "_started", fails)
+                for pid in [child.process.pid for child in app.state.jobs._children]:
+                    os.kill(pid, signal.SIGKILL)
+                while await ready():
+                    await asyncio.sleep(0.02)
+                refused = await client.post("/api/v1/cyclogram", json=MANY)
+                assert refused.status_code == 503
+                assert (await client.get("/livez")).status_code == 200
+            while not await ready():
+                await asyncio.sleep(0.02)
+            assert (await client.post("/api/v1/cyclogram", json=MANY)).status_code == 200
+        assert not await ready()

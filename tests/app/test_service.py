@@ -178,9 +178,18 @@ def test_the_environment_overrides_the_settings(monkeypatch):
         max_seconds=2.5,
         cors_origins=("https://a.example", "https://b.example"),
     )
-    monkeypatch.setenv("KHV_MAX_PAIRS", "many")
-    with pytest.raises(ValueError, match="KHV_MAX_PAIRS must be a number, not 'many'"):
-        Settings.from_environment()
+    monkeypatch.setenv("KHV_PROCESSES", "0")
+    assert Settings.from_environment().processes == 0
+    for name, text, wrong in (
+        ("KHV_MAX_PAIRS", "many", "a number, not 'many'"),
+        ("KHV_MAX_SECONDS", "0", "at least 0.001, not 0"),
+        ("KHV_MAX_SECONDS", "nan", "at least 0.001, not nan"),
+        ("KHV_PROCESSES", "-1", "at least 0, not -1"),
+    ):
+        with monkeypatch.context() as patched:
+            patched.setenv(name, text)
+            with pytest.raises(ValueError, match=f"{name} must be {wrong}"):
+                Settings.from_environment()
 
 
 async def test_large_answers_travel_compressed(api):

@@ -4,11 +4,13 @@ import os
 import random
 import signal
 import threading
+import time
+from contextlib import suppress
 
 import httpx
 import pytest
 
-from tests.running_service import eventually
+from tests.running_service import eventually, family, lives
 
 LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
 angles = random.Random(6)
@@ -73,13 +75,6 @@ def test_a_stopping_service_waits_only_so_long(serve):
         assert broken[0] == 503 or isinstance(broken[0], httpx.TransportError)
 
 
-def family(pid):
-    """A process and all that it and they have started."""
-    with open(f"/proc/{pid}/task/{pid}/children") as listed:
-        children = [int(child) for child in listed.read().split()]
-    return [pid, *(each for child in children for each in family(child))]
-
-
 def test_no_process_outlives_the_service(serve):
     with serve(workers=2) as service:
         httpx.post(f"{service.url}/api/v1/contact-force", json=LONG, timeout=30)
@@ -90,20 +85,28 @@ def test_no_process_outlives_the_service(serve):
         assert eventually(lambda: not any(map(lives, started)))
 
 
-def lives(pid):
-    """Whether a process still runs; one that nobody has buried does not."""
-    try:
-        with open(f"/proc/{pid}/stat") as stat:
-            return stat.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
+def test_no_process_outlives_a_worker_that_is_killed(serve):
+    with serve() as service:
+        started = family(service.process.pid)
+        asking = threading.Thread(target=ask_for_long, args=(service.url,))
+        asking.start()
+        time.sleep(0.3)
+        service.process.kill()
+        asking.join()
+        assert len(started) >= 4
+        assert eventually(lambda: not any(map(lives, started)))
+
+
+def ask_for_long(url):
+    with suppress(httpx.TransportError):
+        httpx.post(f"{url}/api/v1/contact-force", json=LONG, timeout=30)
 
 
 def test_a_killed_worker_is_replaced(serve):
     with serve(workers=2) as service:
-        workers = set(family(service.process.pid)[1:])
-        for pid in workers:
-            os.kill(pid, signal.SIGKILL)
+        for pid in family(service.process.pid)[1:]:
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
         service.wait_until_ready()
         assert httpx.get(f"{service.url}/api/v1/health").status_code == 200
 

@@ -29,7 +29,7 @@ class ContactLineRequest(GearFields):
         help="Chooses the loaded flank of rollers whose limits are given in z.",
     )
     include: list[Literal["points"]] = Field(
-        default=[], description="Optional results: what is not named is not computed."
+        default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
     samples: int = quantity(
         "Samples",

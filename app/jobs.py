@@ -1,0 +1,388 @@
+"""Jobs in processes of their own: bounded, cancellable, replaced; the standard library only.
+
+A job is a generator function of a module; what it yields comes back part by part. Each process has
+one socket to it and does one job at a time. A job that nobody waits for any more, or that takes too
+long, costs its process, which is replaced in the background; so does one whose process is killed.
+
+Children come from a fork server, which has imported what they need: one is there within some
+hundredths of a second. To close a child's socket is to end it, so that none outlives its owner.
+"""
+
+import asyncio
+import atexit
+import logging
+import math
+import multiprocessing
+import multiprocessing.util  # its waiting for all children at exit comes after `_end_all`
+import os
+import pickle
+import select
+import signal
+import socket
+import threading
+import time
+import weakref
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from multiprocessing.process import BaseProcess
+from typing import Any, Self
+
+LOG = logging.getLogger("khv.jobs")
+
+CONTEXT = multiprocessing.get_context("forkserver")  # a process with threads is not to be forked
+
+START_S = 60.0
+"""Time after which a process that has not started counts as one that cannot."""
+
+CHECK_S = 1.0
+"""How often idle processes are looked after, seconds."""
+
+PAUSE_S = 0.005
+"""How often parts are fetched that come one after the other."""
+
+Job = Callable[..., Iterator[Any]]
+
+
+class Busy(Exception):
+    """As many jobs are waiting as may.
+
+    Attributes
+    ----------
+    retry_after_s : int
+        When there may be room, seconds.
+    """
+
+    def __init__(self, retry_after_s: int) -> None:
+        self.retry_after_s = retry_after_s
+
+
+class CannotRun(Exception):
+    """No process can be started."""
+
+
+class Unfinished(Exception):
+    """A job has ended before its end.
+
+    Attributes
+    ----------
+    parts : list
+        What it had yielded until then.
+    """
+
+    def __init__(self, parts: list[Any]) -> None:
+        self.parts = parts
+
+
+class TooLong(Unfinished):
+    """It took longer than allowed."""
+
+
+class Stopped(Unfinished):
+    """Its process was stopped by something else."""
+
+
+class Jobs:
+    """A fixed number of processes, and a queue of bounded length for them.
+
+    Processes start ahead within ``async with``; outside of it, with the first job.
+
+    Parameters
+    ----------
+    processes : int
+        How many; 0 for one to a processor.
+    waiting : int
+        Most jobs that may wait when a new one is admitted.
+    preload : iterable of str
+        Modules that the jobs need.
+    """
+
+    def __init__(self, *, processes: int, waiting: int, preload: Iterable[str] = ()) -> None:
+        CONTEXT.set_forkserver_preload(list(preload))
+        self.processes = processes or os.cpu_count() or 1
+        self._missing: list[BaseProcess | None] = [None] * self.processes
+        self._most_waiting = waiting
+        self._children: set[_Child] = set()
+        self._free: list[_Child] = []
+        self._waiting: deque[asyncio.Future[_Child]] = deque()
+        self._tasks: set[asyncio.Task[None]] = set()  # the loop keeps weak references only
+        self._keeper: asyncio.Task[None] | None = None
+        self._able = self._closed = False
+        self._turn_s = 1.0
+
+    @property
+    def ready(self) -> bool:
+        """Whether jobs are run: processes start ahead, and one at least has, and still could."""
+        return self._keeper is not None and self._able
+
+    async def __aenter__(self) -> Self:
+        self._closed = False
+        self._keeper = asyncio.create_task(self._keep())
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        """End all processes, whatever they are doing."""
+        assert self._keeper is not None
+        for task in (self._keeper, *self._tasks):
+            task.cancel()
+        self._keeper, self._closed = None, True
+        while self._free:
+            self._replace(self._free.pop())
+        for child in self._children:
+            child.kill()  # whoever runs a job in it sees that
+        self._refuse_waiting()
+
+    def admit(self) -> None:
+        """Refuse a new job where too many are waiting.
+
+        Raises
+        ------
+        Busy
+            If there are; when there may be room is estimated from what jobs took of late.
+        """
+        if len(self._waiting) >= self._most_waiting:
+            turns = (len(self._waiting) + 1) / self.processes
+            raise Busy(math.ceil(turns * self._turn_s))
+
+    async def run(self, job: Job, *args: Any, limit_s: float, admitted: bool = False) -> list[Any]:
+        """All that a job yields.
+
+        To cancel this ends the job.
+
+        Parameters
+        ----------
+        job : callable
+            Generator function of a module; what it raises ends its process.
+        *args
+            Its arguments; they are pickled, as is what it yields.
+        limit_s : float
+            Longest time from its start to its end, seconds; waiting for a process is not counted.
+        admitted : bool
+            Whether it may wait however many do: a part of work that has been admitted as a whole.
+
+        Raises
+        ------
+        Busy
+            If too many are waiting.
+        TooLong, Stopped
+            If it does not come to its end.
+        CannotRun
+            If there is no process and none can be started.
+        """
+        if not admitted:
+            self.admit()
+        child = await self._next_free()
+        parts: list[Any] = []
+        begun, ended = time.monotonic(), False
+        try:
+            async with asyncio.timeout(limit_s):
+                await child.send((job, args))
+                while message := await child.receive(PAUSE_S if len(parts) > 1 else 0.0):
+                    parts += message
+            ended = True
+        except TimeoutError:
+            raise TooLong(parts) from None
+        except ConnectionError:
+            raise Stopped(parts) from None
+        finally:
+            self._turn_s += 0.1 * (time.monotonic() - begun - self._turn_s)
+            if ended:
+                self._give(child)
+            else:
+                self._replace(child)
+        return parts
+
+    async def _next_free(self) -> "_Child":
+        """A process for a job, in the order in which they ask."""
+        while self._free:
+            child = self._free.pop()
+            if not child.gone():
+                return child
+            self._replace(child)
+        if self._closed:
+            raise CannotRun
+        turn: asyncio.Future[_Child] = asyncio.get_running_loop().create_future()
+        self._waiting.append(turn)
+        self._start_missing()
+        try:
+            return await turn
+        except asyncio.CancelledError:
+            if turn.done() and not turn.cancelled() and turn.exception() is None:
+                self._give(turn.result())
+            raise
+        finally:
+            with suppress(ValueError):
+                self._waiting.remove(turn)
+
+    def _give(self, child: "_Child") -> None:
+        """Hand a process to who waits longest."""
+        while self._waiting:
+            turn = self._waiting.popleft()
+            if not turn.done():
+                turn.set_result(child)
+                return
+        self._free.append(child)
+
+    def _replace(self, child: "_Child") -> None:
+        """End a process; another one is started in the background."""
+        self._children.discard(child)
+        child.end()
+        self._missing.append(child.process)
+        self._start_missing()
+
+    def _refuse_waiting(self) -> None:
+        """Nobody is going to hand over a process."""
+        self._able = False
+        while self._waiting:
+            turn = self._waiting.popleft()
+            if not turn.done():
+                turn.set_exception(CannotRun())
+
+    def _start_missing(self) -> None:
+        while self._missing and not self._closed:
+            task = asyncio.create_task(self._start_one(self._missing.pop()))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+
+    async def _start_one(self, former: BaseProcess | None) -> None:
+        """Start a process in the place of one that has been ended."""
+        child = None
+        try:
+            async with asyncio.timeout(START_S):
+                child = await asyncio.to_thread(_started, former)
+                former = child.process
+                await child.receive()
+        except Exception as error:
+            LOG.warning("a process for calculations could not be started", exc_info=error)
+            self._missing.append(former)
+            if not self._children:
+                self._refuse_waiting()
+        except asyncio.CancelledError:
+            self._missing.append(former)
+            raise
+        else:
+            self._able = True
+            self._children.add(child)
+            self._give(child)
+            child = None
+        finally:
+            if child is not None:
+                child.end()
+
+    async def _keep(self) -> None:
+        """Start what is missing, and what dies while it has nothing to do."""
+        while True:
+            for child in [child for child in self._free if child.gone()]:
+                self._free.remove(child)
+                self._replace(child)
+            self._start_missing()
+            await asyncio.sleep(CHECK_S)
+
+
+class _Child:
+    """A process that does one job after another, and the socket to it.
+
+    A message is a pickled list behind the eight bytes of its length: parts of what the job yields;
+    an empty one where it has come to its end, and at the start.
+    """
+
+    def __init__(self, process: BaseProcess, ours: socket.socket) -> None:
+        self.process, self.socket = process, ours
+        self.received = bytearray()
+        weakref.finalize(self, ours.close)
+        _LIVE.add(self)
+
+    async def send(self, message: object) -> None:
+        await asyncio.get_running_loop().sock_sendall(self.socket, pickle.dumps(message))
+
+    async def receive(self, pause_s: float = 0.0) -> list[Any]:
+        if pause_s and not self.received:
+            await asyncio.sleep(pause_s)
+        size = int.from_bytes(await self._next_bytes(8), "big")
+        message: list[Any] = pickle.loads(await self._next_bytes(size))
+        return message
+
+    async def _next_bytes(self, count: int) -> bytes:
+        loop = asyncio.get_running_loop()
+        while len(self.received) < count:
+            if not (more := await loop.sock_recv(self.socket, 1 << 18)):
+                raise ConnectionResetError
+            self.received += more
+        taken = bytes(memoryview(self.received)[:count])
+        del self.received[:count]
+        return taken
+
+    def gone(self) -> bool:
+        """Whether the process of an idle child has ended."""
+        try:
+            return not self.socket.recv(1, socket.MSG_PEEK)
+        except BlockingIOError:
+            return False
+        except OSError:
+            return True
+
+    def kill(self) -> None:
+        with suppress(OSError):  # it may have gone itself
+            self.socket.shutdown(socket.SHUT_RDWR)
+        self.process.kill()
+
+    def end(self) -> None:
+        """The same where nobody waits for its answer any more."""
+        self.kill()
+        self.socket.close()
+        _LIVE.discard(self)
+
+
+def _started(former: BaseProcess | None) -> _Child:
+    """A new process, once the one before has ended."""
+    if former is not None:
+        with suppress(ValueError):  # it is closed already
+            former.join(START_S)
+            former.close()
+    ours, theirs = socket.socketpair()
+    with theirs:
+        ours.setblocking(False)
+        process = CONTEXT.Process(target=_serve, args=(theirs,), daemon=True)
+        child = _Child(process, ours)
+        process.start()
+    return child
+
+
+_LIVE: weakref.WeakSet[_Child] = weakref.WeakSet()
+
+
+@atexit.register
+def _end_all() -> None:
+    for child in _LIVE:
+        child.kill()
+
+
+def _serve(pipe: socket.socket) -> None:
+    """Do jobs until the other end of the pipe is closed.
+
+    Signals are left to the owner: those to its whole group would lose jobs that are to be finished.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    threading.Thread(target=_end_with, args=(pipe,), daemon=True).start()
+
+    def send(message: list[Any]) -> None:
+        content = pickle.dumps(message)
+        pipe.sendall(len(content).to_bytes(8, "big") + content)
+
+    owner_gone = suppress(EOFError, pickle.UnpicklingError, ConnectionError)
+    with owner_gone, pipe.makefile("rb") as jobs:
+        send([])
+        while True:
+            job, args = pickle.load(jobs)
+            for part in job(*args):
+                send([part])
+            send([])
+
+
+def _end_with(pipe: socket.socket) -> None:
+    """End this process once the other end of the pipe is closed, also within a job."""
+    hang_up = select.poll()
+    hang_up.register(pipe, 0)  # that it is closed is always told
+    hang_up.poll()
+    os._exit(1)
