@@ -9,11 +9,10 @@ tenth of a second. To close a child's socket is to end it, so that none outlives
 """
 
 import asyncio
-import atexit
 import logging
 import math
 import multiprocessing
-import multiprocessing.util  # its waiting for all children at exit comes after `_end_all`
+import multiprocessing.util
 import os
 import pickle
 import select
@@ -287,7 +286,8 @@ class _Child:
         self.process, self.socket = process, ours
         self.received = bytearray()
         weakref.finalize(self, ours.close)
-        _LIVE.add(self)
+        # Before multiprocessing waits for its children at exit, in processes that it forked too.
+        multiprocessing.util.Finalize(self, _kill, (process,), exitpriority=0)
 
     async def send(self, message: object) -> None:
         await asyncio.get_running_loop().sock_sendall(self.socket, pickle.dumps(message))
@@ -327,7 +327,6 @@ class _Child:
         """The same where nobody waits for its answer any more."""
         self.kill()
         self.socket.close()
-        _LIVE.discard(self)
 
 
 def _started(former: BaseProcess | None) -> _Child:
@@ -345,13 +344,9 @@ def _started(former: BaseProcess | None) -> _Child:
     return child
 
 
-_LIVE: weakref.WeakSet[_Child] = weakref.WeakSet()
-
-
-@atexit.register
-def _end_all() -> None:
-    for child in _LIVE:
-        child.kill()
+def _kill(process: BaseProcess) -> None:
+    with suppress(AttributeError, ValueError):  # not started yet, or closed already
+        process.kill()
 
 
 def _serve(pipe: socket.socket) -> None:
