@@ -43,7 +43,7 @@ def client(app):
 
 
 def service(**limits):
-    return client(create_app(Settings(**limits)))
+    return client(create_app(Settings(**{"max_seconds": 300.0} | limits)))  # a busy machine
 
 
 def processes_of(app):
