@@ -87,7 +87,7 @@ function build(id, parts) {
         session.setItem(KEPT, JSON.stringify(kept));
         history.replaceState(null, "", `?${query}`);
       },
-      history({ canUndo, canRedo }) {
+      history(canUndo, canRedo) {
         undo.disabled = !canUndo;
         redo.disabled = !canRedo;
       },
