@@ -4,16 +4,15 @@ A job is a generator function of a module; what it yields comes back part by par
 one socket to it and does one job at a time. A job that nobody waits for any more, or that takes too
 long, costs its process, which is replaced in the background; so does one whose process is killed.
 
-Children come from a fork server, which has imported what they need: one is there within some
-hundredths of a second. To close a child's socket is to end it, so that none outlives its owner.
+Children come from a fork server, which has imported what they need: one is there within about a
+tenth of a second. To close a child's socket is to end it, so that none outlives its owner.
 """
 
 import asyncio
-import atexit
 import logging
 import math
 import multiprocessing
-import multiprocessing.util  # its waiting for all children at exit comes after `_end_all`
+import multiprocessing.util
 import os
 import pickle
 import select
@@ -100,12 +99,12 @@ class Jobs:
     def __init__(self, *, processes: int, waiting: int, preload: Iterable[str] = ()) -> None:
         CONTEXT.set_forkserver_preload(list(preload))
         self.processes = processes or os.cpu_count() or 1
-        self._missing: list[BaseProcess | None] = [None] * self.processes
         self._most_waiting = waiting
         self._children: set[_Child] = set()
         self._free: list[_Child] = []
+        self._ended: list[BaseProcess] = []
+        self._starting: set[asyncio.Task[None]] = set()
         self._waiting: deque[asyncio.Future[_Child]] = deque()
-        self._tasks: set[asyncio.Task[None]] = set()  # the loop keeps weak references only
         self._keeper: asyncio.Task[None] | None = None
         self._able = self._closed = False
         self._turn_s = 1.0
@@ -123,7 +122,7 @@ class Jobs:
     async def __aexit__(self, *_: object) -> None:
         """End all processes, whatever they are doing."""
         assert self._keeper is not None
-        for task in (self._keeper, *self._tasks):
+        for task in (self._keeper, *self._starting):
             task.cancel()
         self._keeper, self._closed = None, True
         while self._free:
@@ -227,7 +226,7 @@ class Jobs:
         """End a process; another one is started in the background."""
         self._children.discard(child)
         child.end()
-        self._missing.append(child.process)
+        self._ended.append(child.process)
         self._start_missing()
 
     def _refuse_waiting(self) -> None:
@@ -239,27 +238,23 @@ class Jobs:
                 turn.set_exception(CannotRun())
 
     def _start_missing(self) -> None:
-        while self._missing and not self._closed:
-            task = asyncio.create_task(self._start_one(self._missing.pop()))
-            self._tasks.add(task)
-            task.add_done_callback(self._tasks.discard)
+        missing = self.processes - len(self._children) - len(self._starting)
+        for _ in range(0 if self._closed else missing):
+            task = asyncio.create_task(self._start_one())
+            self._starting.add(task)
+            task.add_done_callback(self._starting.discard)
 
-    async def _start_one(self, former: BaseProcess | None) -> None:
-        """Start a process in the place of one that has been ended."""
-        child = None
+    async def _start_one(self) -> None:
+        """Start a process, in the place of one that has been ended where there is one."""
+        former, child = self._ended.pop() if self._ended else None, None
         try:
             async with asyncio.timeout(START_S):
                 child = await asyncio.to_thread(_started, former)
-                former = child.process
                 await child.receive()
         except Exception as error:
-            LOG.warning("a process for calculations could not be started", exc_info=error)
-            self._missing.append(former)
+            LOG.warning("a process for calculations could not be started: %r", error)
             if not self._children:
                 self._refuse_waiting()
-        except asyncio.CancelledError:
-            self._missing.append(former)
-            raise
         else:
             self._able = True
             self._children.add(child)
@@ -268,6 +263,7 @@ class Jobs:
         finally:
             if child is not None:
                 child.end()
+                self._ended.append(child.process)
 
     async def _keep(self) -> None:
         """Start what is missing, and what dies while it has nothing to do."""
@@ -290,7 +286,8 @@ class _Child:
         self.process, self.socket = process, ours
         self.received = bytearray()
         weakref.finalize(self, ours.close)
-        _LIVE.add(self)
+        # Before multiprocessing waits for its children at exit, in processes that it forked too.
+        multiprocessing.util.Finalize(self, _kill, (process,), exitpriority=0)
 
     async def send(self, message: object) -> None:
         await asyncio.get_running_loop().sock_sendall(self.socket, pickle.dumps(message))
@@ -330,7 +327,6 @@ class _Child:
         """The same where nobody waits for its answer any more."""
         self.kill()
         self.socket.close()
-        _LIVE.discard(self)
 
 
 def _started(former: BaseProcess | None) -> _Child:
@@ -348,13 +344,9 @@ def _started(former: BaseProcess | None) -> _Child:
     return child
 
 
-_LIVE: weakref.WeakSet[_Child] = weakref.WeakSet()
-
-
-@atexit.register
-def _end_all() -> None:
-    for child in _LIVE:
-        child.kill()
+def _kill(process: BaseProcess) -> None:
+    with suppress(AttributeError, ValueError):  # not started yet, or closed already
+        process.kill()
 
 
 def _serve(pipe: socket.socket) -> None:

@@ -1,5 +1,6 @@
 """What happens around every request: its record, and the headers of its answer."""
 
+import asyncio
 import random
 import re
 import time
@@ -9,7 +10,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import observability
-from app.problems import failure
+from app.problems import failure, unavailable
 from app.record import Record, at_hand
 from app.settings import Settings
 
@@ -62,6 +63,10 @@ class Requests:
             await self.app(scope, receive, with_headers)
         except ClientDisconnect:
             pass  # before its body was whole: there is nobody to answer
+        except asyncio.CancelledError:  # the service stops, and has waited long enough
+            if not status:
+                stopping = unavailable("The service is stopping").response()
+                await stopping(scope, receive, with_headers)
         except Exception as error:
             failed = error
             if not status:

@@ -16,6 +16,7 @@ import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
+import { problemText } from "./service_texts.js";
 import { createKeys } from "./views/keys.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createShare } from "./views/share.js";
@@ -24,12 +25,22 @@ import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
 const client = createClient();
-/** What the service says of itself; asked for already at the head of the page. */
-const service = Promise.all(["/openapi.json", "/examples", "/materials"].map((path) => client.get(path)));
+let service = null;
+
+/** What the service says of itself, asked for already at the head of the page; after a failure anew. */
+function described() {
+  service ??= Promise.all(["/openapi.json", "/examples", "/materials"].map((path) => client.get(path)))
+    .catch((problem) => {
+      service = null;
+      throw problem;
+    });
+  return service;
+}
 
 const languages = [lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
 const language = languages.find((id) => id in LANGUAGES) ?? "en";
 const units = SYSTEMS.find((id) => id === lasting.getItem("units")) ?? SYSTEMS[0];
+described().catch(() => {}); // said where a calculator is opened
 await useLanguage(language);
 setUnits(units);
 document.documentElement.lang = language;
@@ -51,7 +62,7 @@ function say(text) {
 
 /** What a calculator needs to be at work. */
 async function partsOf(id) {
-  const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), service]);
+  const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), described()]);
   return {
     calculator,
     model: formModel(openapi, { ...calculator, path: client.base + calculator.path, words: fieldWords }),
@@ -76,7 +87,7 @@ function build(id, parts) {
         session.setItem(KEPT, JSON.stringify(kept));
         history.replaceState(null, "", `?${query}`);
       },
-      history({ canUndo, canRedo }) {
+      history(canUndo, canRedo) {
         undo.disabled = !canUndo;
         redo.disabled = !canRedo;
       },
@@ -102,7 +113,7 @@ async function open(id) {
   } catch (error) {
     close();
     tabs.setOpen(null);
-    panel.textContent = message("page.failed", { detail: error.message });
+    panel.textContent = message("page.failed", { detail: problemText(error, new Map()) });
   }
 }
 

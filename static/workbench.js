@@ -36,7 +36,7 @@ function lightEachOther(form, drawing) {
 }
 
 /**
- * `typed` is the state of the form to begin with. `on.address(query)`, `on.history({ canUndo, canRedo })`
+ * `typed` is the state of the form to begin with. `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, typed, on }) {
@@ -62,6 +62,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     if (store.state.typed !== before) asking.now();
   }
 
+  /** What happens outside follows the state too: it is told of the parts that it asks for. */
+  const following = (pick, tell) => ({ update: next.following(pick, (state) => tell(...pick(state))) });
   const select = (pair) => store.apply(next.selected, pair);
   const picker = createExamples({
     examples,
@@ -172,9 +174,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         host.dataset.stale = String(next.stale(state));
       },
     },
-    { update: next.following(({ history }) => [history], ({ history: { past, future } }) => on.history({ canUndo: past.length > 0, canRedo: future.length > 0 })) },
-    { update: next.following(({ said }) => [said], ({ said }) => on.say(said)) },
-    { update: next.following(({ address }) => [address], ({ address }) => address && on.address(address)) },
+    following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
+    following(({ said }) => [said], on.say),
+    following(({ address }) => [address], (address) => address && on.address(address)),
   ]);
   // Plotly, asked for at the head of the page, is run also where there is nothing to draw yet.
   asking.now().then(() => loadPlotly().catch(() => {}));

@@ -48,15 +48,15 @@ class Limits(NamedTuple):
         Its ends, z growing.
     extent : float
         ``z_max - z_min``, m, to more digits than the difference has.
-    phi_error : float
-        Error of limits given in phi, rad: all places of the line then move with the curve, which
-        is not known exactly. 0 for limits in z, under which the curve moves.
+    in_phi : bool
+        Whether the limits are given in phi, so that all places of the line move with the curve,
+        which is not known exactly; else in z, under which the curve moves.
     """
 
     start: LinePoint
     end: LinePoint
     extent: float
-    phi_error: float
+    in_phi: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,17 +72,19 @@ class Places:
         Place from the steepest point of the curve, and from the precession centre, m.
     ds : array, shape (n,)
         Length of the line that a place stands for, m.
-    z_error, ds_error : array, shape (n,)
-        Bounds of their errors, m.
+    ds_error : array, shape (n,)
+        Bound of its error, m.
+    z_error : array, shape (n,)
+        By how much a place may lie elsewhere on the curve as given, m.
     direction_error : array, shape (n,)
-        Error of (y, w)/sin(phi1) over its size.
+        Error of (y, w)/sin(phi1) over its size, for the place taken.
     """
 
     y: FloatArray
     z: FloatArray
     ds: FloatArray
-    z_error: FloatArray
     ds_error: FloatArray
+    z_error: FloatArray
     direction_error: FloatArray
 
 
@@ -169,35 +171,32 @@ class ContactCurve:
         """
         y, z, dz = self._nodes(limits, loaded)
         ds = dz * np.hypot(1.0, self.slope(y))
-        stretch, stretch_error, z_error, direction_error = self._errors(y, z, limits.phi_error)
+        stretch, stretch_error, z_error, direction_error = (
+            self._errors_in_phi(y) if limits.in_phi else self._errors_in_z(y)
+        )
         ds_error = 4 * ROUNDING * ds + dz * stretch_error
         ds_error[[0, -1]] = stretch[[0, -1]] * (limits.start.error, limits.end.error)
-        return Places(y, z, ds, z_error, ds_error, direction_error)
+        z_error[[0, -1]] += (limits.start.error, limits.end.error)
+        return Places(y, z, ds, ds_error, z_error, direction_error)
 
-    def _errors(
-        self, y: FloatArray, z: FloatArray, phi_error: float
-    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Largest ds/dz at places of a line; errors of ds/dz, of z, and of the direction of (y, w).
+    def _errors_in_z(self, y: FloatArray) -> tuple[FloatArray, ...]:
+        """Largest ds/dz at places kept in z; errors of ds/dz, z and the direction of (y, w).
 
-        With limits in phi the places keep phi and move with A; else they keep z, and the steep
-        part of the curve may be nearer to them by the error of (y, w).
+        The steep part of the curve may be nearer to them by the error of (y, w).
         """
-        if phi_error:
-            stretch = np.hypot(1.0, self.slope(y))
-            dz_dphi = np.hypot(y, self.width) * np.hypot(y / self.width, 1.0)
-            z_error = self.scale_error * np.abs(z) + phi_error * dz_dphi
-            return stretch, self.width_error / stretch, z_error, np.zeros_like(z)
         y = np.maximum(np.abs(y) - self.point_error, 0.0)
         direction_error = self.point_error / np.hypot(y, self.width)
         slope = self.slope(y)
         stretch = np.hypot(1.0, slope)
         slope_error = slope * (self.width_error + 2 * direction_error)
-        return (
-            stretch,
-            slope / stretch * slope_error,
-            ROUNDING * np.abs(z),
-            direction_error + self.sine_error,
-        )
+        turned = direction_error + self.sine_error
+        return stretch, slope / stretch * slope_error, np.zeros_like(y), turned
+
+    def _errors_in_phi(self, y: FloatArray) -> tuple[FloatArray, ...]:
+        """As `_errors_in_z`, at places kept in phi, which grow with A, and move with phi1."""
+        stretch = np.hypot(1.0, self.slope(y))
+        z_error = self.angle_error * np.hypot(y, self.width) / abs(self.sine)
+        return stretch, self.width_error / stretch, z_error, np.zeros_like(y)
 
     def _nodes(self, limits: Limits, loaded: bool) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Ends and nodes of the quadrature: y, z and weights along z, m."""

@@ -237,7 +237,7 @@ def _limits_in_z(curve: ContactCurve, roller: RollerByLength, index: int) -> Lim
     if not z_max - z_min > SAME * max(abs(z_min), abs(z_max)):
         raise InvalidInput(f"rollers[{index}].z_max", z_max, "larger_than", field="z_min")
     start, end = (LinePoint(z + curve.offset, z, ROUNDING * abs(z)) for z in (z_min, z_max))
-    return Limits(start, end, z_max - z_min, phi_error=0.0)
+    return Limits(start, end, z_max - z_min, in_phi=False)
 
 
 def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Limits:
@@ -247,7 +247,7 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
         raise InvalidInput(
             f"rollers[{index}].phi_max", roller.phi_max, "larger_than", field="phi_min"
         )
-    sines, errors, points = [], [], []
+    sines, points = [], []
     for name, phi in (("phi_min", roller.phi_min), ("phi_max", roller.phi_max)):
         sine, cosine = _sine_and_cosine_of_sum(phi, roller.position_angle)
         rounding = ROUNDING * (abs(phi) + abs(roller.position_angle))
@@ -262,7 +262,6 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
         dz_dphi = abs(curve.width) / (abs(sine) - 2 * rounding) ** 2
         error = ANGLE_ROUNDING * abs(phi) + curve.angle_error
         sines.append(sine)
-        errors.append(error)
         points.append(LinePoint(y, z, error * dz_dphi + 3 * ROUNDING * abs(z)))
     if span >= math.pi or sines[0] * sines[1] < 0:
         raise InvalidInput(
@@ -274,7 +273,7 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
         )
     start, end = sorted(points, key=lambda point: point.z)
     extent = abs(curve.width * math.sin(span) / (sines[0] * sines[1]))
-    return Limits(start, end, extent, phi_error=max(errors))
+    return Limits(start, end, extent, in_phi=True)
 
 
 def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:

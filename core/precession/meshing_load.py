@@ -194,8 +194,9 @@ def _inverse_arms(line: ContactLine) -> tuple[FloatArray, FloatArray]:
     It is largest at one of the ends.
     """
     curve, at = line.curve, line.places
-    inverse = np.hypot(at.y, curve.width) / np.abs(at.z * curve.sine)
-    return inverse, at.direction_error + line.limits.phi_error * 2 * inverse + 4 * ROUNDING
+    distance, z = np.hypot(at.y, curve.width), np.abs(at.z)
+    place_error = at.z_error / z + at.z_error / distance
+    return distance / (z * abs(curve.sine)), at.direction_error + place_error + 4 * ROUNDING
 
 
 def _integrals(line: ContactLine, reference_z: float) -> list[float]:
@@ -209,7 +210,8 @@ def _integrals(line: ContactLine, reference_z: float) -> list[float]:
 
     size, error = _inverse_arms(line)  # size of (n_x, n_y)
     force_error = size * (at.ds_error + error * at.ds)
-    lever_error = at.z_error + ROUNDING * abs(reference_z)
+    growth_error = curve.scale_error if line.limits.in_phi else 0.0
+    lever_error = at.z_error + growth_error * np.abs(at.z) + ROUNDING * abs(reference_z)
     moment_error = force_error * np.abs(lever) + size * lever_error * at.ds
     rows = (n_x * at.ds, n_y * at.ds, -n_y * lever * at.ds, n_x * lever * at.ds)
     return [math.fsum(row) for row in np.stack((*rows, force_error, moment_error)).tolist()]

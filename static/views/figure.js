@@ -14,9 +14,9 @@ const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it 
 
 /** What a calculator says of a figure, completed; one that `measures` a calculation is drawn on demand only. */
 function completed({ measures, body = (input) => input, ...figure }) {
-  return measures
-    ? { ...figure, onDemand: true, path: "/work-precision/chart", height: 620, body: (input) => ({ calculation: measures, input: body(input) }) }
-    : { ...figure, body };
+  if (!measures) return { ...figure, body };
+  const measured = (input) => ({ calculation: measures, input: body(input) });
+  return { ...figure, onDemand: true, path: "/work-precision/chart", height: 620, body: measured };
 }
 
 /**

@@ -49,7 +49,10 @@ export async function pictureOf(chart, { title, format, height, width = PICTURE.
   );
 }
 
-/** `follows(point)` names the pair that a point is of, in a figure that follows the drawing; `picked(pair)` tells of a click on it. */
+/**
+ * `follows(point)` names the pair that a point is of, in a figure that follows the drawing;
+ * `picked(pair)` tells of a click on it.
+ */
 export function createPlot({ label, follows, picked }) {
   const root = element(html`<div class="plot" role="group" aria-label="${label}"></div>`);
   const cursor = element(html`<div class="cursor" hidden></div>`);

@@ -1,6 +1,7 @@
 """Jobs in processes: bounded, cancelled, replaced, under the event loop of the service too."""
 
 import asyncio
+import gc
 import os
 import random
 import signal
@@ -179,4 +180,5 @@ async def test_without_being_started_ahead_processes_start_with_the_first_job():
     assert await jobs.run(jobs_to_run.counts, 3, limit_s=60) == [0, 1, 2]
     (pid,) = pids(jobs)
     del jobs
+    gc.collect()
     await until(lambda: not lives(pid))

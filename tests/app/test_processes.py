@@ -14,7 +14,7 @@ from app import jobs, processes
 from app.calculations.contact_force import ContactForceRequest
 from app.main import create_app
 from app.settings import Settings
-from tests.running_service import calculators
+from tests.running_service import lives
 
 pytestmark = pytest.mark.anyio
 
@@ -36,16 +36,19 @@ MANY = {"pins": 270, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
 """A cyclogram long enough for a process, and quick enough for a test."""
 
 
-def service(**limits):
+def client(app):
     return httpx.AsyncClient(
-        transport=httpx.ASGITransport(app=create_app(Settings(**limits))),
-        base_url="http://service/api/v1/",
+        transport=httpx.ASGITransport(app=app), base_url="http://service/api/v1/"
     )
 
 
-def at_work():
-    """Processes for calculations that this one has."""
-    return calculators(os.getpid())
+def service(**limits):
+    return client(create_app(Settings(**{"max_seconds": 300.0} | limits)))  # a busy machine
+
+
+def processes_of(app):
+    """Process ids of what calculates for a service."""
+    return {child.process.pid for child in app.state.jobs._children}
 
 
 async def until(holds):
@@ -65,19 +68,19 @@ async def test_health_is_answered_while_a_long_calculation_runs():
 
 
 async def test_what_takes_too_long_is_stopped_and_refused_for_now():
-    others = at_work()
-    async with service(max_seconds=0.5, processes=1) as api:
+    app = create_app(Settings(max_seconds=0.5, processes=1))
+    async with client(app) as api:
         asked = asyncio.create_task(api.post("contact-force", json=SLOW))
-        await until(lambda: at_work() - others)
-        (killed,) = at_work() - others
+        await until(lambda: processes_of(app))
+        (killed,) = processes_of(app)
         response = await asked
         assert response.status_code == 503
         assert response.headers["content-type"] == "application/problem+json"
         assert int(response.headers["retry-after"]) > 0
         assert "0.5 s" in response.json()["detail"]
-        await until(lambda: killed not in at_work())
+        await until(lambda: not lives(killed))
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
-        assert len(at_work() - others) == 1
+        assert len(processes_of(app)) == 1
 
 
 async def test_where_too_many_wait_all_that_is_long_is_refused_at_once():
@@ -106,7 +109,6 @@ async def test_where_too_many_wait_all_that_is_long_is_refused_at_once():
 )
 async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     """Told by the ASGI message alone: the process is killed long before its time is over."""
-    others = at_work()
     app = create_app(Settings(max_seconds=60, processes=1))
     content = json.dumps(body).encode()
     messages = iter([{"type": "http.request", "body": content, "more_body": False}])
@@ -115,9 +117,9 @@ async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     async def receive():
         for message in messages:
             return message
-        await until(lambda: at_work() - others)
+        await until(lambda: processes_of(app))
         await asyncio.sleep(0.5)
-        busy.extend(at_work() - others)
+        busy.extend(processes_of(app))
         return {"type": "http.disconnect"}
 
     async def send(message):
@@ -134,16 +136,17 @@ async def test_a_calculation_stops_when_its_client_has_gone(path, body):
     await app(scope, receive, send)
     assert not sent
     assert len(busy) >= 1
-    await until(lambda: not at_work() & set(busy))
+    await until(lambda: not any(map(lives, busy)))
 
 
 async def test_a_process_that_dies_is_no_server_error():
-    async with service() as api:
+    app = create_app(Settings())
+    async with client(app) as api:
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
         slow = asyncio.create_task(api.post("contact-force", json=SLOW))
         while not slow.done():  # the first to die is replaced, so the second has to die too
             await asyncio.sleep(0.3)
-            for pid in at_work():
+            for pid in processes_of(app):
                 with suppress(ProcessLookupError):
                     os.kill(pid, signal.SIGKILL)
         assert (await slow).status_code == 503
@@ -208,11 +211,10 @@ async def test_the_service_is_ready_as_long_as_jobs_can_run(monkeypatch):
         raise OSError("no more processes")
 
     app = create_app(Settings(processes=1))
-    transport = httpx.ASGITransport(app)
-    async with httpx.AsyncClient(transport=transport, base_url="http://service") as client:
+    async with client(app) as api:
 
         async def ready():
-            return (await client.get("/readyz")).status_code == 200
+            return (await api.get("http://service/readyz")).status_code == 200
 
         assert not await ready()
         async with app.router.lifespan_context(app):
@@ -220,14 +222,13 @@ async def test_the_service_is_ready_as_long_as_jobs_can_run(monkeypatch):
                 await asyncio.sleep(0.02)
             with monkeypatch.context() as patched:
                 patched.setattr(jobs, "_started", fails)
-                for pid in [child.process.pid for child in app.state.jobs._children]:
+                for pid in processes_of(app):
                     os.kill(pid, signal.SIGKILL)
                 while await ready():
                     await asyncio.sleep(0.02)
-                refused = await client.post("/api/v1/cyclogram", json=MANY)
-                assert refused.status_code == 503
-                assert (await client.get("/livez")).status_code == 200
+                assert (await api.post("cyclogram", json=MANY)).status_code == 503
+                assert (await api.get("http://service/livez")).status_code == 200
             while not await ready():
                 await asyncio.sleep(0.02)
-            assert (await client.post("/api/v1/cyclogram", json=MANY)).status_code == 200
+            assert (await api.post("cyclogram", json=MANY)).status_code == 200
         assert not await ready()

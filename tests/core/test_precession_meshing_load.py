@@ -1,5 +1,6 @@
 """Invariants, refusals and notices of the meshing load."""
 
+import itertools
 import math
 from typing import Any
 
@@ -161,6 +162,21 @@ def one_roller(**inputs: float) -> MeshingLoad:
         {"position_angle": 0.5, "phi_min": -0.3, "phi_max": -0.2999},
         {"position_angle": 0.5, "phi_min": 200 * math.pi - 0.3, "phi_max": 200 * math.pi - 0.2},
         {"position_angle": 1.5, "phi_min": 0.3, "phi_max": 1.2, "ratio_u12": NEARLY},
+        {"position_angle": 20.5 * math.pi, "z_min": 0.015, "z_max": 0.025},
+        {
+            "position_angle": 0.5,
+            "phi_min": 200 * math.pi - 0.3,
+            "phi_max": 200 * math.pi - 0.2999,
+            "reference_z": STEEPEST * math.sin(0.29995) / math.sin(0.20005),
+        },
+        {
+            "position_angle": 0.5,
+            "phi_min": -0.3,
+            "phi_max": -0.2999,
+            "reference_z": 0.0029 * STEEPEST * math.sin(0.29995) / math.sin(0.20005),
+            "ratio_u12": NEARLY,
+        },
+        {"position_angle": 10 * math.pi + 0.01, "z_min": 0.015, "z_max": 0.025},
     ],
 )
 def test_the_stated_error_is_the_condition_of_the_input(inputs: dict[str, float]) -> None:
@@ -183,11 +199,29 @@ def test_the_stated_error_is_the_condition_of_the_input(inputs: dict[str, float]
         for name, size in sizes.items()
     }
     stated = load.accuracy.relative_error / ROUNDING
-    assert max(needed.values()) <= stated <= 12 * max(needed.values())
+    assert max(needed.values()) + 2 <= stated <= 12 * max(needed.values())
     assert load.force_error >= needed["force"] * ROUNDING * sizes["force"]
     # about the axis the moment is the torque, which is as exact as it is given
     beside_torque = needed["moment"] - abs(inputs["torque"]) / sizes["moment"]
     assert load.moment_error >= beside_torque * ROUNDING * sizes["moment"]
+
+
+@pytest.mark.parametrize("phi_1", [0.5, 2.5])
+def test_a_line_cut_in_pieces_is_loaded_alike(phi_1: float) -> None:
+    """However near it comes to z = 0, where the load has a pole."""
+    cuts = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.02]
+    whole, pieces = (
+        meshing_load(
+            **GEAR,
+            rollers=[RollerByLength(phi_1, *ends) for ends in itertools.pairwise(places)],
+            torque=10.0,
+            reference_z=0.02,
+        )
+        for places in ([cuts[0], cuts[-1]], cuts)
+    )
+    assert math.dist(whole.force, pieces.force) <= whole.force_error + pieces.force_error
+    assert math.dist(whole.moment, pieces.moment) <= whole.moment_error + pieces.moment_error
+    assert pieces.max_line_load == pytest.approx(whole.max_line_load, rel=1e-13)
 
 
 def test_a_load_that_is_hardly_known_is_noticed() -> None:

@@ -16,6 +16,7 @@ from core.errors import InvalidInput
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
 from core.results import ROUNDING
+from tests.oracles.condition import meant
 from tests.oracles.shaft import exact_deflection
 
 LOAD: dict[str, Any] = {
@@ -140,14 +141,14 @@ def test_the_error_of_the_load_is_passed_on(
     assert stated - plain.accuracy.relative_error == pytest.approx(worst, rel=1e-4)
 
 
-def overstatement(result: ShaftDeflection, meant: dict[str, Any]) -> float:
+def overstatement(result: ShaftDeflection, true: dict[str, Any]) -> float:
     """Stated over measured error of what was meant by the numbers of a request."""
-    a, b, modulus = meant["a"], meant["b"], meant["modulus"]
-    loads_b = [each / a for each in (meant["moment"][1], -meant["moment"][0])]
-    loads_c = [each - load for each, load in zip(meant["force"], loads_b, strict=True)]
+    a, b, modulus = true["a"], true["b"], true["modulus"]
+    loads_b = [each / a for each in (true["moment"][1], -true["moment"][0])]
+    loads_c = [each - load for each, load in zip(true["force"], loads_b, strict=True)]
     exact = [[-load for load in loads_b], [-load for load in loads_c]]
-    plain = [(a + b, min(diameter for _, diameter in meant["sections"]))]
-    for sections in (meant["sections"], plain)[: 1 + (result.simplified_deflection_B is not None)]:
+    plain = [(a + b, min(diameter for _, diameter in true["sections"]))]
+    for sections in (true["sections"], plain)[: 1 + (result.simplified_deflection_B is not None)]:
         for place in (a, mpf(0)):
             exact.append(
                 [
@@ -163,29 +164,25 @@ def overstatement(result: ShaftDeflection, meant: dict[str, Any]) -> float:
 
 
 def random_shaft(r: random.Random, practical: bool) -> tuple[dict[str, Any], dict[str, Any]]:
-    """A request in doubles, and what was meant by it: numbers of any digits that round to them."""
-
-    def meant(value: float) -> mpf:
-        return mpf(value) * (1 + mpf(r.uniform(-1, 1)) / 2**54)
-
+    """A request in doubles, and what was meant by it."""
     spread = (-0.5, 0.5) if practical else (-4, 4)
-    a, b = (meant(0.05 * 10 ** r.uniform(*spread)) for _ in range(2))
+    a, b = (meant(r, 0.05 * 10 ** r.uniform(*spread)) for _ in range(2))
     cuts = {a} if r.random() < 0.5 else set()
     for _ in range(0 if r.random() < 0.3 else r.randint(1, 5)):
         near = r.choice((mpf(0), a, a, a + b))
         size = float(a + b) * r.random() if practical else float(min(a, b)) * 10 ** r.uniform(-9, 0)
-        cuts.add(near + r.choice((1, -1)) * meant(size))
+        cuts.add(near + r.choice((1, -1)) * meant(r, size))
     places = [mpf(0), *sorted(c for c in cuts if 0 < c < a + b), a + b]
     thick = (-2.3, -1.3) if practical else (-5, 0)
     sections = [
-        (far - near, meant(10 ** r.uniform(*thick))) for near, far in itertools.pairwise(places)
+        (far - near, meant(r, 10 ** r.uniform(*thick))) for near, far in itertools.pairwise(places)
     ]
     true = {
         "a": a,
         "b": b,
-        "modulus": meant(10 ** r.uniform(9, 12)),
-        "force": [meant(r.uniform(-1, 1) * 10 ** r.uniform(-3, 4)) for _ in range(2)],
-        "moment": [meant(r.uniform(-1, 1) * 10 ** r.uniform(-6, 3)) for _ in range(2)],
+        "modulus": meant(r, 10 ** r.uniform(9, 12)),
+        "force": [meant(r, r.uniform(-1, 1) * 10 ** r.uniform(-3, 4)) for _ in range(2)],
+        "moment": [meant(r, r.uniform(-1, 1) * 10 ** r.uniform(-6, 3)) for _ in range(2)],
         "sections": sections,
     }
     request = {
@@ -205,8 +202,8 @@ def test_stated_errors_of_random_shafts(practical: bool) -> None:
     r = random.Random(practical)
     ratios = []
     for _ in range(200):
-        request, meant = random_shaft(r, practical)
-        ratios.append(overstatement(shaft_deflection(**request), meant))
+        request, true = random_shaft(r, practical)
+        ratios.append(overstatement(shaft_deflection(**request), true))
     assert min(ratios) >= 1
     assert statistics.median(ratios) < 40
 

@@ -15,6 +15,8 @@ hard_cases         stiff and extreme cases, each with its exact answer
 fuzz               sends requests and checks every answer, with
 fuzz_requests      random designs, hostile numbers and broken bodies, and
 fuzz_invariants    what the mechanics demands of any answer
+in_process         the service in this process, as a client sees it
+answers            requests as people type them, and the exact value of every number of the answer
 """
 
 from mpmath import mp

@@ -1,10 +1,13 @@
-"""How much rounding of the input alone may change a result: its condition, by differences.
+"""What rounding of the input alone may do to a result: oracles for stated errors.
 
-An oracle for stated errors that needs no exact answer and knows nothing of how they are made.
+`condition` needs no exact answer and knows nothing of how the errors are stated.
 """
 
 import math
+import random
 from collections.abc import Callable, Mapping, Sequence
+
+from mpmath import mpf
 
 Result = float | Sequence[float]
 
@@ -48,3 +51,8 @@ def condition(
         ]
         total += math.dist(*ends) / (2 * step) * roundings.get(name, 1.0)
     return total / (math.hypot(*_vector(calculate(**inputs))) if size is None else size)
+
+
+def meant(r: random.Random, value: float) -> mpf:
+    """A number of any digits that rounds to this double: what a user may have meant by it."""
+    return mpf(value) * (1 + mpf(r.uniform(-1, 1)) / 2**54)

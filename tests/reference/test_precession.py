@@ -2,7 +2,8 @@
 
 Position angles from 1e-6 to pi - 1e-6, nutation angles from 1e-4 to 1.5 rad, u12 on both sides
 of cos(theta) down to a difference of 1e-9; working lengths across the steepest place of the
-line, a few widths around it, far away from it, and down to 1e-13 of their distance from 0.
+line, a few widths around it, far away from it, and down to 1e-13 of their distance from 0. The
+exact answer is that of numbers of any digits that round to the doubles given.
 """
 
 import math
@@ -18,6 +19,7 @@ from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import shaft_deflection
 from tests.oracles.cases import curve_scale, random_gear, random_interval, random_position
+from tests.oracles.condition import meant
 from tests.oracles.precession import (
     length_by_angle,
     length_by_z,
@@ -29,14 +31,27 @@ from tests.oracles.shaft import exact_deflection
 
 @pytest.mark.parametrize("seed", range(80))
 def test_length_by_z(seed: int) -> None:
+    """Of every line by itself, and of all together."""
     r = random.Random(seed)
     gear = random_gear(r)
-    phi_1 = random_position(r)
-    z_min, z_max = random_interval(r, gear, phi_1)
-    result = contact_lines(**gear, rollers=[RollerByLength(phi_1, z_min, z_max)])
-    exact = length_by_z(curve_scale(gear), phi_1, gear["roller_radius"], mpf(z_min), mpf(z_max))
-    error = float(abs(mpf(result.total_length) - exact) / exact)
-    assert error <= result.accuracy.relative_error
+    positions = [random_position(r) for _ in range(3)]
+    rollers = [RollerByLength(phi_1, *random_interval(r, gear, phi_1)) for phi_1 in positions]
+    result = contact_lines(**gear, rollers=rollers)
+    true = {name: meant(r, value) for name, value in gear.items()}
+    exact = [
+        length_by_z(
+            curve_scale(true),
+            meant(r, roller.position_angle),
+            true["roller_radius"],
+            meant(r, roller.z_min),
+            meant(r, roller.z_max),
+        )
+        for roller in rollers
+    ]
+    for line, length in zip(result.lines, exact, strict=True):
+        assert abs(mpf(line.length) - length) <= line.relative_error * length
+    total = mp.fsum(exact)
+    assert abs(mpf(result.total_length) - total) <= result.accuracy.relative_error * total
 
 
 @pytest.mark.parametrize("seed", range(80))
@@ -65,8 +80,13 @@ def test_length_by_angle(seed: int) -> None:
         near = min(abs(angle) for angle in angles) < 1e-14 * max(1, abs(turn))
         assert near or angles[0] * angles[1] < 0 or abs(ends[0] - ends[1]) < 1e-14
         return
+    true = {name: meant(r, value) for name, value in gear.items()}
     exact = length_by_angle(
-        curve_scale(gear), phi_1, gear["roller_radius"], roller.phi_min, roller.phi_max
+        curve_scale(true),
+        meant(r, phi_1),
+        true["roller_radius"],
+        meant(r, roller.phi_min),
+        meant(r, roller.phi_max),
     )
     error = float(abs(mpf(result.total_length) - exact) / exact)
     assert error <= result.accuracy.relative_error
@@ -99,41 +119,62 @@ def test_length_where_nothing_magnifies_the_input(seed: int) -> None:
     assert result.accuracy.relative_error <= 2e-13
 
 
+def random_limits(r: random.Random, circle: float) -> tuple[float, float]:
+    """Limits in z on one side of the precession centre."""
+    near = circle * 10 ** r.uniform(-6, 0.3)
+    far = near + circle * 10 ** r.uniform(-3, 0.3)
+    return (near, far) if r.random() < 0.5 else (-far, -near)
+
+
+@pytest.mark.parametrize("by_angle", [False, True])
 @pytest.mark.parametrize("seed", range(30))
-def test_meshing_load(seed: int) -> None:
+def test_meshing_load(seed: int, by_angle: bool) -> None:
     r = random.Random(seed)
     gear = random_gear(r)
     circle = gear["roller_circle_radius"]
     torque = r.choice([-1, 1]) * 10 ** r.uniform(-3, 4)
     reference_z = circle * r.uniform(-2, 2)
-    rollers = []
+    rollers: list[RollerByLength | RollerByAngle] = []
     for _ in range(1 + seed % 2):
-        near = circle * 10 ** r.uniform(-6, 0.3)
-        ends = sorted(
-            r.choice([-1, 1]) * z for z in (near, near + circle * 10 ** r.uniform(-3, 0.3))
-        )
-        if ends[0] < 0 < ends[1]:
-            ends = [-ends[0], ends[1]] if -ends[0] < ends[1] else [ends[1], -ends[0]]
-        rollers.append(RollerByLength(random_position(r), *ends))
+        phi_1, limits = random_position(r), random_limits(r, circle)
+        roller = RollerByLength(phi_1, *limits)
+        if by_angle:
+            (line,) = contact_lines(**gear, rollers=[roller]).lines
+            rollers.append(RollerByAngle(phi_1, line.phi_min, line.phi_max))
+        else:
+            rollers.append(roller)
     result = meshing_load(**gear, rollers=rollers, torque=torque, reference_z=reference_z)
 
-    a = curve_scale(gear)
-    shares, total = [], mpf(0)
+    true = {name: meant(r, value) for name, value in gear.items()}
+    a, rho, radius = curve_scale(true), true["roller_radius"], true["roller_circle_radius"]
+    shares, total, peaks = [], mpf(0), []
     for roller in rollers:
-        limits = (roller.position_angle, roller.z_min, roller.z_max)
-        shares.append(load_integrals(a, circle, gear["roller_radius"], *limits, reference_z))
-        total += length_by_z(a, limits[0], gear["roller_radius"], mpf(limits[1]), mpf(limits[2]))
+        phi_1 = meant(r, roller.position_angle)
+        if isinstance(roller, RollerByLength):
+            ends = [meant(r, roller.z_min), meant(r, roller.z_max)]
+        else:
+            phis = [meant(r, roller.phi_min), meant(r, roller.phi_max)]
+            ends = sorted(z_of_angle(a, phi_1, phi) for phi in phis)
+        shares.append(load_integrals(a, radius, rho, phi_1, *ends, meant(r, reference_z)))
+        total += length_by_z(a, phi_1, rho, *ends)
+        peaks += [
+            mp.hypot(z + a * mp.cos(phi_1), a * mp.sin(phi_1)) / abs(z * mp.sin(phi_1))
+            for z in ends
+        ]
     fx, fy, mx, my, mz = (
         mpf(torque) / total * mp.fsum(column) for column in zip(*shares, strict=True)
     )
     assert abs(mz / torque - 1) < mpf(10) ** -30  # the oracle's own invariant
-    force_error = float(mp.hypot(mpf(result.force[0]) - fx, mpf(result.force[1]) - fy))
-    moment_error = float(mp.hypot(mpf(result.moment[0]) - mx, mpf(result.moment[1]) - my))
+    force_error = mp.hypot(mpf(result.force[0]) - fx, mpf(result.force[1]) - fy)
+    moment_error = mp.hypot(mpf(result.moment[0]) - mx, mpf(result.moment[1]) - my)
     assert force_error <= result.force_error
     assert moment_error <= result.moment_error
-    size = max(float(mp.hypot(fx, fy)), abs(torque) / circle)
-    assert force_error <= result.accuracy.relative_error * size
-    assert moment_error <= result.accuracy.relative_error * math.hypot(*result.moment)
+    stated = result.accuracy.relative_error
+    assert force_error <= stated * max(mp.hypot(fx, fy), abs(torque) / circle)
+    assert moment_error <= stated * math.hypot(*result.moment)
+    assert abs(mpf(result.total_length) - total) <= stated * total
+    peak = abs(torque) / total / radius * max(peaks)
+    assert abs(mpf(result.max_line_load) - peak) <= stated * peak
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -55,9 +55,10 @@ function ratioSteps({ satellite_teeth: z_2, ring_teeth: z_3 }) {
 }
 
 function assemblySteps(section, mechanism) {
-  return (section.assembly ?? []).slice(1, MOST_SATELLITES).map(({ satellite, hole_rotation_deg: rotation }) => {
+  return (section.assembly ?? []).slice(1, MOST_SATELLITES).map((one) => {
+    const { satellite } = one;
     const turned = (mechanism.angles[satellite - 1] - mechanism.angles[0]) / mechanism.ratio;
-    return result("hole_rotation_deg", `ψ_${satellite}`, rotation, "°", {
+    return result(one, "hole_rotation_deg", `ψ_${satellite}`, {
       formula: "abs((α_j-α_1)/u-k*t/z_2)",
       values: {
         α_j: q(`α_${satellite}`, mechanism.angles[satellite - 1], "°"),
@@ -84,20 +85,18 @@ function cyclogramSteps(section, mechanism) {
   const counted = { ...source, note: "counted", noteValues: gap };
   return [
     ...ratioSteps(mechanism),
-    result("working_phase_deg", "φ_w", section.working_phase_deg, "°", {
+    result(section, "working_phase_deg", "φ_w", {
       formula: "h/(1+1/u)", values: { h: HALF_TURN, u }, ...source, note: "working",
     }),
-    result("period_deg", "φ_T", section.period_deg, "°", {
-      formula: "t/(1+1/u)", values: { t: TURN, u }, ...source,
-    }),
-    result("pattern_period_deg", "φ_P", section.pattern_period_deg, "°", {
+    result(section, "period_deg", "φ_T", { formula: "t/(1+1/u)", values: { t: TURN, u }, ...source }),
+    result(section, "pattern_period_deg", "φ_P", {
       formula: "φ_T/(N*m)",
       values: { φ_T: q("φ_T", section.period_deg, "°"), N, m: q("m", repeats) },
       note: "repeats",
     }),
-    result("min_driving", "n_min", section.min_driving, "", counted),
-    result("max_driving", "n_max", section.max_driving, "", counted),
-    result("mean_driving", "n_m", section.mean_driving, "", {
+    result(section, "min_driving", "n_min", counted),
+    result(section, "max_driving", "n_max", counted),
+    result(section, "mean_driving", "n_m", {
       formula: "K*N/2", values: { K: q("K", mechanism.satellites), N }, note: "half",
     }),
     ...assemblySteps(section, mechanism),
@@ -150,17 +149,15 @@ function forceSteps(section, mechanism, load) {
   const v = q("v", exponent);
   const found = [
     ...steps,
-    result("reference_force_N", "F_0", section.reference_force_N, "N", {
+    result(section, "reference_force_N", "F_0", {
       formula: "T/R",
       values: { T, R: q("R", load.pin_circle_radius_mm, "mm") },
       source: "yanchevskiy2021",
       equation: "11",
     }),
-    result("peak_crank_angle_deg", "φ", section.peak_crank_angle_deg, "°", {
-      note: "search", method: true,
-    }),
+    result(section, "peak_crank_angle_deg", "φ", { note: "search", method: true }),
     angle,
-    result("peak_force_N", "F", section.peak_force_N, "N", {
+    result(section, "peak_force_N", "F", {
       formula: exponent === 1 ? "F_0*cos(γ_p)/sum(cos(γ_i)^2)" : exponent === 0
         ? "F_0/sum(cos(γ_i))" : "F_0*cos(γ_p)^v/sum(cos(γ_i)^(1+v))",
       values: { F_0, γ_p: asValue(angle), γ_i: q("γ_i", driving, "°"), v },
@@ -169,12 +166,12 @@ function forceSteps(section, mechanism, load) {
       note: "driving",
       noteValues: { count: driving.length },
     }),
-    result("peak_force_ratio", "f", section.peak_force_ratio, "", {
+    result(section, "peak_force_ratio", "f", {
       formula: "F/F_0", values: { F, F_0 }, source: "yanchevskiy2021", equation: "11", erratum: "below1",
     }),
   ];
   if (section.equal_sharing_peak_N !== undefined) {
-    found.push(result("equal_sharing_peak_N", "F_e", section.equal_sharing_peak_N, "N", {
+    found.push(result(section, "equal_sharing_peak_N", "F_e", {
       formula: "F_0/sum(cos(γ_i))",
       values: { F_0, γ_i: q("γ_i", leastSupport(mechanism), "°") },
       source: "zyl",
@@ -185,14 +182,14 @@ function forceSteps(section, mechanism, load) {
   }
   if (section.approximate_peak_N !== undefined) {
     found.push(
-      result("approximate_peak_N", "F_a", section.approximate_peak_N, "N", {
+      result(section, "approximate_peak_N", "F_a", {
         formula: "(0.8+0.05*N)^(2-K)*4*F_0/(K*N)",
         values: { N, K, F_0 },
         source: "yanchevsky2018",
         equation: "5",
         erratum: "approximation",
       }),
-      result("approximate_peak_error", "ε_a", section.approximate_peak_error, "", {
+      result(section, "approximate_peak_error", "ε_a", {
         formula: "F_a/F-1", values: { F_a: q("F_a", section.approximate_peak_N, "N"), F },
       }),
     );
@@ -228,28 +225,20 @@ function hertzSteps(section, contact, force, materialOf) {
   const johnson = { source: "johnson" };
   const found = [
     load,
-    result("reduced_radius_mm", "ρ", section.reduced_radius_mm, "mm", {
+    result(section, "reduced_radius_mm", "ρ", {
       formula: "r_out*r_in/(r_out-r_in)", values: { r_out: R, r_in: r }, ...paper,
     }),
-    result("effective_modulus_GPa", "E*", section.effective_modulus_GPa, "GPa", {
+    result(section, "effective_modulus_GPa", "E*", {
       formula: "1/((1-ν_1^2)/E_1+(1-ν_2^2)/E_2)", values: elastic, ...paper,
     }),
-    result("max_pressure_MPa", "p_0", section.max_pressure_MPa, "MPa", {
-      formula: "sqrt(w*E/(π*ρ))", values: { w, E, ρ }, ...paper,
-    }),
-    result("mean_pressure_MPa", "p_m", section.mean_pressure_MPa, "MPa", {
-      formula: "π/4*p_0", values: { p_0: p }, ...johnson,
-    }),
-    result("half_width_mm", "a", section.half_width_mm, "mm", {
-      formula: "sqrt(4*w*ρ/(π*E))", values: { w, ρ, E }, ...johnson,
-    }),
-    result("half_width_ratio", "a/r", section.half_width_ratio, "", {
-      formula: "a/r_in", values: { a, r_in: r }, note: "narrow",
-    }),
-    result("max_shear_MPa", "τ", section.max_shear_MPa, "MPa", {
+    result(section, "max_pressure_MPa", "p_0", { formula: "sqrt(w*E/(π*ρ))", values: { w, E, ρ }, ...paper }),
+    result(section, "mean_pressure_MPa", "p_m", { formula: "π/4*p_0", values: { p_0: p }, ...johnson }),
+    result(section, "half_width_mm", "a", { formula: "sqrt(4*w*ρ/(π*E))", values: { w, ρ, E }, ...johnson }),
+    result(section, "half_width_ratio", "a/r", { formula: "a/r_in", values: { a, r_in: r }, note: "narrow" }),
+    result(section, "max_shear_MPa", "τ", {
       formula: "k_τ*p_0", values: { k_τ: q("k_τ", SHEAR_RATIO), p_0: p }, ...johnson,
     }),
-    result("max_shear_depth_mm", "z", section.max_shear_depth_mm, "mm", {
+    result(section, "max_shear_depth_mm", "z", {
       formula: "k_z*a", values: { k_z: q("k_z", SHEAR_DEPTH), a }, ...johnson,
     }),
   ];
@@ -260,25 +249,27 @@ function hertzSteps(section, contact, force, materialOf) {
 }
 
 /** Each body with a limit by this, under the pressure that governs; the smaller where both have one. */
-function safetySteps({ governing_pressure_MPa: governing, safety = [], safety_factor: smaller, conformal_pressure_MPa: conformal }, pressure) {
+function safetySteps(section, pressure) {
+  const { governing_pressure_MPa: governing, safety = [], conformal_pressure_MPa: conformal } = section;
   if (governing === undefined) return [];
-  const found = [result("governing_pressure_MPa", "p_g", governing, "MPa", {
-    formula: "p", values: { p: pressure }, ...(conformal === undefined ? { note: "governsHertz" } : { note: "governsConformal" }),
+  const found = [result(section, "governing_pressure_MPa", "p_g", {
+    formula: "p",
+    values: { p: pressure },
+    ...(conformal === undefined ? { note: "governsHertz" } : { note: "governsConformal" }),
   })];
   const p_g = q("p_g", governing, "MPa");
-  for (const { body, limit_MPa: limit, criterion, source_code: source, safety_factor: factor } of safety) {
+  for (const { body, limit_MPa: limit, criterion, source_code: source, safety_factor: value } of safety) {
     const index = body === "pin" ? 1 : 2;
-    found.push(result(`safety_${body}`, `S_${index}`, factor, "", {
+    found.push(result(section, `safety_${body}`, `S_${index}`, {
+      value,
       formula: "p_P/p_g",
       values: { p_P: q(`p_P${index}`, limit, "MPa"), p_g },
       ...(source ? { note: "limit", noteValues: { criterion, source } } : { note: "limitGiven" }),
     }));
   }
-  if (smaller !== undefined) {
+  if (section.safety_factor !== undefined) {
     const [S_1, S_2] = safety.map(({ safety_factor: factor }, i) => q(`S_${i + 1}`, factor));
-    found.push(result("safety_factor", "S", smaller, "", {
-      formula: "min(S_1;S_2)", values: { S_1, S_2 }, note: "smaller",
-    }));
+    found.push(result(section, "safety_factor", "S", { formula: "min(S_1;S_2)", values: { S_1, S_2 }, note: "smaller" }));
   }
   return found;
 }
@@ -293,17 +284,14 @@ function conformalSteps(section, { w, r, R, E_1, ν_1 }) {
   });
   return [
     left,
-    result("conformal_half_angle_deg", "ε", section.conformal_half_angle_deg, "°", {
-      ...source,
-      note: "conformalAngle",
-    }),
+    result(section, "conformal_half_angle_deg", "ε", { ...source, note: "conformalAngle" }),
     {
       ...intermediate("conformalRight", "λ", "", {
         formula: "(2-ln(1+b^2)-2*b^4)/(π*b^2*(1+b^2))", values: { b, ε }, ...source, note: "conformalTangent",
       }),
       value: left.value,
     },
-    result("conformal_pressure_MPa", "p_c", section.conformal_pressure_MPa, "MPa", {
+    result(section, "conformal_pressure_MPa", "p_c", {
       formula: "w/sqrt(r_out*r_in)*(2*b/(π*sqrt(1+b^2))+ln((sqrt(1+b^2)+b)/(sqrt(1+b^2)-b))/(2*π*b^2*(1+b^2)))",
       values: { w, r_out: R, r_in: r, b, ε },
       ...source,
@@ -313,7 +301,7 @@ function conformalSteps(section, { w, r, R, E_1, ν_1 }) {
 }
 
 function geometrySteps(section, contact) {
-  return [result("clearance_mm", "c", section.clearance_mm, "mm", {
+  return [result(section, "clearance_mm", "c", {
     formula: "r_out-r_in-e",
     values: {
       r_out: q("r_out", contact.hole_radius_mm, "mm"),

@@ -43,7 +43,7 @@ function firstLine(input, line, A) {
     : endsByLength(line, values);
   return [
     ...ends,
-    result("length_mm", "s_1", line.length_mm, "mm", {
+    result(line, "length_mm", "s_1", {
       formula: `integral(${STRETCH};z;z_a;z_b)`,
       values: { ...values, z_a: q("z_a", line.z_min_mm, "mm"), z_b: q("z_b", line.z_max_mm, "mm") },
       source: SOURCE,
@@ -60,7 +60,7 @@ function endsByLength(line, { A, φ_1 }) {
   return [["phi_min_deg", "φ_min"], ["phi_max_deg", "φ_max"]].map(([name, symbol]) => {
     const z = [line.z_min_mm, line.z_max_mm].find((end) => lies(end, line[name], A.value, φ_1.value)) ?? line.z_min_mm;
     const angle = (Math.atan((-z * sine(φ_1.value)) / (A.value + z * cosine(φ_1.value))) * 180) / Math.PI;
-    return result(name, symbol, line[name], "°", {
+    return result(line, name, symbol, {
       formula: "atan(-z*sin(φ_1)/(A+z*cos(φ_1)))+k*h",
       values: {
         z: q("z", z, "mm"), φ_1, A, k: q("k", Math.round((line[name] - angle) / 180)), h: q("180°", 180, "°"),
@@ -86,7 +86,7 @@ function endsByAngle(line, { A, φ_1 }) {
     const at = (phi) => (-A.value * sine(phi)) / sine(phi + φ_1.value);
     const phi = [line.phi_min_deg, line.phi_max_deg]
       .reduce((one, other) => (Math.abs(at(other) - line[name]) < Math.abs(at(one) - line[name]) ? other : one));
-    return result(name, symbol, line[name], "mm", {
+    return result(line, name, symbol, {
       formula: "-A*sin(φ)/sin(φ+φ_1)", values: { A, φ: q("φ", phi, "°"), φ_1 }, source: SOURCE, equation: "1",
     });
   });
@@ -98,7 +98,7 @@ function lineSteps(section, input) {
   return [
     scale,
     ...firstLine(input, lines[0], asValue(scale)),
-    result("total_length_mm", "S", section.total_length_mm, "mm", {
+    result(section, "total_length_mm", "S", {
       formula: "sum(s_i)",
       values: { s_i: q("s_i", lines.map((line) => line.length_mm), "mm") },
       source: SOURCE,
@@ -132,13 +132,13 @@ function loadSteps(section, { lines }, input) {
     .reduce((one, other) => (Math.abs(sine(other)) < Math.abs(sine(one)) ? other : one));
   return [
     full,
-    result("force_N", "F_x", Fx, "N", { ...sum(along), equation: "12" }),
-    result("force_N", "F_y", Fy, "N", { ...sum(`-${across}`), equation: "13" }),
-    result("force_N", "F_z", section.force_N[2], "N", { note: "noAxial", source: SOURCE, equation: "14" }),
-    result("moment_Nm", "M_Cx", Mx, "N·m", { ...sum(`${across}*(z-l)`, true), equation: "15" }),
-    result("moment_Nm", "M_Cy", My, "N·m", { ...sum(`${along}*(z-l)`, true), equation: "16" }),
-    result("moment_Nm", "M_Cz", Mz, "N·m", { formula: "M_1", values: { M_1 }, source: SOURCE, equation: "17" }),
-    result("max_line_load_N_per_mm", "q", section.max_line_load_N_per_mm, "N/mm", {
+    result(section, "force_N", "F_x", { value: Fx, ...sum(along), equation: "12" }),
+    result(section, "force_N", "F_y", { value: Fy, ...sum(`-${across}`), equation: "13" }),
+    result(section, "force_N", "F_z", { value: section.force_N[2], note: "noAxial", source: SOURCE, equation: "14" }),
+    result(section, "moment_Nm", "M_Cx", { value: Mx, ...sum(`${across}*(z-l)`, true), equation: "15" }),
+    result(section, "moment_Nm", "M_Cy", { value: My, ...sum(`${along}*(z-l)`, true), equation: "16" }),
+    result(section, "moment_Nm", "M_Cz", { value: Mz, formula: "M_1", values: { M_1 }, source: SOURCE, equation: "17" }),
+    result(section, "max_line_load_N_per_mm", "q", {
       formula: "abs(M_1)/(S*R_C*abs(sin(φ)))",
       values: { M_1, S, R_C, φ: q("φ", least, "°") },
       source: SOURCE,
@@ -197,7 +197,8 @@ function deflectionSteps(section, input, at, { simplified = false } = {}) {
   const deflection = section[name];
   const shared = shaftValues(input, stepped);
   const prime = simplified ? "′" : "";
-  const parts = ["x", "y"].map((axis, i) => result(name, `${axis}${prime}_${at}`, deflection[axis], "mm", {
+  const parts = ["x", "y"].map((axis, i) => result(section, name, `${axis}${prime}_${at}`, {
+    value: deflection[axis],
     formula: (stepped ? STEPPED : ONE_DIAMETER)[at],
     values: {
       ...shared,
@@ -209,7 +210,8 @@ function deflectionSteps(section, input, at, { simplified = false } = {}) {
     erratum: "mohr",
     ...(stepped ? { note: "stretches" } : simplified && { note: "smallest" }),
   }));
-  return [...parts, result(name, `Δ${prime}_${at}`, deflection.total, "mm", {
+  return [...parts, result(section, name, `Δ${prime}_${at}`, {
+    value: deflection.total,
     formula: "sqrt(x^2+y^2)",
     values: { x: asValue(parts[0]), y: asValue(parts[1]) },
     source: SOURCE,
@@ -225,18 +227,18 @@ function shaftSteps(section, load, input) {
   const [Cx, Cy] = section.reaction_C_N;
   const source = { source: SOURCE };
   const found = [
-    result("reaction_B_N", "B_x", Bx, "N", {
-      formula: "-M_Cy/a", values: { M_Cy: q("M_Cy", My, "N·m"), a }, ...source, equation: "30",
+    result(section, "reaction_B_N", "B_x", {
+      value: Bx, formula: "-M_Cy/a", values: { M_Cy: q("M_Cy", My, "N·m"), a }, ...source, equation: "30",
     }),
-    result("reaction_B_N", "B_y", By, "N", {
-      formula: "M_Cx/a", values: { M_Cx: q("M_Cx", Mx, "N·m"), a }, ...source, equation: "31",
+    result(section, "reaction_B_N", "B_y", {
+      value: By, formula: "M_Cx/a", values: { M_Cx: q("M_Cx", Mx, "N·m"), a }, ...source, equation: "31",
     }),
-    result("reaction_C_N", "C_x", Cx, "N", {
-      formula: "-F_x-B_x", values: { F_x: q("F_x", Fx, "N"), B_x: q("B_x", Bx, "N") },
+    result(section, "reaction_C_N", "C_x", {
+      value: Cx, formula: "-F_x-B_x", values: { F_x: q("F_x", Fx, "N"), B_x: q("B_x", Bx, "N") },
       ...source, equation: "28", erratum: "reaction",
     }),
-    result("reaction_C_N", "C_y", Cy, "N", {
-      formula: "-F_y-B_y", values: { F_y: q("F_y", Fy, "N"), B_y: q("B_y", By, "N") }, ...source, equation: "29",
+    result(section, "reaction_C_N", "C_y", {
+      value: Cy, formula: "-F_y-B_y", values: { F_y: q("F_y", Fy, "N"), B_y: q("B_y", By, "N") }, ...source, equation: "29",
     }),
     ...deflectionSteps(section, input, "B"),
     ...deflectionSteps(section, input, "C"),
@@ -244,9 +246,8 @@ function shaftSteps(section, load, input) {
   if (section.simplified_deflection_C_mm === undefined) return found;
   for (const at of ["B", "C"]) {
     found.push(...deflectionSteps(section, input, at, { simplified: true }));
-    const error = section[`simplification_error_${at}`];
-    if (error === undefined) continue;
-    found.push(result(`simplification_error_${at}`, `ε_${at}`, error, "", {
+    if (section[`simplification_error_${at}`] === undefined) continue;
+    found.push(result(section, `simplification_error_${at}`, `ε_${at}`, {
       formula: "D/Δ-1",
       values: {
         D: q(`Δ′_${at}`, section[`simplified_deflection_${at}_mm`].total, "mm"),

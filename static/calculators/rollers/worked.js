@@ -34,15 +34,13 @@ function toleranceSteps(section, { n, c, F_m, tolerance }) {
   const δ = q("δ", section.relative_position_error);
   const Ψ = q("Ψ", section.load_nonuniformity);
   return [
-    result("relative_position_error", "δ", section.relative_position_error, "", {
+    result(section, "relative_position_error", "δ", {
       formula: "c*χ/F_m", values: { c, χ: q("χ", tolerance, "mm"), F_m }, source: SOURCE,
     }),
-    result("load_nonuniformity", "Ψ", section.load_nonuniformity, "", {
+    result(section, "load_nonuniformity", "Ψ", {
       formula: "min(n,1+4*(n-1)/n*δ)", values: { n, δ }, source: SOURCE, equation: "6", erratum: "single",
     }),
-    result("max_force_N", "F_1", section.max_force_N, "N", {
-      formula: "Ψ*F_m", values: { Ψ, F_m }, source: SOURCE, equation: "6",
-    }),
+    result(section, "max_force_N", "F_1", { formula: "Ψ*F_m", values: { Ψ, F_m }, source: SOURCE, equation: "6" }),
   ];
 }
 
@@ -50,17 +48,17 @@ function toleranceSteps(section, { n, c, F_m, tolerance }) {
 function gapSteps(section, { n, c, F_m, gaps, Δ }) {
   const first = Math.min(...gaps);
   return [
-    result("relative_position_error", "δ", section.relative_position_error, "", {
+    result(section, "relative_position_error", "δ", {
       formula: gaps.length > 1 ? "c*sum(g_i-g_min)/(4*(n-1))/F_m" : "c*sum(g_i-g_min)/4/F_m",
       values: { c, g_i: q("g_i", gaps, "mm"), g_min: q("g_min", first, "mm"), n, F_m },
       source: SOURCE,
       equation: "6",
       note: "meanGap",
     }),
-    result("max_force_N", "F_1", section.max_force_N, "N", {
+    result(section, "max_force_N", "F_1", {
       formula: "c*(Δ-g_min)", values: { c, Δ, g_min: q("g_min", first, "mm") }, source: SOURCE, equation: "5",
     }),
-    result("load_nonuniformity", "Ψ", section.load_nonuniformity, "", {
+    result(section, "load_nonuniformity", "Ψ", {
       formula: "F_1/F_m", values: { F_1: q("F_1", section.max_force_N, "N"), F_m }, source: SOURCE, equation: "6",
     }),
   ];
@@ -90,20 +88,20 @@ function strengthSteps(section, input) {
     ...steps,
     bending,
     shear,
-    result("stiffness_N_per_mm", "c", section.stiffness_N_per_mm, "N/mm", {
+    result(section, "stiffness_N_per_mm", "c", {
       formula: "1/(s_M+s_Q)", values: { s_M: asValue(bending), s_Q: asValue(shear) }, source: SOURCE, equation: "9",
     }),
-    result("relative_stiffness", "c_r", section.relative_stiffness, "", {
+    result(section, "relative_stiffness", "c_r", {
       formula: "c/(b*E)", values: { c, b, E }, source: SOURCE, equation: "10",
     }),
-    result("mean_force_N", "F_m", section.mean_force_N, "N", {
+    result(section, "mean_force_N", "F_m", {
       formula: "T/(2*R*n)",
       values: { T: q("T", input.output_torque_Nm, "N·m"), R: q("R", input.hole_circle_radius_mm, "mm"), n },
       source: SOURCE,
       equation: "2",
     }),
-    result("loaded_rollers", "m", section.loaded_rollers, "", { note: "sharing", source: SOURCE, equation: "5" }),
-    result("displacement_mm", "Δ", section.displacement_mm, "mm", {
+    result(section, "loaded_rollers", "m", { note: "sharing", source: SOURCE, equation: "5" }),
+    result(section, "displacement_mm", "Δ", {
       formula: "(n*F_m/c+sum(g_i))/m",
       values: { n, F_m, c, g_i: q("g_i", carrying, "mm"), m: q("m", section.loaded_rollers) },
       source: SOURCE,
@@ -113,13 +111,11 @@ function strengthSteps(section, input) {
     ...(input.gaps_mm
       ? gapSteps(section, { n, c, F_m, gaps, Δ })
       : toleranceSteps(section, { n, c, F_m, tolerance })),
-    result("centre_force_N", "F_0", section.centre_force_N, "N", {
-      formula: "2*F_1", values: { F_1 }, source: SOURCE, equation: "1, 2",
-    }),
-    result("bending_moment_Nm", "M", section.bending_moment_Nm, "N·m", {
+    result(section, "centre_force_N", "F_0", { formula: "2*F_1", values: { F_1 }, source: SOURCE, equation: "1, 2" }),
+    result(section, "bending_moment_Nm", "M", {
       formula: "(l+b/2+k*D/2)*F_1", values: { l, b, k, D, F_1 }, source: SOURCE, equation: "3, 4",
     }),
-    result("bending_stress_MPa", "σ", section.bending_stress_MPa, "MPa", {
+    result(section, "bending_stress_MPa", "σ", {
       formula: "K_σ*32*M/(π*d^3)",
       values: {
         K_σ: q("K_σ", input.stress_concentration), M: q("M", section.bending_moment_Nm, "N·m"), d,

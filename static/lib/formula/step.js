@@ -6,12 +6,13 @@
  * `equation` where the formula stands, `erratum` and `note` keys of texts, `note` with its values.
  * A step without formula is said in its note alone.
  */
+import { unitOf } from "../format.js";
 import { evaluate, fromSI, quantity } from "./evaluate.js";
 import { parse } from "./notation.js";
 
-/** A result of the service's answer. */
-export function result(name, symbol, value, unit, rest) {
-  return { name, symbol, value, unit, values: {}, ...rest };
+/** A result of a section of the service's answer; `value` of `rest` where it is a part of one. */
+export function result(section, name, symbol, rest) {
+  return { name, symbol, value: section[name], unit: unitOf(name), values: {}, ...rest };
 }
 
 /** A value on the way that the service does not give; it is computed from its formula. */

@@ -16,8 +16,8 @@ from mpmath import mpf
 
 Body = dict[str, Any]
 
-PART = "a number of a part"
-"""What there is to know of a number that counts parts."""
+GIVEN = "a count, or as given"
+"""What there is to know of a number that nothing can be wrong with but the whole."""
 
 
 def typed(value: float) -> mpf:

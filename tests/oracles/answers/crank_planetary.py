@@ -6,7 +6,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from tests.oracles.answers.calculation import (
-    PART,
+    GIVEN,
     Body,
     Calculation,
     Draw,
@@ -277,7 +277,7 @@ def coordinates(body: Body, answer: Any) -> Numbers:
     return found
 
 
-NUMBERS = {"/pairs/*/satellite": PART, "/pairs/*/pin": PART}
+NUMBERS = {"/pairs/*/satellite": GIVEN, "/pairs/*/pin": GIVEN}
 
 CONTACT_FORCE = Calculation(
     "Contact force",
@@ -286,8 +286,8 @@ CONTACT_FORCE = Calculation(
     forces,
     unbounded={
         "/peak_crank_angle_deg": "where the peak is; known to the root of its error",
-        "/peak_pair/satellite": PART,
-        "/peak_pair/pin": PART,
+        "/peak_pair/satellite": GIVEN,
+        "/peak_pair/pin": GIVEN,
     },
 )
 CYCLOGRAM = Calculation(
@@ -297,7 +297,7 @@ CYCLOGRAM = Calculation(
     phases,
     unbounded=NUMBERS
     | {
-        "/assembly/*/satellite": PART,
+        "/assembly/*/satellite": GIVEN,
         "/assembly/*/hole_rotation_deg": "no bound is stated",
     },
 )
@@ -309,7 +309,7 @@ GEOMETRY = Calculation(
     part=("geometry",),
     unbounded=NUMBERS
     | {
-        "/pins/*/pin": PART,
+        "/pins/*/pin": GIVEN,
         "/pairs/*/force_N": "no bound is stated",
         "/pairs/*/pressure_angle_deg": "no bound is stated",
         "/clearance_mm": "no bound is stated",

@@ -5,7 +5,15 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from tests.oracles.answers.calculation import Body, Calculation, Draw, Number, Numbers, typed
+from tests.oracles.answers.calculation import (
+    GIVEN,
+    Body,
+    Calculation,
+    Draw,
+    Number,
+    Numbers,
+    typed,
+)
 from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 from tests.oracles.in_process import Service
 
@@ -101,5 +109,5 @@ HERTZ = Calculation(
     "hertz",
     request,
     numbers,
-    unbounded={"/safety/*/limit_MPa": "as given"},
+    unbounded={"/safety/*/limit_MPa": GIVEN},
 )

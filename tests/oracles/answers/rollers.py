@@ -4,7 +4,15 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from tests.oracles.answers.calculation import Body, Calculation, Draw, Number, Numbers, typed
+from tests.oracles.answers.calculation import (
+    GIVEN,
+    Body,
+    Calculation,
+    Draw,
+    Number,
+    Numbers,
+    typed,
+)
 from tests.oracles.rollers import exact_compliance, exact_forces
 
 
@@ -100,5 +108,5 @@ ROLLER_STRENGTH = Calculation(
     "roller-strength",
     request,
     numbers,
-    unbounded={"/loaded_rollers": "a count"},
+    unbounded={"/loaded_rollers": GIVEN},
 )
