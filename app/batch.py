@@ -3,7 +3,8 @@
 import asyncio
 import time
 import zlib
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import orjson
@@ -117,7 +118,7 @@ async def batch(request: Request) -> Response:
     content = await received(request, record.settings.max_batch_bytes)
     record.received = time.perf_counter()
     calculation, requests = await in_process(jobs, split, content, record.settings, record=record)
-    done = answers(jobs, CALCULATIONS[SPELLINGS[calculation]], requests, record)
+    done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
     done = _from(await anext(done), done)  # without which there is nothing to answer
     by_lines = LINES in request.headers.get("accept", "")
     written = _as_lines(done) if by_lines else _as_object(done)
@@ -151,8 +152,12 @@ def split(content: bytes, settings: Settings) -> Iterator[tuple[str, list[bytes]
     )
 
 
+Lines = Callable[[list[bytes], Settings, int], Iterator[tuple[bytes, int]]]
+"""`lines` of a calculation."""
+
+
 async def answers(
-    jobs: Jobs, calculation: Calculation, requests: list[bytes], record: Record
+    jobs: Jobs, job: Lines, requests: list[bytes], record: Record
 ) -> AsyncIterator[list[bytes]]:
     """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``, some at a time.
 
@@ -167,40 +172,36 @@ async def answers(
         unfinished: Unfinished | None = None
         try:
             told = await in_parts(
-                jobs,
-                _lines,
-                calculation.name,
-                some,
-                settings,
-                errors,
-                record=record,
-                limit_s=limit_s,
-                admitted=True,
+                jobs, job, some, settings, errors, record=record, limit_s=limit_s, admitted=True
             )
         except Unfinished as error:
             unfinished, told = error, error.parts
-        lines = [line for line, _ in told]
+        written = [line for line, _ in told]
         errors -= sum(named for _, named in told)
         if unfinished is not None:
-            culprit = done + len(lines)
+            culprit = done + len(written)
             if isinstance(unfinished, TooLong) or culprit == stopped_at:
-                lines.append(_problem(why(unfinished, record)))
+                written.append(_problem(why(unfinished, record)))
             stopped_at = culprit
-        if lines:
-            yield lines
-        done += len(lines)
-        size = max(1, 2 * len(lines))
+        if written:
+            yield written
+        done += len(written)
+        size = max(1, 2 * len(written))
 
 
-def _lines(
-    name: str, requests: list[bytes], settings: Settings, errors: int
+def _lines(name: str, *asked: Any) -> Iterator[tuple[bytes, int]]:
+    return lines(CALCULATIONS[name], *asked)
+
+
+def lines(
+    calculation: Calculation, requests: list[bytes], settings: Settings, errors: int
 ) -> Iterator[tuple[bytes, int]]:
     """Answers to the first requests, to as many as there is time for, and how many wrong fields
     each names.
     """
     end = time.monotonic() + SLICE_S
     for request in requests:
-        line, named = _line(CALCULATIONS[name], request, settings, errors)
+        line, named = _line(calculation, request, settings, errors)
         yield line, named
         errors -= named
         if time.monotonic() > end:

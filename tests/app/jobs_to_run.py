@@ -1,12 +1,17 @@
-"""Jobs and endpoints for the tests of what runs in processes: each is found by its name there."""
+"""Jobs for the tests of what runs in processes: each is found by its name there."""
 
 import os
 import signal
 import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from app.schemas.base import Values
-from app.schemas.hertz import HertzRequest
+from app.batch import lines
+from app.calculations.hertz import HertzRequest
+from app.model import Values
+from app.registry import CALCULATIONS
 
 
 def counts(last):
@@ -39,7 +44,7 @@ def length(content):
 
 
 def noted(file: Path, body: HertzRequest) -> Values:
-    """Endpoint that notes each evaluation; a force below 1 N is its time in seconds, 13 N kills."""
+    """Notes each evaluation; a force below 1 N is its time in seconds, 13 N kills."""
     with file.open("a") as notes:
         notes.write(f"{body.force_N:g}\n")
     if body.force_N < 1:
@@ -55,3 +60,8 @@ def endless(file: Path, body: HertzRequest) -> Values:
     if body.force_N == 666:
         time.sleep(3600)
     return values
+
+
+def lines_of(solve: Callable[[HertzRequest], Values], *asked: Any) -> Iterator[tuple[bytes, int]]:
+    """The job of a batch of one of these."""
+    return lines(replace(CALCULATIONS["hertz"], solve=solve), *asked)

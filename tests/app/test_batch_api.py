@@ -6,9 +6,8 @@ from functools import partial
 
 import httpx
 import pytest
-from app.batches import Batched, answers
-from app.schemas.hertz import HertzRequest
 
+from app.batch import answers
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.main import PRELOAD, create_app
@@ -112,8 +111,8 @@ async def test_a_batch_may_be_larger_than_a_request_but_not_too_large():
             assert answer.status_code == status
 
 
-async def evaluated(forces, endpoint, **limits):
-    """Answers to Hertz requests of these forces, and the forces of which answers came together."""
+async def evaluated(forces, solve, **limits):
+    """Answers to Hertz requests of these forces, and which of them came together."""
 
     async def stays():
         await asyncio.Event().wait()
@@ -121,8 +120,8 @@ async def evaluated(forces, endpoint, **limits):
     requests = [json.dumps(REQUESTS["hertz"] | {"force_N": force}).encode() for force in forces]
     record = Record(Settings(**limits), receive=stays)
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
-        batched = Batched(HertzRequest, endpoint)
-        slices = [some async for some in answers(jobs, batched, requests, record)]
+        job = partial(jobs_to_run.lines_of, solve)
+        slices = [some async for some in answers(jobs, job, requests, record)]
     return [json.loads(line) for some in slices for line in some], slices
 
 
