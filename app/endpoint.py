@@ -13,7 +13,7 @@ import numpy as np
 import orjson
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
-from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 
 from app import processes
@@ -56,8 +56,8 @@ class FigureOut(BaseModel):
 
     model_config = ConfigDict(title="Figure")
 
-    data: list[dict[str, Any]]
-    layout: dict[str, Any]
+    data: list[dict[str, Any]] = Field(description="Traces.")
+    layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")
 
 
 class CalculationRoute(APIRoute):
