@@ -387,7 +387,9 @@ class AccuracyOut(BaseModel):
     method_code: str = Field(
         description="The same by code.", json_schema_extra={"enum": [*METHODS]}
     )
-    relative_error: float = Field(description="Bound or estimate of the relative error.")
+    relative_error: float = Field(
+        description="Bound or estimate of the relative error; from 1 on nothing is known."
+    )
     evaluations: int = Field(description="Evaluations of the function behind the method.")
     run_time_us: float = Field(description="Run time of the calculation, microseconds.")
 
