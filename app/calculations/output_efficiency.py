@@ -166,7 +166,7 @@ class OutputEfficiencyRequest(CurveFields):
     @model_validator(mode="after")
     def _pin_in_sleeve(self) -> Self:
         if self.friction.sleeve and self.pin is None:
-            raise field_error("pin", "needed_for", section="sleeve")
+            raise field_error("pin", "needed_beside", field="sleeve")
         return self
 
     def cost_ms(self, *, drawn: bool) -> float:
