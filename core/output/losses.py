@@ -28,6 +28,9 @@ CONVERGED = 1e-14
 COARSEST, FINEST = 3, 9
 """Levels of the first and the last rule: 56 and some 3500 nodes a segment."""
 
+MANY = 200
+"""Driving pairs above which a quarter of the nodes do at first: each pair changes little."""
+
 SWITCHING = 1e-13
 """Cosine below which a pair begins or ends to drive; phases farther off by merging, in turns, are
 not the same by rounding only."""
@@ -138,6 +141,7 @@ class _Sums:
         self.width = part.high - part.low
         self.exponent = exponent
         self.phase, self.weight = part.driving.pairs()
+        self.coarsest = COARSEST if len(self.phase) <= MANY else COARSEST - 2
 
     def cosines(self, places: FloatArray) -> FloatArray:
         """Cosines of the pressure angles, shape (pairs, places)."""
@@ -162,10 +166,10 @@ class _Sums:
     def mean(self) -> tuple[float, float, int]:
         """Mean of the total force, its error, and how often it was evaluated."""
         enough = CONVERGED + 8 * ROUNDING * self.exponent
-        _, weights = self.nodes(COARSEST)
+        _, weights = self.nodes(self.coarsest)
         _, values = self.samples
         before, evaluations = float(weights @ values[1:-1]), len(values)
-        for level in range(COARSEST + 1, FINEST + 1):
+        for level in range(self.coarsest + 1, FINEST + 1):
             places, weights = self.nodes(level)
             mean = float(weights @ self.ratio(places))
             evaluations += len(places)
@@ -177,7 +181,7 @@ class _Sums:
     @cached_property
     def samples(self) -> tuple[FloatArray, FloatArray]:
         """Nodes of the coarsest rule and the ends of the segment, and the total force there."""
-        inner, _ = self.nodes(COARSEST)
+        inner, _ = self.nodes(self.coarsest)
         places = np.concatenate(([self.low], inner, [self.high]))
         return places, self.ratio(places)
 
