@@ -176,7 +176,7 @@ class OutputEfficiencyRequest(CurveFields):
         fields = self.mechanism
         cost = 3.0 + self.load.peak_cost(fields) + 0.005 * fields.pairs
         if fields.crank_angles_deg is not None or fields.crank_spacing_deg is not None:
-            cost += fields.satellites * (0.5 + 0.025 * fields.pairs)
+            cost += fields.satellites * (2.0 + 0.006 * fields.pairs)
         if "curves" in self.include:
             cost += 3e-4 * fields.pairs * self.samples
         return cost + (0.5 * fields.pairs if drawn else 0.0)
