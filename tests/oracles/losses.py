@@ -20,6 +20,9 @@ SLIVER = mpf("1e-11")
 NEAR = 1e-5
 """How far below the largest of all, as a part of it, a sample is beside no largest value."""
 
+FLAT = 1e-13
+"""What doubles do not tell from their rounding, as a part of the largest of all."""
+
 
 @dataclass(frozen=True, slots=True)
 class Total:
@@ -86,9 +89,13 @@ def _summits(parts: Sequence[_Part], sign: int) -> Iterator[mpf]:
     for part, way, values in sampled:
         yield from (sign * part.force(end) for end in (part.start, part.stop))
         values = sign * values
+        best = min(max(int(values.argmax()), 1), len(values) - 2)
         for i in range(1, len(values) - 1):
+            beside = min(values[i - 1], values[i + 1])
             summit = values[i - 1] <= values[i] >= values[i + 1]
-            if (summit or i in (1, len(values) - 2)) and values[i] > highest - NEAR * abs(highest):
+            clear = summit and values[i] - beside > FLAT * abs(highest)
+            near = highest - values[i] < NEAR * abs(highest)
+            if near and (clear or i in (1, best, len(values) - 2)):
                 low, high = (
                     part.start + (part.stop - part.start) * mpf(way[j]) for j in (i - 1, i + 1)
                 )
