@@ -244,6 +244,16 @@ REQUESTS: dict[str, dict[str, Any]] = {
     "contact-force": _FORCE,
     "hertz": {"force_N": 6667.0} | _CONTACT,
     "crank-planetary": _JOB,
+    "output-efficiency": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {
+            "output_torque_Nm": 500.0,
+            "pin_circle_radius_mm": 50.0,
+            "input_speed_rpm": 1500.0,
+        },
+        "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
+        "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
+    },
     "roller-strength": _of("roller-strength"),
     "precession/contact-line": _without(_MESH, "torque_Nm", "reference_z_mm") | {"torque_sign": 1},
     "precession/meshing-load": _MESH,

@@ -340,9 +340,13 @@ NEGLECTED = {
     "elasticity": "the elasticity of the parts besides the contacts",
     "equal_discs": "uneven sharing between the satellites",
     "friction": "friction",
+    "friction_on_forces": "what friction changes about the forces themselves",
+    "heat": "heat, and what it changes",
+    "lubricant_film": "the lubricant's film: the friction coefficient is the same everywhere",
     "misalignment": "misalignment, so that the load is even along the contact",
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
+    "seals": "losses of seals, bearings and teeth",
     "shear": "the shear of the shaft",
 }
 """What models leave out, by code."""

@@ -78,6 +78,7 @@ PHYSICAL = frozenset(
         "infinite_line",
         "larger_than",
         "no_arm",
+        "no_sleeve",
         "not_zero",
         "other_branch",
         "right_angle",

@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 
 UNITS: dict[str, tuple[str, float]] = {
+    "MPa_m_per_s": ("MPa·m/s", 1e6),
+    "m_per_s": ("m/s", 1.0),
+    "mm3_per_Nm": ("mm³/(N·m)", 1e-9),
     "N_per_mm": ("N/mm", 1e3),
     "mm": ("mm", 1e-3),
     "Nm": ("N·m", 1.0),
@@ -17,8 +20,12 @@ UNITS: dict[str, tuple[str, float]] = {
     "MPa": ("MPa", 1e6),
     "GPa": ("GPa", 1e9),
     "deg": ("°", math.pi / 180),
+    "rpm": ("rpm", math.pi / 30),
+    "W": ("W", 1.0),
+    "h": ("h", 3600.0),
 }
-"""Suffix of a name: unit as shown, and its size in SI units."""
+"""Suffix of a name: unit as shown, and its size in SI units; the longer of two that end alike
+first."""
 
 
 @cache

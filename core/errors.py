@@ -21,6 +21,7 @@ REFUSALS = {
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
+    "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_zero": "must not be 0",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",

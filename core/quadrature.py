@@ -1,4 +1,5 @@
-"""Gauss-Legendre quadrature on panels short enough for its error to vanish beside rounding.
+"""Gauss-Legendre quadrature on panels short enough for its error to vanish beside rounding, and
+the tanh-sinh rule for integrands that have no derivatives at the ends.
 
 The error of the n-point rule on an integrand that is analytic inside a Bernstein ellipse of
 parameter p (foci at the panel's ends) falls like ``p^(-2*n)``. So where the singularities are
@@ -7,8 +8,11 @@ error is known beforehand; nothing has to be estimated from differences.
 """
 
 import math
+from functools import cache
 
 import numpy as np
+
+from core.arrays import FloatArray
 
 _HALF_RULE = (
     # distance of the node from the middle of a panel of length 1, weight
@@ -96,3 +100,40 @@ def resolves_complex_poles(*, start: float, end: float, width: float, height: fl
     return 2 * math.hypot(height, width / 2) >= ELLIPSE_AXIS * width or (
         math.hypot(start, end) >= ELLIPSE_AXIS * width
     )
+
+
+@cache
+def tanh_sinh_rule(level: int) -> tuple[FloatArray, FloatArray]:
+    """Half of the nodes and weights of the tanh-sinh rule on [0, 1]; the other half mirrors it.
+
+    ``x = 1/(1 + exp(-pi*sinh(t)))`` at ``t = (k + 1/2)*h``, ``h = 2^-level``: the nodes crowd at
+    the ends so that a singularity there does no harm, as long as the integrand stays finite.
+
+    Parameters
+    ----------
+    level : int
+        Each level has twice the nodes of the one before.
+
+    Returns
+    -------
+    nodes, weights : array
+        Distances from the nearer end, ascending, and weights, whose sum is 1/2.
+
+    Notes
+    -----
+    Source: Takahasi and Mori 1974, Double exponential formulas for numerical integration. Beyond
+    ``t = 3.4`` all weights together are below 1e-18.
+
+    Examples
+    --------
+    The integral of the square root of x over [0, 1] is 2/3.
+
+    >>> x, w = tanh_sinh_rule(4)
+    >>> round(float(w @ np.sqrt(x) + w @ np.sqrt(1 - x)), 14)
+    0.66666666666667
+    """
+    step = 2.0**-level
+    t = step * (np.arange(math.ceil(3.4 / step))[::-1] + 0.5)
+    nodes = 1 / (1 + np.exp(np.pi * np.sinh(t)))
+    weights = step * np.pi * np.cosh(t) * nodes * (1 - nodes)
+    return nodes, weights / (2 * weights.sum())

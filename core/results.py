@@ -32,6 +32,8 @@ NOTICES = {
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches "
+    "along a narrow strip, where pressure times speed is higher.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "
@@ -78,6 +80,7 @@ METHODS = {
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
     "segments_roots": "segment-exact, bracketed roots",
+    "segments_tanh_sinh": "segment-exact, tanh-sinh quadrature",
     "simpson_phi": "Simpson in phi",
     "simpson_shaft": "Simpson along the shaft",
     "simpson_z": "Simpson in z",

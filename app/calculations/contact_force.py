@@ -64,8 +64,8 @@ FORCE_DIGITS = 12
 MAX_CURVE_VALUES = 1_000_000
 
 
-class LoadFields(RequestModel):
-    """Torque, lever and load sharing of the pins, and what is asked of the force."""
+class TorqueFields(RequestModel):
+    """Torque, lever and load sharing of the pins."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
@@ -117,20 +117,6 @@ class LoadFields(RequestModel):
         step=0.1,
         help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
     )
-    include: list[ForceSection] = Field(
-        default=[], max_length=3, description="Optional results: what is not named is not computed."
-    )
-    samples: Whole = quantity(
-        "Samples",
-        symbol="",
-        group="load",
-        default=361,
-        ge=2,
-        le=MAX_SAMPLES,
-        step=1,
-        advanced=True,
-        help="Number of points of each curve.",
-    )
 
     def torque(self, mechanism: Mechanism) -> float:
         """Torque on the output link, N*m."""
@@ -143,8 +129,8 @@ class LoadFields(RequestModel):
             efficiency=self.efficiency,
         )
 
-    def cost_of(self, fields: MechanismFields, *, drawn: bool) -> float:
-        """About what the force costs for a mechanism, milliseconds.
+    def peak_cost(self, fields: MechanismFields) -> float:
+        """About what the peak costs for a mechanism, milliseconds.
 
         Evenly spaced pairs have closed forms or a few driving sets; otherwise there are about 3*K
         of them, with K phases each, searched where the exponent is neither 0 nor 1.
@@ -157,9 +143,23 @@ class LoadFields(RequestModel):
             cost = satellites * (0.05 + 0.01 * satellites)
             if searched:
                 cost += 1.0 + satellites * (0.2 + 1.2e-3 * pairs)
-        if "curves" in self.include:
-            cost += 3e-4 * pairs * self.samples
-        return cost + (0.5 * pairs if drawn else 0.0)
+        return cost
+
+
+class CurveFields(RequestModel):
+    """How finely curves are asked."""
+
+    samples: Whole = quantity(
+        "Samples",
+        symbol="",
+        group="load",
+        default=361,
+        ge=2,
+        le=MAX_SAMPLES,
+        step=1,
+        advanced=True,
+        help="Number of points of each curve.",
+    )
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more samples than the operator allows.
@@ -175,20 +175,44 @@ class LoadFields(RequestModel):
             )
         super().refuse_beyond(settings)
 
-    def solve_for(self, mechanism: Mechanism) -> ContactForce:
-        """Contact force of a mechanism under this load; what is not included is not computed."""
-        curves = "curves" in self.include
+    def samples_of(self, mechanism: Mechanism) -> int:
+        """Points of each curve, where the service sends so many for a mechanism.
+
+        Raises
+        ------
+        InvalidInput
+            If there are more than `MAX_CURVE_VALUES` for all pairs.
+        """
         pairs = mechanism.pins * mechanism.satellites
-        if curves and self.samples * pairs > MAX_CURVE_VALUES:
+        if self.samples * pairs > MAX_CURVE_VALUES:
             raise InvalidInput(
                 "samples", self.samples, "service_limit", limit=MAX_CURVE_VALUES // pairs
             )
+        return self.samples
+
+
+class LoadFields(CurveFields, TorqueFields):
+    """Torque, lever and load sharing of the pins, and what is asked of the force."""
+
+    include: list[ForceSection] = Field(
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
+    )
+
+    def cost_of(self, fields: MechanismFields, *, drawn: bool) -> float:
+        """About what the force costs for a mechanism, milliseconds."""
+        cost = self.peak_cost(fields)
+        if "curves" in self.include:
+            cost += 3e-4 * fields.pairs * self.samples
+        return cost + (0.5 * fields.pairs if drawn else 0.0)
+
+    def solve_for(self, mechanism: Mechanism) -> ContactForce:
+        """Contact force of a mechanism under this load; what is not included is not computed."""
         return contact_force(
             mechanism=mechanism,
             output_torque=self.torque(mechanism),
             pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
             force_exponent=self.force_exponent,
-            curve_samples=self.samples if curves else None,
+            curve_samples=self.samples_of(mechanism) if "curves" in self.include else None,
             equal_sharing="equal_sharing" in self.include,
             approximation="approximation" in self.include,
         )

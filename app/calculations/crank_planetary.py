@@ -72,7 +72,7 @@ class PinContactFields(ContactFields):
         default=None,
         **SIZE,
         step=0.5,
-        help="Eccentricity of the cranks; hole radius − pin radius where not given.",
+        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
     )
 
     def sizes(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:

@@ -95,8 +95,8 @@ Material = Annotated[
 UNION_TAGS.update(("name", "values"))
 
 
-class ContactFields(RequestModel):
-    """Pin and hole: sizes, materials, load factors."""
+class PinFields(RequestModel):
+    """What touches the hole."""
 
     contact_length_mm: float = quantity(
         "Contact length",
@@ -114,6 +114,11 @@ class ContactFields(RequestModel):
         step=0.5,
         help="Radius of the pin, or of its sleeve.",
     )
+
+
+class ContactFields(PinFields):
+    """Pin and hole: sizes, materials, load factors."""
+
     hole_radius_mm: float = quantity(
         "Hole radius",
         symbol="r_out",

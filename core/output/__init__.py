@@ -11,4 +11,5 @@ force_bounds        bounds of the force over a stretch, from what is known at it
 force_laws          the force of the best placed pair under each law of load sharing
 peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
+losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 """

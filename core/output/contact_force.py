@@ -97,8 +97,20 @@ class ContactForce:
 
 
 @lru_cache(maxsize=1024)
-def _peak_once(mechanism: Mechanism, force_exponent: float) -> PeakForce:
-    """The peak of a mechanism, searched for once: sizes and loads vary far more often."""
+def force_peak(mechanism: Mechanism, force_exponent: float) -> PeakForce:
+    """The peak of a mechanism, searched for once: sizes and loads vary far more often.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Returns
+    -------
+    PeakForce
+    """
     return peak_force(mechanism=mechanism, force_exponent=force_exponent)
 
 
@@ -157,7 +169,7 @@ def contact_force(
     (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
-    peak = _peak_once(mechanism, force_exponent)
+    peak = force_peak(mechanism, force_exponent)
     curves = None
     if curve_samples is not None:
         if curve_samples < 2:
@@ -168,7 +180,7 @@ def contact_force(
             reference=reference,
             force_exponent=force_exponent,
         )
-    equal = _peak_once(mechanism, 0.0) if equal_sharing else None
+    equal = force_peak(mechanism, 0.0) if equal_sharing else None
     errors = [each.accuracy.relative_error for each in (peak, equal) if each is not None]
     approximate = (
         approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)

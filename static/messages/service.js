@@ -15,6 +15,7 @@ export default {
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
+    "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_zero": "must not be 0",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less {other}, as {field}: the line is infinitely long there",
     "right_angle": "must be smaller than a right angle",
@@ -64,6 +65,7 @@ export default {
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches along a narrow strip, where pressure times speed is higher.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
     "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is concentrated there, more than elastic rollers would let it be.",
@@ -80,9 +82,13 @@ export default {
     "elasticity": "the elasticity of the parts besides the contacts",
     "equal_discs": "uneven sharing between the satellites",
     "friction": "friction",
+    "friction_on_forces": "what friction changes about the forces themselves",
+    "heat": "heat, and what it changes",
+    "lubricant_film": "the lubricant's film: the friction coefficient is the same everywhere",
     "misalignment": "misalignment, so that the load is even along the contact",
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
+    "seals": "losses of seals, bearings and teeth",
     "shear": "the shear of the shaft"
   },
   "figures": {
@@ -91,6 +97,7 @@ export default {
     "along_shaft": "Along the shaft from C to the clamp",
     "amount": "{amount}",
     "arc_on_roller": "Arc on the roller x = ρφ",
+    "at_angle": "{name}: {value} at {angle}",
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
     "bending_moment": "Bending moment",
@@ -112,6 +119,7 @@ export default {
     "driving": "Driving",
     "driving_pairs": "Driving pairs",
     "driving_pairs_hover": "Driving pairs: {pairs} at {angle}",
+    "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
     "hertz": "Hertz",
@@ -120,6 +128,9 @@ export default {
     "length_ratio": "Length over diameter l/d",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
+    "loss": "Loss",
+    "mean_hover": "{name}: {value}",
+    "mean_of": "{name}, mean",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
     "one_carries": "one roller carries all",
@@ -176,6 +187,7 @@ export default {
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
     "segments_roots": "segment-exact, bracketed roots",
+    "segments_tanh_sinh": "segment-exact, tanh-sinh quadrature",
     "simpson_phi": "Simpson in phi",
     "simpson_shaft": "Simpson along the shaft",
     "simpson_z": "Simpson in z",
@@ -202,6 +214,10 @@ export default {
     "bearing_distance_mm": [
       "Bearing distance",
       "Distance of the satellite's bearings, from C to B."
+    ],
+    "coefficient": [
+      "Friction coefficient",
+      "Friction coefficient of the surfaces that slide."
     ],
     "contact_length_mm": [
       "Contact length",
@@ -233,7 +249,7 @@ export default {
     ],
     "eccentricity_mm": [
       "Eccentricity",
-      "Eccentricity of the cranks; hole radius − pin radius where not given."
+      "Eccentricity of the cranks; where it may be left out: hole radius − pin radius."
     ],
     "efficiency": [
       "Efficiency",
@@ -271,6 +287,10 @@ export default {
       "Initial wave angle",
       "0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what reversing the torque does."
     ],
+    "input_speed_rpm": [
+      "Input speed",
+      "Speed of the crankshaft."
+    ],
     "input_torque_Nm": [
       "Input torque",
       "Torque on the crankshaft; T = T₁·u·η."
@@ -278,6 +298,10 @@ export default {
     "length_mm": [
       "Length",
       ""
+    ],
+    "life_h": [
+      "Life",
+      "Time in which it wears."
     ],
     "load.rollers": [
       "Rollers",
@@ -302,6 +326,10 @@ export default {
     "phi_min_deg": [
       "Contact from",
       "Polar angle on the roller at which contact starts, instead of a working length."
+    ],
+    "pin.diameter_mm": [
+      "Pin diameter",
+      "Diameter of the pin itself, inside its sleeve where it has one."
     ],
     "pin_circle_radius_mm": [
       "Pin circle radius",
@@ -403,6 +431,10 @@ export default {
       "Shear modulus",
       "Shear modulus of the rollers, instead of Poisson's ratio."
     ],
+    "sleeve": [
+      "Sleeves on the pins",
+      "Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed."
+    ],
     "sphere_diameter_mm": [
       "Sphere diameter",
       "Diameter of the spherical parts."
@@ -422,6 +454,10 @@ export default {
     "torque_sign": [
       "Sign of the torque",
       "Chooses the loaded flank of rollers whose limits are given in z."
+    ],
+    "wear_rate_mm3_per_Nm": [
+      "Wear coefficient",
+      "Worn volume over force and sliding distance (Archard)."
     ],
     "wheel": [
       "Wheel",
@@ -499,6 +535,7 @@ export default {
     "roller-strength": "Strength of swinging rollers",
     "cyclogram": "Cyclogram",
     "crank-planetary": "Crank-planetary reducer",
+    "output-efficiency": "Efficiency of the output mechanism",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",
     "precession/shaft-deflection": "Shaft of the precessional gear",

@@ -97,8 +97,8 @@ def peak(
                 slope += power * dc
         return (-total.log()).mid(), (v * best_slope / best - (1 + v) * slope / total).mid()
 
-    breaks = _breaks(theta, 2 * mp.pi if whole_turn else 2 * mp.pi / pins)
-    segments = list(pairwise(breaks))
+    places = breaks(theta, 2 * mp.pi if whole_turn else 2 * mp.pi / pins)
+    segments = list(pairwise(places))
     if screened:
         segments = _worth_searching(segments, theta, float(exponent))
     knots = []
@@ -160,7 +160,7 @@ def _worth_searching(
     return [s for s, bound in zip(segments, bounds, strict=True) if bound >= highest]
 
 
-def _breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
+def breaks(theta: Sequence[mpf], period: mpf) -> list[mpf]:
     """Switching angles and changes of the best pair in one period, both ends included."""
     turn = 2 * mp.pi
     ordered = sorted(t % turn for t in theta)

@@ -173,6 +173,45 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
         expect(pair["force_N"] >= 0 and (pair["driving"] or not pair["force_N"]), "force", pair)
 
 
+async def output_efficiency(body: Body, answer: Body, ask: Ask) -> None:
+    """Energy, order of the efficiencies, curves between their extremes, the force of its own."""
+    error = answer["accuracy"]["relative_error"]
+    loss, power, efficiency = (
+        answer[name] for name in ("mean_loss_W", "output_power_W", "efficiency")
+    )
+    equal(efficiency, power / (power + loss), "output over output and loss", error)
+    least, largest = answer["min_efficiency"], answer["max_efficiency"]
+    room = error + ROUNDING
+    expect(0 < least <= efficiency * (1 + room), "least efficiency", least, efficiency)
+    expect(efficiency <= largest * (1 + room) <= 1 + 2 * room, "largest", efficiency, largest)
+    expect(answer["mean_total_force_ratio"] >= 1 - room, "no pair has a lever above R")
+    expect(answer["mean_pv_MPa_m_per_s"] <= answer["peak_pv_MPa_m_per_s"] * (1 + room), "pv")
+    sleeve = body["friction"].get("sleeve", False)
+    expect(("sleeve_speed_rpm" in answer) == sleeve, "sleeves")
+    expect(("pin_wear_mm" in answer) == ("life_h" in body["friction"]), "wear")
+    if "hole_wear_mm" in answer:
+        hole = body["contact"].get("hole_radius_mm")
+        pin = body["contact"]["pin_radius_mm"]
+        hole = pin + body["contact"]["eccentricity_mm"] if hole is None else hole
+        equal(answer["hole_wear_mm"] * hole, answer["pin_wear_mm"] * pin, "wear")
+    drawn = answer.get("curves", {}).get("efficiency", ())
+    for value in drawn if body["load"].get("force_exponent", 1.0) else ():
+        # equal sharing jumps where pairs switch, and just there neither of them drives
+        expect(least * (1 - 1e-6) <= value <= largest * (1 + 1e-6), "curve", least, value, largest)
+    load = {name: value for name, value in body["load"].items() if name != "input_speed_rpm"}
+    alone = await ask("contact-force", body["mechanism"] | load)
+    expect(alone is not None, "the force alone is refused")
+    equal(alone["peak_force_N"], answer["peak_force_N"], "peak force", error)
+    if loss > 0:
+        slower = {
+            **body["load"],
+            "input_speed_rpm": max(1e-12, body["load"]["input_speed_rpm"] / 2),
+        }
+        half = await ask("output-efficiency", {**body, "load": slower})
+        expect(half is not None, "half the speed is refused")
+        equal(half["efficiency"], efficiency, "efficiency at half the speed", error)
+
+
 async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
     """The rollers' forces carry the torque and follow from one displacement."""
     error = answer["accuracy"]["relative_error"]
@@ -290,6 +329,7 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "contact-force": contact_force,
     "hertz": hertz,
     "crank-planetary": crank_planetary,
+    "output-efficiency": output_efficiency,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -182,6 +182,32 @@ def crank_planetary(r: Draw) -> Body:
     return body
 
 
+def output_efficiency(r: Draw) -> Body:
+    """Friction of the pins, with sleeves and wear at times."""
+    number = r.number
+    torque = load(r)
+    include = ["curves"] if torque.pop("include") else []
+    body: Body = {"mechanism": mechanism(r), "load": torque, "include": include}
+    if "samples" in torque:
+        body["samples"] = torque.pop("samples")
+    torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    sizes = ("contact_length_mm", "pin_radius_mm", "eccentricity_mm")
+    contact = {name: number("SlidingContactFields", name) for name in sizes}
+    if r.chance(0.3):
+        wider = contact["eccentricity_mm"] * r.uniform(0.5, 2)
+        contact["hole_radius_mm"] = min(1e12, contact["pin_radius_mm"] + wider)
+    friction: Body = {
+        "coefficient": r.choice((0.0, r.uniform(0.01, 0.3), r.log_uniform(1e-12, 10)))
+    }
+    if r.chance(0.5):
+        for name, usual in (("wear_rate_mm3_per_Nm", (1e-9, 1e-5)), ("life_h", (1, 1e5))):
+            friction[name] = number("FrictionFields", name, usual)
+    if r.chance(0.4):
+        friction["sleeve"] = True
+        body["pin"] = {"diameter_mm": max(1e-12, contact["pin_radius_mm"] * r.uniform(0.5, 2.05))}
+    return body | {"contact": contact, "friction": friction}
+
+
 def roller_strength(r: Draw) -> Body:
     """Rollers with a tolerance or with gaps."""
     model = "RollerStrengthRequest"
@@ -285,6 +311,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "contact-force": contact_force,
     "hertz": hertz,
     "crank-planetary": crank_planetary,
+    "output-efficiency": output_efficiency,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

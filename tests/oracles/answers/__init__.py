@@ -3,6 +3,7 @@
 from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
 from tests.oracles.answers.hertz import HERTZ
+from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
 from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
 from tests.oracles.answers.rollers import ROLLER_STRENGTH
 
@@ -11,6 +12,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     CYCLOGRAM,
     GEOMETRY,
     HERTZ,
+    OUTPUT_EFFICIENCY,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,

@@ -1,0 +1,511 @@
+"""Friction of the pins in the holes: sliding speed, loss, efficiency, pv and wear.
+
+A satellite moves against the output link in a circle of the eccentricity's radius without turning,
+so every contact slides at ``e*w``, w being the crank's speed against the output link. All forces of
+a satellite act along its crank; the loss is the friction coefficient times the sliding speed times
+the sum of all contact forces, and that sum is the only thing here that changes over the turn.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
+from core.output.contact_force import force_peak
+from core.output.driving_set import Segment, segments
+from core.output.mechanism import Mechanism, WavePhases
+from core.output.peak_force import PHASE_ROUNDING
+from core.output.pin_forces import force_ratios
+from core.quadrature import tanh_sinh_rule
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+CONVERGED = 1e-14
+"""Relative difference of two rules, each of twice the nodes of the one before, that ends them."""
+
+COARSEST, FINEST = 3, 9
+"""Levels of the first and the last rule: 56 and some 3500 nodes a segment."""
+
+MANY = 200
+"""Driving pairs above which a quarter of the nodes do at first: each pair changes little."""
+
+SWITCHING = 1e-13
+"""Cosine below which a pair begins or ends to drive; phases farther off by merging, in turns, are
+not the same by rounding only."""
+
+ZOOMS = 8
+"""How often a stretch is narrowed to an eighth around an extreme: the width's square vanishes."""
+
+
+@dataclass(frozen=True, slots=True)
+class TotalForce:
+    """Sum of the contact forces of all pairs over F0, over the turn.
+
+    Attributes
+    ----------
+    mean : float
+        Mean over the turn of the wave, dimensionless.
+    least, largest : float
+        Least and largest, dimensionless; ranges shorter than `SAME_PHASE` are none.
+    accuracy : Accuracy
+        Of all three.
+    """
+
+    mean: float
+    least: float
+    largest: float
+    accuracy: Accuracy
+
+
+@lru_cache(maxsize=1024)
+def total_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> TotalForce:
+    """Sum of the contact forces over F0: ``sum c^v / sum c^(1 + v)`` over the driving pairs.
+
+    For v = 1 and an even number m of evenly spaced phases ``sum c^2 = m/4`` is constant; then the
+    mean is 4/pi exactly, the largest ``4/(m*sin(pi/m))``, the least ``4/(m*tan(pi/m))``. Else the
+    mean is integrated segment by segment between switching angles, at which a cosine to the power v
+    has no derivatives, by the tanh-sinh rule, which needs none there.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
+
+    Returns
+    -------
+    TotalForce
+
+    Raises
+    ------
+    InvalidInput
+        If the exponent is out of range.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+
+    Notes
+    -----
+    Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
+
+    Examples
+    --------
+    >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+    >>> total_force(mechanism=m).mean == 4/math.pi
+    True
+    >>> m = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)
+    >>> [round(total_force(mechanism=m, force_exponent=v).mean, 6) for v in (1.0, 0.0)]
+    [1.355738, 1.573646]
+    """
+    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    phases = mechanism.phases
+    count = len(phases.sector_phases) * phases.pins
+    if force_exponent == 1 and len(phases.sector_phases) == phases.symmetry and count % 2 == 0:
+        error = 4 * ROUNDING + 4 * math.pi * phases.error
+        return TotalForce(
+            mean=4 / math.pi,
+            least=4 / (count * math.tan(math.pi / count)),
+            largest=4 / (count * math.sin(math.pi / count)),
+            accuracy=Accuracy("closed_form_even", error, 1),
+        )
+    parts = [_Sums(part, force_exponent) for part in segments(phases)]
+    means = [(part.width, *part.mean()) for part in parts]
+    turn = sum(width for width, *_ in means)
+    mean = sum(width * each for width, each, *_ in means) / turn
+    truncation = sum(width * off for width, _, off, _ in means) / turn
+    least, largest = (_extreme(parts, sign) for sign in (-1, 1))
+    return TotalForce(
+        mean=mean,
+        least=-least[0],
+        largest=largest[0],
+        accuracy=Accuracy(
+            "segments_tanh_sinh",
+            max(
+                peak.accuracy.relative_error,
+                truncation / mean + _rounding(parts, phases, [least, largest]),
+            ),
+            sum(evaluations for *_, evaluations in means),
+        ),
+    )
+
+
+class _Sums:
+    """Total force within one segment, over F0; places are pressure angles of the best placed pair,
+    in turns.
+    """
+
+    def __init__(self, part: Segment, exponent: float) -> None:
+        self.low, self.high = part.low, part.high
+        self.width = part.high - part.low
+        self.exponent = exponent
+        self.phase, self.weight = part.driving.pairs()
+        self.coarsest = COARSEST if len(self.phase) <= MANY else COARSEST - 2
+
+    def cosines(self, places: FloatArray) -> FloatArray:
+        """Cosines of the pressure angles, shape (pairs, places)."""
+        away = 0.25 - np.abs(np.add.outer(self.phase, places))
+        return np.sin(2 * np.pi * np.maximum(away, 0.0))
+
+    def ratio(self, places: FloatArray) -> FloatArray:
+        """Total force over F0 at places."""
+        cosines = self.cosines(places)
+        best = cosines.max(axis=0)
+        cosines /= best  # no power under- or overflows
+        powers = cosines**self.exponent
+        total: FloatArray = self.weight @ powers / (best * (self.weight @ (powers * cosines)))
+        return total
+
+    def nodes(self, level: int) -> tuple[FloatArray, FloatArray]:
+        """Nodes and weights of a rule of the segment."""
+        near, weights = tanh_sinh_rule(level)
+        below, above = self.low + self.width * near, self.high - self.width * near
+        return np.concatenate((below, above[::-1])), np.concatenate((weights, weights[::-1]))
+
+    def mean(self) -> tuple[float, float, int]:
+        """Mean of the total force, its error, and how often it was evaluated."""
+        enough = CONVERGED + 8 * ROUNDING * self.exponent
+        _, weights = self.nodes(self.coarsest)
+        _, values = self.samples
+        before, evaluations = float(weights @ values[1:-1]), len(values)
+        for level in range(self.coarsest + 1, FINEST + 1):
+            places, weights = self.nodes(level)
+            mean = float(weights @ self.ratio(places))
+            evaluations += len(places)
+            off, before = abs(mean - before), mean
+            if off <= enough * mean:
+                break
+        return mean, off, evaluations
+
+    @cached_property
+    def samples(self) -> tuple[FloatArray, FloatArray]:
+        """Nodes of the coarsest rule and the ends of the segment, and the total force there."""
+        inner, _ = self.nodes(self.coarsest)
+        places = np.concatenate(([self.low], inner, [self.high]))
+        return places, self.ratio(places)
+
+    def summits(self, sign: int) -> Iterator[tuple[float, float, float, float]]:
+        """Where samples are largest beside their neighbours, or least for the sign -1: the sample,
+        a bound of what may lie between them, and the places of the neighbours.
+        """
+        places, values = self.samples
+        values = sign * values
+        around = np.concatenate((values[:1], values, values[-1:]))
+        for index in np.flatnonzero((around[:-2] <= values) & (values >= around[2:])).tolist():
+            first, last = max(index - 1, 0), min(index + 1, len(places) - 1)
+            drop = values[index] - min(values[first], values[last])
+            yield values[index], values[index] + drop, places[first], places[last]
+
+    def zoom(self, start: float, stop: float, sign: int) -> tuple[float, float]:
+        """Largest total force between two places, or least for the sign -1, and its place."""
+        for _ in range(ZOOMS):
+            places = np.linspace(start, stop, 17)
+            values = sign * self.ratio(places)
+            index = int(values.argmax())
+            start, stop = places[max(index - 1, 0)], places[min(index + 1, 16)]
+        return float(values[index]), float(places[index])
+
+    def least_cosine(self) -> float:
+        """Least mean cosine of the driving pairs."""
+        ends = self.cosines(np.array([self.low, self.high]))
+        return float((self.weight @ ends).min() / self.weight.sum())
+
+    def slope(self, place: float) -> float:
+        """By how much ``sum c^v`` changes, over itself, with the phases of all pairs, 1/rad; pairs
+        that begin or end to drive there take the place along.
+        """
+        cosines = self.cosines(np.array([place]))[:, 0]
+        inside = cosines > SWITCHING
+        relative = cosines[inside] / cosines.max()
+        sines = np.abs(np.sin(2 * np.pi * (self.phase[inside] + place)))
+        weight, powers = self.weight[inside], relative**self.exponent
+        change = self.exponent * (weight @ (powers / relative * sines))
+        return float(change / (cosines.max() * (weight @ powers)))
+
+
+Extreme = tuple[float, float, _Sums]
+"""Largest value of a sign times the total force, its place, and its segment."""
+
+
+def _extreme(parts: list[_Sums], sign: int) -> Extreme:
+    """The largest total force over all segments, or the least for the sign -1."""
+    summits = [(*each, part) for part in parts for each in part.summits(sign)]
+    highest = max(each[0] for each in summits)
+    return max(
+        (
+            (*part.zoom(start, stop, sign), part)
+            for _, bound, start, stop, part in summits
+            if bound >= highest
+        ),
+        key=lambda each: each[0],
+    )
+
+
+def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -> float:
+    """Relative error of mean and extremes by rounding, that of the phases first of all."""
+    exponent = parts[0].exponent
+    # sum c^v changes by v*sum c^(v - 1) at most, which for v >= 1 is below v*n/sum c of itself; for
+    # v < 1 the c^v of each pair rises by 1 and falls by 1 in a turn, and sum c^v >= sum c.
+    first = max(exponent, 1.0) / min(part.least_cosine() for part in parts)
+    if exponent < 1:
+        first = max(first, *(part.slope(place) for _, place, part in extremes))
+    second = (1 + exponent) * extremes[-1][0]
+    wrong = 2 * math.pi * (PHASE_ROUNDING + phases.error)
+    error = ROUNDING * (16 + 8 * exponent) + wrong * (first + second)
+    if 0 < exponent < 1 and phases.error > SWITCHING:
+        # Pairs taken to begin as others end leave out a cosine of that size, to the power v.
+        error += (2 * math.pi * phases.error) ** exponent
+    return error
+
+
+@dataclass(frozen=True, slots=True)
+class PinLosses:
+    """Friction of the pins in the holes, or on their sleeves.
+
+    Attributes
+    ----------
+    relative_speed : float or array
+        Speed w of the crank against the output link, rad/s.
+    sliding_speed : float or array
+        Speed v at which the pin slides in the hole, or in its sleeve, m/s.
+    sleeve_speed : float, array or None
+        Speed of the sleeves against their pins, rad/s, where there are sleeves.
+    output_power : float or array
+        Power that the output link gives, W.
+    mean_total_force_ratio : float or array
+        Mean of the sum of all contact forces over F0, dimensionless.
+    mean_loss : float or array
+        Mean power that friction takes, W.
+    efficiency, min_efficiency, max_efficiency : float or array
+        Output over output and loss, of the means, and the least and largest over the turn.
+    peak_force : float or array
+        Largest contact force, N.
+    peak_pv, mean_pv : float or array
+        Pressure on the projected area times sliding speed, Pa*m/s: under the largest force, and
+        under the mean one of all pairs over the turn.
+    pin_wear, hole_wear : float, array or None
+        Depth of wear where it is deepest, m, where wear rate and life are given; of the hole
+        without sleeves only, in which they roll.
+    friction_couple : float or array
+        Couple of the friction over the output torque, which it helps to carry: about the share by
+        which the loss is too large.
+    accuracy : Accuracy
+        Of all numbers.
+    notices : tuple of Notice
+        That the pressure is not that of a bush.
+    """
+
+    relative_speed: Number
+    sliding_speed: Number
+    sleeve_speed: Number | None
+    output_power: Number
+    mean_total_force_ratio: Number
+    mean_loss: Number
+    efficiency: Number
+    min_efficiency: Number
+    max_efficiency: Number
+    peak_force: Number
+    peak_pv: Number
+    mean_pv: Number
+    pin_wear: Number | None
+    hole_wear: Number | None
+    friction_couple: Number
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def pin_losses(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    output_torque: Number,
+    pin_circle_radius: Number,
+    input_speed: Number,
+    eccentricity: Number,
+    pin_radius: Number,
+    contact_length: Number,
+    friction_coefficient: Number,
+    diameter: Number | None = None,
+    hole_radius: Number | None = None,
+    wear_rate: Number | None = None,
+    life: Number | None = None,
+) -> PinLosses:
+    """Sliding speed, loss, efficiency, pv and wear of the pins in the holes.
+
+    With ``w = w_in*(1 + 1/u)`` pins slide in the holes at ``v = e*w``. A sleeve of outer radius
+    r_s on a pin of radius r_p rolls in the hole, turns at ``w*e/r_s`` and slides on its pin at
+    ``v = e*w*r_p/r_s``. The loss is ``P = mu*v*sum F``, so that
+
+        eta = 1/(1 + mu*(e/R)*(u + 1)*(r_p/r_s)*sum F/F0),   pv = F/(2*r*b)*e*w
+
+    with the radius r that touches the hole. The contact sweeps each surface once in a turn of w:
+    the depth of wear in it is ``k*F*e/(b*r)`` on the pin, with sleeves also, and
+    ``k*F*e/(b*r_out)`` in the hole.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    output_torque : float or array
+        Torque T on the output link, N*m.
+    pin_circle_radius : float or array
+        Radius R of the circle of pin centres, m, > 0.
+    input_speed : float or array
+        Speed w_in of the crank, rad/s, > 0.
+    eccentricity : float or array
+        Eccentricity e of the cranks, m, > 0.
+    pin_radius : float or array
+        Radius that touches the hole, m, > 0: r_in of the pin, or r_s of its sleeve.
+    contact_length : float or array
+        Length b of the contact, m, > 0.
+    friction_coefficient : float or array
+        Friction coefficient mu of the surfaces that slide, >= 0.
+    diameter : float or array, optional
+        Diameter 2*r_p of the pin in its sleeve, m, < 2*r_s; without it there are no sleeves.
+    hole_radius : float or array, optional
+        Radius r_out of the holes, m; without it ``r + e``.
+    wear_rate : float or array, optional
+        Wear rate k: volume over force and distance, m^2/N.
+    life : float or array, optional
+        Time in which it wears, s.
+
+    Returns
+    -------
+    PinLosses
+
+    Raises
+    ------
+    InvalidInput
+        If a size is out of range or there is no room for a sleeve.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+
+    Notes
+    -----
+    Derived from the ideal forces, Yanchevskiy and Niekhoroshykh 2021, eq. (10); to the first order
+    in mu and for v = 1 and an even number of phases it is eq. (5) of Wang, Luo and Su 2016. Wear by
+    Archard 1953. Friction is taken not to change the forces: its own couple, ``mu*r*sum F``, helps
+    the torque. Heat, oil film and seals are left out.
+
+    Examples
+    --------
+    Six pins, two satellites, 500 N*m at 75 rpm, mu = 0.08: 336 W of 3927 W are lost.
+
+    >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+    >>> found = pin_losses(mechanism=m, output_torque=500.0, pin_circle_radius=0.05,
+    ...                    input_speed=50*math.pi, eccentricity=0.002, pin_radius=0.008,
+    ...                    contact_length=0.02, friction_coefficient=0.08)
+    >>> round(found.mean_loss, 3), round(found.efficiency, 6), round(found.min_efficiency, 6)
+    (336.0, 0.921182, 0.917768)
+    """
+    check_positive(
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+        input_speed=input_speed,
+        eccentricity=eccentricity,
+        pin_radius=pin_radius,
+        contact_length=contact_length,
+    )
+    check_not_negative(friction_coefficient=friction_coefficient)
+    slows: Number = 1.0
+    if diameter is not None:
+        check_positive(diameter=diameter)
+        room = diameter < 2 * pin_radius
+        if not every(room):
+            refuse("diameter", diameter, room, "no_sleeve", field="pin_radius")
+        slows = diameter / (2 * pin_radius)
+    total = total_force(mechanism=mechanism, force_exponent=force_exponent)
+    peak = force_peak(mechanism, force_exponent)
+    ratio = mechanism.ratio
+    reference = output_torque / pin_circle_radius
+    relative_speed = input_speed * ((1 + ratio) / ratio)
+    sliding = eccentricity * relative_speed
+    sliding_speed = sliding * slows
+    loss = friction_coefficient * sliding_speed * reference
+    output_power = output_torque * input_speed / ratio
+    share = friction_coefficient * slows * (eccentricity / pin_circle_radius) * (1 + ratio)
+    peak_force = reference * peak.peak_force_ratio
+    pv = sliding / (2 * pin_radius * contact_length)
+    worn = hole_worn = None
+    if wear_rate is not None and life is not None:
+        check_not_negative(wear_rate=wear_rate, life=life)
+        turns = relative_speed * life / (2 * math.pi)
+        worn = wear_rate * peak_force * eccentricity * turns / contact_length
+        if diameter is None:
+            hole_worn = worn / (pin_radius + eccentricity if hole_radius is None else hole_radius)
+        worn = worn / pin_radius
+    error = max(total.accuracy.relative_error, peak.accuracy.relative_error) + 24 * ROUNDING
+    accuracy = Accuracy(total.accuracy.method, error, total.accuracy.evaluations)
+    return PinLosses(
+        relative_speed=relative_speed,
+        sliding_speed=sliding_speed,
+        sleeve_speed=None if diameter is None else sliding / pin_radius,
+        output_power=output_power,
+        mean_total_force_ratio=total.mean,
+        mean_loss=loss * total.mean,
+        efficiency=1 / (1 + share * total.mean),
+        min_efficiency=1 / (1 + share * total.largest),
+        max_efficiency=1 / (1 + share * total.least),
+        peak_force=peak_force,
+        peak_pv=pv * peak_force,
+        mean_pv=pv * reference * (total.mean / (mechanism.pins * mechanism.satellites)),
+        pin_wear=worn,
+        hole_wear=hole_worn,
+        friction_couple=friction_coefficient
+        * slows
+        * (pin_radius / pin_circle_radius)
+        * total.mean,
+        accuracy=accuracy,
+        notices=(Notice("pv_not_conformal"),) * (diameter is None) + poorly_known(accuracy),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class LossCurves:
+    """Loss and efficiency over the turn.
+
+    Attributes
+    ----------
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+    loss : array, shape (n,)
+        Power that friction takes, W.
+    efficiency : array, shape (n,)
+        Output over output and loss, dimensionless.
+    """
+
+    crank_angle: FloatArray
+    loss: FloatArray
+    efficiency: FloatArray
+
+
+def loss_curves(
+    *, losses: PinLosses, mechanism: Mechanism, force_exponent: float, crank_angle: FloatArray
+) -> LossCurves:
+    """Loss and efficiency at given crank angles.
+
+    Parameters
+    ----------
+    losses : PinLosses
+        Those of one design.
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    LossCurves
+    """
+    ratios = force_ratios(
+        mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
+    )
+    loss = losses.mean_loss * (ratios.sum(axis=(1, 2)) / losses.mean_total_force_ratio)
+    return LossCurves(
+        crank_angle=crank_angle, loss=loss, efficiency=1 / (1 + loss / losses.output_power)
+    )

@@ -1,0 +1,104 @@
+"""Efficiency of the output mechanism over REST."""
+
+from copy import deepcopy
+
+import pytest
+
+from app.examples import REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "output-efficiency"
+SLEEVE = {"sleeve": True}
+
+
+def changed(**sections):
+    body = deepcopy(REQUESTS[PATH])
+    for name, value in sections.items():
+        body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
+    return body
+
+
+async def test_the_reference_design(api):
+    answer = (await api.post(PATH, json=REQUESTS[PATH])).json()
+    rounded = {name: float(f"{v:.6g}") for name, v in answer.items() if isinstance(v, float)}
+    assert rounded == {
+        "relative_speed_rpm": 1575.0,
+        "sliding_speed_m_per_s": 0.329867,
+        "output_power_W": 3926.99,
+        "peak_force_N": 3333.33,
+        "mean_total_force_ratio": 1.27324,
+        "mean_loss_W": 336.0,
+        "efficiency": 0.921182,
+        "min_efficiency": 0.917768,
+        "max_efficiency": 0.927992,
+        "peak_pv_MPa_m_per_s": 3.43612,
+        "mean_pv_MPa_m_per_s": 1.09375,
+        "pin_wear_mm": 0.118125,
+        "hole_wear_mm": 0.0945,
+        "friction_couple": 0.0162975,
+    }
+    assert [each["code"] for each in answer["warnings"]] == ["pv_not_conformal"]
+
+
+async def test_sleeves(api):
+    body = changed(friction=SLEEVE, pin={"diameter_mm": 11})
+    answer = (await api.post(PATH, json=body)).json()
+    assert round(answer["mean_loss_W"], 9) == 231
+    assert round(answer["efficiency"], 6) == 0.944444
+    assert answer["sleeve_speed_rpm"] == 393.75
+    assert "hole_wear_mm" not in answer and "warnings" not in answer
+
+
+async def test_curves_only_where_they_are_asked(api):
+    answer = (await api.post(PATH, json=changed(include=["curves"], samples=7))).json()
+    curves = answer["curves"]
+    assert curves["crank_angle_deg"] == [0, 60, 120, 180, 240, 300, 360]
+    for loss, efficiency in zip(curves["loss_W"], curves["efficiency"], strict=True):
+        power = answer["output_power_W"]
+        assert efficiency == pytest.approx(power / (power + loss), rel=1e-14)
+    assert "curves" not in (await api.post(PATH, json=REQUESTS[PATH])).json()
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "code"),
+    [
+        (changed(friction=SLEEVE), "/pin", "needed_beside"),
+        (changed(friction=SLEEVE, pin={"diameter_mm": 16}), "/pin/diameter_mm", "no_sleeve"),
+        (changed(friction={"coefficient": -0.1}), "/friction/coefficient", "greater_than_equal"),
+        (changed(friction={"coefficient": 1e-13}), "/friction/coefficient", "dust"),
+        (changed(contact={"hole_radius_mm": 8}), "/contact/hole_radius_mm", "larger_than"),
+        (changed(mechanism={"pins": 2, "satellites": 1}), "", "dead_centre"),
+        (changed(mechanism={"pins": 5000}, include=["curves"]), "/samples", "service_limit"),
+    ],
+)  # fmt: skip
+async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 422
+    assert [(each["pointer"], each["code"]) for each in answer.json()["errors"]] == [
+        (pointer, code)
+    ]
+
+
+async def test_wear_needs_its_rate_and_its_time(api):
+    body = changed()
+    del body["friction"]["life_h"]
+    error = (await api.post(PATH, json=body)).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == ("/friction/life_h", "needed_beside")
+
+
+async def test_what_the_geometry_forbids_is_a_warning(api):
+    body = changed(contact={"hole_radius_mm": 9.5, "pin_radius_mm": 7.8}, mechanism={"pins": 40})
+    warnings = (await api.post(PATH, json=body)).json()["warnings"]
+    codes = [each["code"] for each in warnings]
+    assert codes == ["interference", "holes_overlap", "pins_overlap", "pv_not_conformal"]
+
+
+async def test_the_figure_has_both_curves_with_their_means(api):
+    for theme in ("light", "dark"):
+        figure = (await api.post(f"{PATH}/chart?theme={theme}", json=REQUESTS[PATH])).json()
+        names = [trace["name"] for trace in figure["data"]]
+        assert names == ["Loss", "Loss, mean", "Efficiency", "Efficiency, mean"]
+        assert [trace["yaxis"] for trace in figure["data"]] == ["y", "y", "y2", "y2"]
+        assert figure["data"][1]["y"] == pytest.approx([336, 336])
+        assert len({trace["line"]["dash"] for trace in figure["data"][:2]}) == 2
