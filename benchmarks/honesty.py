@@ -43,8 +43,12 @@ overstated, practical | extreme | largest measured | largest stated |
 
 def chunk(seeds: range) -> list[list[Outcome]]:
     """Outcomes of every calculation for these seeds; cases of one seed share what is exact."""
-    rows = [[outcome(calculation, seed) for calculation in CALCULATIONS] for seed in seeds]
-    return [list(column) for column in zip(*rows, strict=True)]
+    found: list[list[Outcome]] = [[] for _ in CALCULATIONS]
+    for seed in seeds:
+        for own, calculation in zip(found, CALCULATIONS, strict=True):
+            if seed // 2 % calculation.one_in == 0:  # of the practical and the extreme ones
+                own.append(outcome(calculation, seed))
+    return found
 
 
 @dataclass(frozen=True)

@@ -98,6 +98,8 @@ class Calculation:
     unbounded : dict of str to str
         Other numbers of the answer: patterns of pointers, with an asterisk for any name, and what
         is known of them.
+    one_in : int
+        Of how many cases of a long run one is asked, where the exact values take long.
     """
 
     name: str
@@ -106,6 +108,7 @@ class Calculation:
     numbers: Callable[[Body, Any], Numbers]
     part: tuple[str, ...] = ()
     unbounded: dict[str, str] | None = None
+    one_in: int = 1
 
     def not_checked(self, answer: Any, numbers: Numbers) -> set[str]:
         """Numbers of the answer that nothing is said of, as patterns."""

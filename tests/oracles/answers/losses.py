@@ -119,4 +119,6 @@ def numbers(body: Body, answer: Any) -> Numbers:
     return {f"/{name}": Number(answer[name], value) for name, value in exact.items()}
 
 
-OUTPUT_EFFICIENCY = Calculation("Efficiency of the output", "output-efficiency", request, numbers)
+OUTPUT_EFFICIENCY = Calculation(
+    "Efficiency of the output", "output-efficiency", request, numbers, one_in=10
+)
