@@ -16,28 +16,28 @@ from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS, Criterion, TableMat
 class Health(ResponseModel):
     """Whether the service works, and which it is."""
 
-    status: str
-    version: str
+    status: str = Field(description="`ok`.")
+    version: str = Field(description="Version of the service.")
 
 
 class LimitOut(ResponseModel):
     """Limit of the contact pressure by one criterion."""
 
-    criterion: Criterion
-    pressure_MPa: float
-    source: str
-    source_code: str
+    criterion: Criterion = Field(description="What the limit is for.")
+    pressure_MPa: float = Field(description="The limit.")
+    source: str = Field(description="Where it comes from.")
+    source_code: str = Field(description="The same by code.")
 
 
 class MaterialOut(ResponseModel):
     """A material of the table."""
 
-    name: str
-    title: str
-    group: str
-    group_code: str
-    youngs_modulus_GPa: float
-    poissons_ratio: float
+    name: str = Field(description="Its name in requests.")
+    title: str = Field(description="Its designation.")
+    group: str = Field(description="Its group, in English.")
+    group_code: str = Field(description="The same by code.")
+    youngs_modulus_GPa: float = Field(description="Young's modulus.")
+    poissons_ratio: float = Field(description="Poisson's ratio.")
     allowable_pressure_MPa: Maybe[float] = Field(
         default=None, description="Endurance limit of the contact pressure, where there is one."
     )
@@ -80,11 +80,11 @@ class MaterialTable(ResponseModel):
 class Example(ResponseModel):
     """A paper's figure or number as a ready request."""
 
-    id: str
-    title: str
-    source: str
-    calculation: str
-    input: dict[str, Any]
+    id: str = Field(description="Its name.")
+    title: str = Field(description="What it is.")
+    source: str = Field(description="Where it comes from.")
+    calculation: str = Field(description="The calculation that takes it.")
+    input: dict[str, Any] = Field(description="The request.")
 
 
 class ExampleList(ResponseModel):
@@ -96,19 +96,21 @@ class ExampleList(ResponseModel):
 class NeglectedOut(ResponseModel):
     """What a model leaves out."""
 
-    code: str = Field(json_schema_extra={"enum": [*NEGLECTED]})
-    detail: str
+    code: str = Field(
+        description="What is left out, by code.", json_schema_extra={"enum": [*NEGLECTED]}
+    )
+    detail: str = Field(description="The same in English.")
 
 
 class CalculationOut(ResponseModel):
     """A calculation of the service."""
 
     name: str = Field(description="Its one name: in paths, batches, studies and examples.")
-    title: str
-    path: str
+    title: str = Field(description="What it is.")
+    path: str = Field(description="Path of its endpoint.")
     chart: Maybe[str] = Field(default=None, description="Path of its figure.")
     batched: bool = Field(description="Whether batches take it.")
-    sources: list[str]
+    sources: list[str] = Field(description="Where its formulas come from.")
     model: list[NeglectedOut] = Field(description="What its model leaves out.")
 
     @classmethod

@@ -13,7 +13,7 @@ import numpy as np
 import orjson
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
-from pydantic import BaseModel, TypeAdapter, ValidationError
+from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 
 from app import processes
@@ -54,8 +54,8 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
 class FigureOut(BaseModel):
     """A Plotly figure, ready for Plotly.js."""
 
-    data: list[dict[str, Any]]
-    layout: dict[str, Any]
+    data: list[dict[str, Any]] = Field(description="Traces.")
+    layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")
 
 
 class CalculationRoute(APIRoute):

@@ -225,6 +225,25 @@ def quantity(
     )
 
 
+def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any = ...) -> Any:
+    """A field of an answer with what it means; its unit follows from its name.
+
+    Parameters
+    ----------
+    meaning : str
+        What it is, in a sentence.
+    symbol : str
+        Symbol of the nomenclature.
+    equation : str
+        Source with the number of its equation.
+    default : None, optional
+        Where it may be absent.
+    """
+    shown = {"x-symbol": symbol, "x-equation": equation}
+    extra = {key: value for key, value in shown.items() if value}
+    return Field(default=default, description=meaning, json_schema_extra=cast(Any, extra))
+
+
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
     """Refusal by a model's validator that belongs to one field; see `app.problems.TEXTS`."""
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
@@ -366,9 +385,13 @@ def _inner_model(annotation: Any) -> type[ResponseModel] | None:
 class AccuracyOut(BaseModel):
     """How the numbers were got, how wrong they may be, and what they cost."""
 
-    method: str
-    method_code: str = Field(json_schema_extra={"enum": [*METHODS]})
-    relative_error: float = Field(description="Bound or estimate of the relative error.")
+    method: str = Field(description="How the numbers were got, in English.")
+    method_code: str = Field(
+        description="The same by code.", json_schema_extra={"enum": [*METHODS]}
+    )
+    relative_error: float = Field(
+        description="Bound or estimate of the relative error; from 1 on nothing is known."
+    )
     evaluations: int = Field(description="Evaluations of the function behind the method.")
     run_time_us: float = Field(description="Run time of the calculation, microseconds.")
 
@@ -387,7 +410,7 @@ def _accuracy(accuracy: Accuracy, run_time_us: float) -> Values:
 class WarningOut(BaseModel):
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str = Field(json_schema_extra={"enum": [*NOTICES]})
+    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*NOTICES]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
 

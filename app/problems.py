@@ -216,7 +216,9 @@ class FieldProblem(BaseModel):
     """What is wrong with one field."""
 
     pointer: str = Field(description="JSON pointer to the field; empty for the body.")
-    code: str = Field(json_schema_extra=cast(Any, {"enum": sorted(TEXTS)}))
+    code: str = Field(
+        description="What is wrong.", json_schema_extra=cast(Any, {"enum": sorted(TEXTS)})
+    )
     params: dict[str, Any] = Field(description="What the text names: limits, numbers, fields.")
     detail: str = Field(description="The same in English: a sentence that starts with the field.")
 
@@ -224,10 +226,10 @@ class FieldProblem(BaseModel):
 class ProblemOut(BaseModel):
     """A refusal (RFC 9457); its type opens a page that explains it."""
 
-    type: str
-    title: str
-    status: int
-    detail: str
+    type: str = Field(description="Address of what is said about refusals of this kind.")
+    title: str = Field(description="The kind, in English.")
+    status: int = Field(description="HTTP status.")
+    detail: str = Field(description="What is wrong, in English.")
     errors: list[FieldProblem] = Field(description=f"The wrong fields, {MAX_ERRORS} at most.")
     more: int = Field(default=0, description="How many fields besides are wrong.")
     where: dict[str, float] = Field(

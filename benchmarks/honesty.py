@@ -17,7 +17,7 @@ from pathlib import Path
 from benchmarks.options import options
 from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import GIVEN, Calculation, pattern
-from tests.oracles.answers.outcome import Outcome, outcome
+from tests.oracles.answers.outcome import NOTHING_KNOWN, Outcome, outcome
 
 CASES = 10_000
 MOST_OVERSTATED = 100
@@ -31,12 +31,13 @@ another way, on the decimals of the request and not on the doubles that they bec
 includes what is lost by reading the input, which nearly equal radii, angles beside a pole, dead
 centres or narrow working lengths magnify. A case holds where no number is further off than its
 `relative_error` says, relative to what the calculation documents: its own size, that of its vector,
-the largest force, the pin circle, the range shown. Overstated: median of the stated error over the
-largest one measured in the answer (at least 2^-54).
+the largest force, the pin circle, the range shown. From 1 on it says that nothing is known, and the
+answer warns of it (`hardly_known`): such cases, none of them practical, have a column of their own.
+Overstated: median of the stated error over the largest one measured in the answer (at least 2^-54).
 
-| calculation | cases | refused | holds | practical | extreme | overstated, practical | extreme | \
-largest measured | largest stated |
-|---|---|---|---|---|---|---|---|---|---|
+| calculation | cases | refused | nothing known | holds | practical | extreme | \
+overstated, practical | extreme | largest measured | largest stated |
+|---|---|---|---|---|---|---|---|---|---|---|
 """
 
 
@@ -75,7 +76,11 @@ class Verdict:
         """Whether every practical case is answered, every number checked, every statement true, and
         of use where it is practical.
         """
-        answered = not any(each.refused for each in self.outcomes if not each.extreme)
+        answered = not any(
+            each.refused or each.stated >= NOTHING_KNOWN
+            for each in self.outcomes
+            if not each.extreme
+        )
         true = not any(each.false or each.unknown for each in self.answered)
         return answered and true and self.overstated[0] <= MOST_OVERSTATED
 
@@ -84,9 +89,10 @@ class Verdict:
         cases, halves = self.answered, (self.half(False), self.half(True))
         holds = " | ".join(map(share, (cases, *halves)))
         medians = " | ".join(f"{each:.0f}" for each in self.overstated)
+        nothing = sum(each.stated >= NOTHING_KNOWN for each in cases)
         return (
             f"| {self.calculation.name} | {len(self.outcomes)} | {len(self.outcomes) - len(cases)} "
-            f"| {holds} | {medians} | {max(each.measured for each in cases):.1e} | "
+            f"| {nothing} | {holds} | {medians} | {max(each.measured for each in cases):.1e} | "
             f"{max(each.stated for each in cases):.1e} |\n"
         )
 

@@ -19,6 +19,7 @@ from app.model import (
     WarningOut,
     Whole,
     quantity,
+    result,
 )
 from app.running import run
 from app.settings import Settings
@@ -234,8 +235,8 @@ class ContactForceRequest(MechanismFields, LoadFields):
 class PairOut(ResponseModel):
     """A pair of hole and pin by number."""
 
-    satellite: int
-    pin: int
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    pin: int = result("Number of the pin, from 1.", symbol="n")
 
 
 class ForceCurvesOut(ResponseModel):
@@ -243,9 +244,11 @@ class ForceCurvesOut(ResponseModel):
     to 12 digits of the largest force.
     """
 
-    crank_angle_deg: list[float]
-    force_N: list[list[float]]
-    pairs: list[PairOut]
+    crank_angle_deg: list[float] = result("Crank angles of the curves.", symbol="φ")
+    force_N: list[list[float]] = result(
+        "Forces, a list for each pair.", symbol="F_jn", equation="2021, eq. 10"
+    )
+    pairs: list[PairOut] = result("The pairs, in the order of the forces.")
 
     @classmethod
     def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
@@ -257,15 +260,35 @@ class ForceCurvesOut(ResponseModel):
 class ContactForceResponse(ResponseModel):
     """The exact peak of the contact force, and what was asked besides."""
 
-    reference_force_N: float
-    peak_force_N: float
-    peak_force_ratio: float
-    peak_crank_angle_deg: float
-    peak_pair: PairOut
-    curves: Maybe[ForceCurvesOut] = None
-    equal_sharing_peak_N: Maybe[float] = None
-    approximate_peak_N: Maybe[float] = None
-    approximate_peak_error: Maybe[float] = None
+    reference_force_N: float = result(
+        "Torque over the radius of the pin circle.", symbol="F_0", equation="2018; 2021"
+    )
+    peak_force_N: float = result(
+        "Largest contact force over the turn.", symbol="F_max", equation="2021, eq. 10"
+    )
+    peak_force_ratio: float = result(
+        "Largest contact force over the reference force.", symbol="f", equation="2021, eq. 11"
+    )
+    peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
+    peak_pair: PairOut = result("The pair that carries the peak.")
+    curves: Maybe[ForceCurvesOut] = result(
+        "Force of every pair over the turn, where asked.", default=None
+    )
+    equal_sharing_peak_N: Maybe[float] = result(
+        "Largest force if all driving pairs carried alike.",
+        default=None,
+        symbol="F_max",
+        equation="Zyl, eq. 1",
+    )
+    approximate_peak_N: Maybe[float] = result(
+        "Largest force by the approximate formula for 3 to 5 pins.",
+        default=None,
+        symbol="F_max",
+        equation="2018, eq. 5",
+    )
+    approximate_peak_error: Maybe[float] = result(
+        "The approximation over the exact peak, less 1.", default=None
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

@@ -15,6 +15,7 @@ from app.model import (
     WarningOut,
     Whole,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
@@ -85,30 +86,44 @@ class ContactLineRequest(GearFields):
 class PointsOut(ResponseModel):
     """Points of a contact line: developed on the roller (z over x) and in space."""
 
-    z_mm: list[float]
-    phi_deg: list[float]
-    x_mm: list[float]
-    position_mm: list[tuple[float, float, float]]
+    z_mm: list[float] = result(
+        "Along the axis of the wheel, from the centre of precession.",
+        symbol="z",
+        equation="2020, eq. 1",
+    )
+    phi_deg: list[float] = result("Polar angle on the roller.", symbol="φ", equation="2020, eq. 1")
+    x_mm: list[float] = result("Arc on the developed roller, ρφ.", symbol="x")
+    position_mm: list[tuple[float, float, float]] = result(
+        "Points in space, X, Y, Z.", symbol="r_1", equation="2020, eq. 21, 23, 24"
+    )
 
 
 class ContactLineOut(ResponseModel):
     """One contact line."""
 
-    position_angle_deg: float
-    z_min_mm: float
-    z_max_mm: float
-    phi_min_deg: float
-    phi_max_deg: float
-    length_mm: float
+    position_angle_deg: float = result(
+        "Position angle of the roller.", symbol="φ_1", equation="2020, eq. 1"
+    )
+    z_min_mm: float = result("Lower end.", symbol="z_min", equation="2020, eq. 1")
+    z_max_mm: float = result("Upper end.", symbol="z_max", equation="2020, eq. 1")
+    phi_min_deg: float = result(
+        "Polar angle of the first end.", symbol="φ_min", equation="2020, eq. 6"
+    )
+    phi_max_deg: float = result(
+        "Polar angle of the last end.", symbol="φ_max", equation="2020, eq. 7"
+    )
+    length_mm: float = result("Length of the line.", symbol="s_i", equation="2020, eq. 4")
     relative_error: float = Field(description="Bound of the relative error of its length.")
-    points: Maybe[PointsOut] = None
+    points: Maybe[PointsOut] = result("Points of the line, where asked.", default=None)
 
 
 class ContactLineResponse(ResponseModel):
     """Contact lines of all rollers."""
 
-    lines: list[ContactLineOut]
-    total_length_mm: float
+    lines: list[ContactLineOut] = result("The lines, in the order of the rollers.")
+    total_length_mm: float = result(
+        "Length of all lines together.", symbol="Σs", equation="2020, eq. 8"
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

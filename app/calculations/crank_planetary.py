@@ -21,6 +21,7 @@ from app.model import (
     field_error,
     quantity,
     request_schema,
+    result,
     warning,
 )
 from app.running import run
@@ -182,28 +183,39 @@ class CrankPlanetaryRequest(RequestModel):
 class PointOut(ResponseModel):
     """A pin with its centre."""
 
-    pin: int
-    centre_mm: tuple[float, float]
+    pin: int = result("Number of the pin, from 1.", symbol="n")
+    centre_mm: tuple[float, float] = result(
+        "Centre of the pin, X and Y.", symbol="M_n", equation="2021, before eq. 6"
+    )
 
 
 class PairGeometryOut(ResponseModel):
     """Hole, contact point and pressure angle of one pair."""
 
-    satellite: int
-    pin: int
-    hole_centre_mm: tuple[float, float]
-    contact_point_mm: tuple[float, float]
-    pressure_angle_deg: float
-    driving: bool
-    force_N: float
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    pin: int = result("Number of the pin, from 1.", symbol="n")
+    hole_centre_mm: tuple[float, float] = result(
+        "Centre of the hole, X and Y.", symbol="B_jn", equation="2021, before eq. 6"
+    )
+    contact_point_mm: tuple[float, float] = result(
+        "Contact point, X and Y.", symbol="E_jn", equation="2021, before eq. 6"
+    )
+    pressure_angle_deg: float = result(
+        "Between the velocity of the pin and the force.", symbol="γ_jn", equation="2021, eq. 6"
+    )
+    driving: bool = result("Whether the pair transmits force.")
+    force_N: float = result("Force of the pair.", symbol="F_jn", equation="2021, eq. 10")
 
 
 class GeometryOut(ResponseModel):
     """Pins and holes at a crank angle (Y up through pin 1 at crank angle 0, X right)."""
 
-    clearance_mm: float
-    pins: list[PointOut]
-    pairs: list[PairGeometryOut]
+    clearance_mm: float = result(
+        "Radius of the hole less that of the pin and the eccentricity; below 0 for interference.",
+        symbol="c",
+    )
+    pins: list[PointOut] = result("The pins, by number.")
+    pairs: list[PairGeometryOut] = result("The pairs, satellite by satellite.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
@@ -247,10 +259,14 @@ class GeometryOut(ResponseModel):
 class CrankPlanetaryResponse(ResponseModel):
     """One section for each that was asked."""
 
-    cyclogram: Maybe[CyclogramResponse] = None
-    contact_force: Maybe[ContactForceResponse] = None
-    hertz: Maybe[HertzResponse] = None
-    geometry: Maybe[GeometryOut] = None
+    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.", default=None)
+    contact_force: Maybe[ContactForceResponse] = result(
+        "As `/contact-force` answers.", default=None
+    )
+    hertz: Maybe[HertzResponse] = result(
+        "As `/hertz` answers, under the peak of the contact force.", default=None
+    )
+    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
     warnings: Maybe[list[WarningOut]] = Field(
         default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "

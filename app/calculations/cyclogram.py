@@ -12,6 +12,7 @@ from app.model import (
     Values,
     WarningOut,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
@@ -89,41 +90,56 @@ class CyclogramRequest(MechanismFields, RangeFields):
 class DrivingPairOut(ResponseModel):
     """When one pair drives."""
 
-    satellite: int
-    pin: int
-    driving_deg: list[Range]
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    pin: int = result("Number of the pin, from 1.", symbol="n")
+    driving_deg: list[Range] = result(
+        "Ranges of crank angle within a period in which it drives.",
+        symbol="φ",
+        equation="2021, eq. 6",
+    )
 
 
 class CountIntervalOut(ResponseModel):
     """A range of crank angle with one number of driving pairs."""
 
-    from_deg: float
-    to_deg: float
-    pairs: int
+    from_deg: float = result("Where the range begins.", symbol="φ")
+    to_deg: float = result("Where it ends.", symbol="φ")
+    pairs: int = result("Driving pairs within it.")
 
 
 class AssemblyAngleOut(ResponseModel):
     """Rotation of one satellite's holes against its teeth."""
 
-    satellite: int
-    hole_rotation_deg: float
-    identical: bool
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    hole_rotation_deg: float = result(
+        "Rotation of its holes against its teeth.", symbol="ψ_j", equation="2021, after eq. 11"
+    )
+    identical: bool = result("Whether it may be made like the first satellite.")
 
 
 class CyclogramResponse(ResponseModel):
     """Which pairs drive, when, how many together."""
 
-    working_phase_deg: float
-    period_deg: float
-    pattern_period_deg: float
-    pairs: list[DrivingPairOut]
-    driving_count: list[CountIntervalOut]
-    min_driving: int
-    max_driving: int
-    mean_driving: float
-    dead_centres_deg: list[float]
-    dead_zones_deg: Maybe[list[Range]] = None
-    assembly: Maybe[list[AssemblyAngleOut]] = None
+    working_phase_deg: float = result(
+        "Crank angle through which a pair drives at a time.", equation="2018; 2021, eq. 6"
+    )
+    period_deg: float = result("Crank angle after which the same pairs drive again.")
+    pattern_period_deg: float = result("Crank angle after which as many pairs drive again.")
+    pairs: list[DrivingPairOut] = result("The pairs, satellite by satellite.")
+    driving_count: list[CountIntervalOut] = result(
+        "Numbers of driving pairs over a pattern's period."
+    )
+    min_driving: int = result("Fewest pairs that drive together.")
+    max_driving: int = result("Most pairs that drive together.")
+    mean_driving: float = result("Mean number of driving pairs.")
+    dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
+    dead_zones_deg: Maybe[list[Range]] = result(
+        "Ranges of crank angle in which no pair drives.", default=None
+    )
+    assembly: Maybe[list[AssemblyAngleOut]] = result(
+        "How the satellites' holes stand against their teeth, where the teeth are given.",
+        default=None,
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

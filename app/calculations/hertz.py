@@ -17,6 +17,7 @@ from app.model import (
     WarningOut,
     no_dust,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
@@ -210,11 +211,13 @@ class HertzRequest(ContactFields):
 class SafetyOut(ResponseModel):
     """One body, judged by the limit of its own material under the governing pressure."""
 
-    body: Literal["pin", "hole"]
-    limit_MPa: float
-    criterion: Criterion
-    source: Maybe[str] = None
-    source_code: Maybe[str] = None
+    body: Literal["pin", "hole"] = result("The body that is judged.")
+    limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
+    criterion: Criterion = result("What the limit is for.")
+    source: Maybe[str] = result(
+        "Where the limit comes from; absent where it was given.", default=None
+    )
+    source_code: Maybe[str] = result("The same by code.", default=None)
     safety_factor: float = Field(
         description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
         "is its square, as long as Hertz's pressure governs."
@@ -241,16 +244,35 @@ class SafetyOut(ResponseModel):
 class HertzResponse(ResponseModel):
     """Stress of the line contact of pin and hole."""
 
-    max_pressure_MPa: float
-    mean_pressure_MPa: float
-    half_width_mm: float
-    half_width_ratio: float
-    max_shear_MPa: float
-    max_shear_depth_mm: float
-    reduced_radius_mm: float
-    effective_modulus_GPa: float
-    conformal_pressure_MPa: Maybe[float] = None
-    conformal_half_angle_deg: Maybe[float] = None
+    max_pressure_MPa: float = result(
+        "Largest pressure by Hertz.", symbol="p_0", equation="2018, eq. 2"
+    )
+    mean_pressure_MPa: float = result(
+        "Mean pressure, π/4 of the largest.", symbol="p_m", equation="Johnson 4.2"
+    )
+    half_width_mm: float = result("Half-width of the contact.", symbol="a", equation="Johnson 4.2")
+    half_width_ratio: float = result("Half-width over the radius of the pin.", symbol="a/r")
+    max_shear_MPa: float = result(
+        "Largest shear stress, below the surface.", symbol="τ_max", equation="Johnson 4.2"
+    )
+    max_shear_depth_mm: float = result(
+        "Depth of the largest shear stress.", symbol="z", equation="Johnson 4.2"
+    )
+    reduced_radius_mm: float = result(
+        "Radius of relative curvature.", symbol="ρ", equation="2018, eq. 2"
+    )
+    effective_modulus_GPa: float = result(
+        "Contact modulus of both bodies.", symbol="E*", equation="2018, eq. 2"
+    )
+    conformal_pressure_MPa: Maybe[float] = result(
+        "Largest pressure of bodies that fit closely; absent where that theory does not apply.",
+        default=None,
+        symbol="p_c",
+        equation="Persson 1964",
+    )
+    conformal_half_angle_deg: Maybe[float] = result(
+        "Half of the angle of their contact.", default=None, symbol="ε", equation="Persson 1964"
+    )
     governing_pressure_MPa: Maybe[float] = Field(
         default=None,
         description="The pressure that is judged: the conformal one where it applies, else "

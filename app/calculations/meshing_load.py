@@ -16,6 +16,7 @@ from app.model import (
     WarningOut,
     no_dust,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
@@ -73,10 +74,18 @@ class MeshingLoadRequest(GearFields):
 class MeshingLoadResponse(ResponseModel):
     """Resultants of the mesh, moment about the point C."""
 
-    force_N: Vector
-    moment_Nm: Vector
-    max_line_load_N_per_mm: float
-    total_length_mm: float
+    force_N: Vector = result(
+        "Force on the wheel, X, Y, Z.", symbol="F", equation="2020, eq. 12 to 14"
+    )
+    moment_Nm: Vector = result(
+        "Moment about the point C, X, Y, Z.", symbol="M_C", equation="2020, eq. 15 to 17"
+    )
+    max_line_load_N_per_mm: float = result(
+        "Largest load per length.", symbol="q", equation="2020, eq. 8"
+    )
+    total_length_mm: float = result(
+        "Length of all contact lines together.", symbol="Σs", equation="2020, eq. 4"
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

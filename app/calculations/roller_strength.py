@@ -18,6 +18,7 @@ from app.model import (
     field_error,
     no_dust,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import OVSYANNIKOV_2019
@@ -183,18 +184,32 @@ class RollerStrengthRequest(RequestModel):
 class RollerStrengthResponse(ResponseModel):
     """Stiffness, load sharing and stress of the rollers."""
 
-    stiffness_N_per_mm: float
-    relative_stiffness: float
-    mean_force_N: float
-    relative_position_error: float
-    load_nonuniformity: float
-    max_force_N: float
-    centre_force_N: float
-    forces_N: list[float]
-    displacement_mm: float
-    bending_moment_Nm: float
-    bending_stress_MPa: float
-    loaded_rollers: int
+    stiffness_N_per_mm: float = result("Stiffness of a roller.", symbol="c", equation="2019, eq. 9")
+    relative_stiffness: float = result(
+        "Stiffness over width of the sphere and modulus.", symbol="c/(bE)", equation="2019, eq. 10"
+    )
+    mean_force_N: float = result("Mean force of a roller.", symbol="F_avg", equation="2019, eq. 2")
+    relative_position_error: float = result(
+        "Stiffness times position tolerance over mean force.", symbol="δ", equation="2019, eq. 6"
+    )
+    load_nonuniformity: float = result(
+        "Largest force over mean force.", symbol="Ψ", equation="2019, eq. 6"
+    )
+    max_force_N: float = result(
+        "Largest force of a roller.", symbol="F_1", equation="2019, eq. 2, 11"
+    )
+    centre_force_N: float = result(
+        "Force of the middle sphere of that roller.", symbol="2F_1", equation="2019, eq. 2"
+    )
+    forces_N: list[float] = result("Force of each roller.", symbol="F_i", equation="2019, eq. 5")
+    displacement_mm: float = result(
+        "Displacement of the satellite along the forces.", symbol="Δ", equation="2019, eq. 5"
+    )
+    bending_moment_Nm: float = result(
+        "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"
+    )
+    bending_stress_MPa: float = result("Bending stress there.", symbol="σ", equation="2019, eq. 12")
+    loaded_rollers: int = result("Rollers that carry.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

@@ -14,6 +14,7 @@ from app.model import (
     Values,
     WarningOut,
     quantity,
+    result,
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
@@ -137,22 +138,39 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
 class DeflectionOut(ResponseModel):
     """Deflection in both planes and in all, in the unit of its name."""
 
-    x: float
-    y: float
-    total: float
+    x: float = result("In the plane of X.")
+    y: float = result("In the plane of Y.")
+    total: float = result("In all.")
 
 
 class ShaftDeflectionResponse(ResponseModel):
     """Reactions and deflection of the shaft at the bearings B and C."""
 
-    reaction_B_N: Plane
-    reaction_C_N: Plane
-    deflection_B_mm: DeflectionOut
-    deflection_C_mm: DeflectionOut
-    simplified_deflection_B_mm: Maybe[DeflectionOut] = None
-    simplified_deflection_C_mm: Maybe[DeflectionOut] = None
-    simplification_error_B: Maybe[float] = None
-    simplification_error_C: Maybe[float] = None
+    reaction_B_N: Plane = result(
+        "Reaction of the bearing B, X and Y.", symbol="B", equation="2020, eq. 30, 31"
+    )
+    reaction_C_N: Plane = result(
+        "Reaction of the bearing C, X and Y.", symbol="C", equation="2020, eq. 28, 29"
+    )
+    deflection_B_mm: DeflectionOut = result(
+        "Deflection at B.", symbol="Δ_B", equation="2020, eq. 34, 36"
+    )
+    deflection_C_mm: DeflectionOut = result(
+        "Deflection at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
+    )
+    simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
+        "Deflection at B of a shaft of one diameter, where the shaft has steps.",
+        default=None,
+        symbol="Δ_B",
+        equation="2020, eq. 34, 36",
+    )
+    simplified_deflection_C_mm: Maybe[DeflectionOut] = result(
+        "The same at C.", default=None, symbol="Δ_C", equation="2020, eq. 33, 35"
+    )
+    simplification_error_B: Maybe[float] = result(
+        "The simplified deflection at B over the exact one, less 1.", default=None
+    )
+    simplification_error_C: Maybe[float] = result("The same at C.", default=None)
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

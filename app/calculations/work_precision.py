@@ -9,7 +9,7 @@ from app.calculations.contact_line import ContactLineRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
-from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values
+from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values, result
 from app.running import run
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
@@ -142,9 +142,9 @@ UNION_TAGS.update(
 class ReferenceOut(ResponseModel):
     """What the errors are measured against."""
 
-    method: str
-    method_code: str
-    digits: int
+    method: str = result("How the reference was got, in English.")
+    method_code: str = result("The same by code.")
+    digits: int = result("Decimal digits that it is right to.")
 
     @classmethod
     def values(cls, result: Reference, run_time_us: float | None = None, **given: Any) -> Values:
@@ -155,14 +155,14 @@ class ReferenceOut(ResponseModel):
 class WorkPointOut(ResponseModel):
     """One method at one setting."""
 
-    method: str
-    method_code: str
-    setting: str
-    setting_code: str
-    setting_value: float
-    relative_error: float
-    run_time_us: float
-    evaluations: int
+    method: str = result("The method, in English.")
+    method_code: str = result("The same by code.")
+    setting: str = result("What was varied, in English.")
+    setting_code: str = result("The same by code.")
+    setting_value: float = result("Its value.")
+    relative_error: float = result("Error against the reference, relative.")
+    run_time_us: float = result("Run time, microseconds.")
+    evaluations: int = result("Evaluations of the function behind the method.")
 
     @classmethod
     def values(cls, result: WorkPoint, run_time_us: float | None = None, **given: Any) -> Values:
@@ -182,9 +182,9 @@ class WorkPointOut(ResponseModel):
 class WorkPrecisionResponse(ResponseModel):
     """Error against run time of every method, and the method that the calculators use."""
 
-    reference: ReferenceOut
-    points: list[WorkPointOut]
-    chosen: WorkPointOut
+    reference: ReferenceOut = result("What the errors are measured against.")
+    points: list[WorkPointOut] = result("Every method at each of its settings.")
+    chosen: WorkPointOut = result("The method that the calculators use.")
 
 
 EXACT = 1e-17

@@ -11,6 +11,10 @@ HALF_ULP = 2.0**-54
 """Smaller measured errors count as this: no double can be nearer on average."""
 
 
+NOTHING_KNOWN = 1.0
+"""A stated error from here on says that nothing is known, which no number can make false."""
+
+
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What came of a case.
@@ -71,6 +75,10 @@ def outcome(calculation: Calculation, seed: int) -> Outcome:
         margin=min(stated / max(error, HALF_ULP) for stated, error in errors.values()),
         measured=max(error for _, error in errors.values()),
         stated=max(stated for stated, _ in errors.values()),
-        false={pointer: each for pointer, each in errors.items() if not each[1] <= each[0]},
+        false={
+            pointer: (stated, error)
+            for pointer, (stated, error) in errors.items()
+            if stated < NOTHING_KNOWN and not error <= stated
+        },
         unknown=frozenset(calculation.not_checked(answer, numbers)),
     )

@@ -253,8 +253,16 @@ def shaft(r: Draw) -> Body:
 
 
 def shaft_numbers(body: Body, answer: Any) -> Numbers:
-    """Components over the size of their vector; the simplification's error over itself and 1."""
+    """Components over the size of their vector; the simplification's error over itself and 1.
+
+    With digits enough that a step at B stays there: sections may differ 1e52-fold in stiffness.
+    """
     exact = exact_mesh(body)
+    with mp.workdps(120):
+        return _shaft_numbers(body, answer, exact)
+
+
+def _shaft_numbers(body: Body, answer: Any, exact: Mesh) -> Numbers:
     a, b = typed(body["bearing_distance_mm"]), typed(body["overhang_mm"])
     modulus = 1000 * typed(body["youngs_modulus_GPa"])
     if "shaft_diameter_mm" in body:
