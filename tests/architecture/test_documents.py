@@ -52,6 +52,11 @@ def test_the_citation_has_the_version_and_the_licence():
     assert all((ROOT / name).exists() for name in project["license-files"])
 
 
+def test_the_changelog_starts_with_the_version():
+    versions = re.findall(r"^## ([\d.]+)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    assert versions[0] == VERSION
+
+
 def test_every_decision_is_short_complete_and_listed():
     index = (ROOT / "docs/decisions/README.md").read_text()
     records = sorted((ROOT / "docs/decisions").glob("[0-9]*.md"))
