@@ -15,8 +15,8 @@ NOTICES = {
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
     "output has turned through the lost motion, and the load sharing differs.",
-    "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin "
-    "radius, so that clearance or interference would not be seen.",
+    "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
+    "interference would not be seen.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "
     "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "

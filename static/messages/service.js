@@ -56,7 +56,7 @@ export default {
     "approximation_range": "The approximation is stated for {field} from {low} to {high} only; here it is {value}.",
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
-    "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin radius, so that clearance or interference would not be seen.",
+    "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width} times as wide as the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for different materials, take it as a rough guide.",
     "hertz_impossible": "The contact is {width} times as wide as the pin's radius: wider than the pin, so that Hertz does not apply at all, and for different materials no conformal solution is at hand: make the hole larger or the load smaller.",

@@ -79,7 +79,7 @@ def test_what_is_wrong_stands_at_its_box(page: Page, service: str) -> None:
     settled(page)
     box(page, "gaps_mm").fill("0; 0.2")
     settled(page, "wrong")
-    expect(words_at(page, "gaps_mm")).to_contain_text("4 rollers")  # the service's words
+    expect(words_at(page, "gaps_mm")).to_contain_text("4 entries")
     assert box(page, "gaps_mm").get_attribute("aria-invalid") == "true"
     assert box(page, "gaps_mm").input_value() == "0; 0.2"
     box(page, "diameter_mm").fill("-3")
