@@ -62,7 +62,7 @@ else:
 class BatchRequest(RequestModel):
     """Requests of one calculation, each as its own endpoint takes it."""
 
-    calculation: Spelling
+    calculation: Spelling = Field(json_schema_extra={"enum": [*BATCHED]})
     requests: Annotated[
         list[dict[str, Any]], FailFast(), Field(min_length=1, max_length=MAX_REQUESTS)
     ]
