@@ -14,6 +14,7 @@ COPY --from=packages /packages /packages
 COPY core core
 COPY app app
 COPY static static
+COPY LICENSE LICENSE
 RUN python -m compileall -q core app
 
 USER 65534:65534

@@ -15,7 +15,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 
 .DEFAULT_GOAL := help
 .PHONY: help run check test lint types fast slow node page accuracy bench bench-page \
-	requirements audit fuzz load
+	requirements audit fuzz load clients picture
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -96,3 +96,9 @@ fuzz: .venv/test  ## send 100,000 extreme, hostile and broken requests and check
 
 load: .venv/test  ## load the service from 1,000 connections, kill a worker, stop it; count losses
 	PYTHONPATH=. $(BIN)/python -m benchmarks.load
+
+clients: .venv/test  ## generate clients from the API's description and let them ask; needs npm
+	PYTHONPATH=.:clients/python $(BIN)/python -m clients.generated
+
+picture: .venv/test  ## take the README's picture of the page anew, in Chromium
+	PYTHONPATH=. $(BIN)/python docs/picture.py

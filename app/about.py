@@ -71,7 +71,7 @@ class MaterialOut(ResponseModel):
         )
 
 
-class Materials(ResponseModel):
+class MaterialTable(ResponseModel):
     """The table of materials."""
 
     materials: list[MaterialOut]
@@ -87,7 +87,7 @@ class Example(ResponseModel):
     input: dict[str, Any] = Field(description="The request.")
 
 
-class Examples(ResponseModel):
+class ExampleList(ResponseModel):
     """All examples, in the order in which the page offers them."""
 
     examples: list[Example]
@@ -127,7 +127,7 @@ class CalculationOut(ResponseModel):
         )
 
 
-class Calculations(ResponseModel):
+class CalculationList(ResponseModel):
     """All calculations."""
 
     calculations: list[CalculationOut]
@@ -145,20 +145,20 @@ async def health() -> Health:
 
 
 @router.get("/calculations", operation_id="calculations", response_model_exclude_none=True)
-async def calculations() -> Calculations:
+async def calculations() -> CalculationList:
     """What can be calculated: names, paths, sources, and what each model leaves out."""
-    return Calculations(
+    return CalculationList(
         calculations=[CalculationOut.of(API, each) for each in CALCULATIONS.values()]
     )
 
 
 @router.get("/materials", operation_id="materials", response_model_exclude_none=True)
-async def materials() -> Materials:
+async def materials() -> MaterialTable:
     """The table of materials, each value with its source."""
-    return Materials(materials=[MaterialOut.of(entry) for entry in MATERIALS.values()])
+    return MaterialTable(materials=[MaterialOut.of(entry) for entry in MATERIALS.values()])
 
 
 @router.get("/examples", operation_id="examples")
-async def examples() -> Examples:
+async def examples() -> ExampleList:
     """The papers' figures and numbers as ready requests."""
-    return Examples(examples=[Example(**example) for example in EXAMPLES])
+    return ExampleList(examples=[Example(**example) for example in EXAMPLES])

@@ -43,10 +43,15 @@ LINES = "application/x-ndjson"
 
 BATCHED = {name: each for name, each in CALCULATIONS.items() if each.batched}
 
-SPELLINGS = {name.rpartition("/")[2].replace("-", "_"): name for name in BATCHED} | {
-    name: name for name in BATCHED
+SPELLINGS = {name: name for name in BATCHED} | {
+    "contact_force": "contact-force",
+    "crank_planetary": "crank-planetary",
+    "roller_strength": "roller-strength",
+    "contact_line": "precession/contact-line",
+    "meshing_load": "precession/meshing-load",
+    "shaft_deflection": "precession/shaft-deflection",
 }
-"""Names by which a calculation may be asked: its own, and the last part of it as it was once."""
+"""Names by which a calculation may be asked: its own, and what some were called once."""
 
 if TYPE_CHECKING:
     Spelling = str
@@ -57,7 +62,7 @@ else:
 class BatchRequest(RequestModel):
     """Requests of one calculation, each as its own endpoint takes it."""
 
-    calculation: Spelling
+    calculation: Spelling = Field(json_schema_extra={"enum": [*BATCHED]})
     requests: Annotated[
         list[dict[str, Any]], FailFast(), Field(min_length=1, max_length=MAX_REQUESTS)
     ]

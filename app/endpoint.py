@@ -13,7 +13,7 @@ import numpy as np
 import orjson
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 
 from app import processes
@@ -39,7 +39,7 @@ COMPRESS_LEVEL = 3
 RESPONSES: dict[int | str, dict[str, Any]] = {
     status: {
         "description": text,
-        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}},
+        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
     }
     for status, text in (
         (413, "The request is too large"),
@@ -53,8 +53,6 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
 
 class FigureOut(BaseModel):
     """A Plotly figure, ready for Plotly.js."""
-
-    model_config = ConfigDict(title="Figure")
 
     data: list[dict[str, Any]] = Field(description="Traces.")
     layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")

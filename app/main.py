@@ -8,7 +8,6 @@ from typing import Any
 
 from fastapi import FastAPI
 from fastapi.middleware.cors import CORSMiddleware
-from fastapi.openapi.utils import get_openapi
 from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
 
@@ -18,7 +17,7 @@ from app.endpoint import RESPONSES, CalculationRoute, FigureOut, answering, draw
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
-from app.problems import REFUSED, ProblemOut, refused, unavailable
+from app.problems import REFUSED, refused, unavailable
 from app.registry import CALCULATIONS
 from app.settings import Settings
 
@@ -44,23 +43,6 @@ Design calculations of K-H-V planetary reducers: cyclogram, contact forces and s
 A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
 accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields.
 """
-
-
-def describe(app: FastAPI) -> dict[str, Any]:
-    """The API's description: FastAPI's own, and the model of a problem."""
-    if app.openapi_schema is None:
-        schema = get_openapi(
-            title=app.title,
-            version=app.version,
-            description=app.description,
-            license_info=LICENSE,
-            tags=TAGS,
-            routes=app.routes,
-        )
-        problem = ProblemOut.model_json_schema(ref_template="#/components/schemas/{model}")
-        schema["components"]["schemas"] |= problem.pop("$defs") | {"Problem": problem}
-        app.openapi_schema = schema
-    return app.openapi_schema
 
 
 def example(body: dict[str, Any]) -> dict[str, Any]:
@@ -95,6 +77,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         title="KHV Calc",
         version=VERSION,
         description=DESCRIPTION,
+        license_info=LICENSE,
+        openapi_tags=TAGS,
         docs_url=None,
         redoc_url=None,
         lifespan=lifespan,
@@ -127,7 +111,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             )(drawing(each))
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
-    app.openapi = lambda: describe(app)  # type: ignore[method-assign]
     app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     if settings.cors_origins:
         app.add_middleware(

@@ -1,6 +1,6 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args
@@ -109,20 +109,22 @@ def _alternatives(model: type["RequestModel"]) -> tuple[Forms, ...]:
     return tuple(forms for some in every for forms in some)
 
 
+def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
+    """Schema of a form: its fields, and none of the others.
+
+    As requirements: generators of clients take no properties that are `false`.
+    """
+    others = [{"required": [name]} for name in names if name not in form]
+    return {"required": [*form], "not": {"anyOf": others}}
+
+
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
     rules = []
     for forms in _alternatives(model):
-        names = {name for form in forms for name in form}
-        rules.append(
-            {
-                "oneOf": [
-                    {"required": [*form], "properties": dict.fromkeys(names - {*form}, False)}
-                    for form in forms
-                ]
-            }
-        )
+        names = dict.fromkeys(name for form in forms for name in form)
+        rules.append({"oneOf": [_only(form, names) for form in forms]})
     if rules:
         schema["allOf"] = rules
 

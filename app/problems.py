@@ -8,7 +8,7 @@ from typing import Any, Self, cast
 import orjson
 from fastapi import Request
 from fastapi.responses import Response
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
@@ -227,8 +227,6 @@ class FieldProblem(BaseModel):
 class ProblemOut(BaseModel):
     """A refusal (RFC 9457); its type opens a page that explains it."""
 
-    model_config = ConfigDict(title="Problem")
-
     type: str = Field(description="Address of what is said about refusals of this kind.")
     title: str = Field(description="The kind, in English.")
     status: int = Field(description="HTTP status.")
@@ -236,7 +234,7 @@ class ProblemOut(BaseModel):
     errors: list[FieldProblem] = Field(description=f"The wrong fields, {MAX_ERRORS} at most.")
     more: int = Field(default=0, description="How many fields besides are wrong.")
     where: dict[str, float] = Field(
-        default={}, description="Position at which the mechanism cannot work."
+        default_factory=dict, description="Position at which the mechanism cannot work."
     )
 
 

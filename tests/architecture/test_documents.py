@@ -3,13 +3,19 @@
 import re
 import tomllib
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from app import VERSION
+from app.about import API
+from app.batch import SPELLINGS
+from app.main import create_app
+from app.registry import CALCULATIONS
 
 ROOT = Path(__file__).parent.parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+README = (ROOT / "README.md").read_text()
 SOURCE = "\n".join(path.read_text() for path in sorted(ROOT.glob("core/**/*.py")))
 
 
@@ -28,12 +34,14 @@ def test_links_lead_somewhere(document):
         file, _, heading = link.partition("#")
         target = document.parent / file if file else document
         assert target.exists(), link
+        if not heading:
+            continue
         anchors = {
             re.sub(r"[^\w -]", "", line.lstrip("# ").lower()).replace(" ", "-")
             for line in target.read_text().splitlines()
             if line.startswith("#")
         }
-        assert not heading or heading in anchors, link
+        assert heading in anchors, link
 
 
 def test_the_citation_has_the_version_and_the_licence():
@@ -42,6 +50,11 @@ def test_the_citation_has_the_version_and_the_licence():
     assert re.findall(r"^version: (.*)$", citation, re.MULTILINE) == [VERSION]
     assert re.findall(r"^license: (.*)$", citation, re.MULTILINE) == [project["license"]]
     assert all((ROOT / name).exists() for name in project["license-files"])
+
+
+def test_the_changelog_starts_with_the_version():
+    versions = re.findall(r"^## ([\d.]+)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    assert versions[0] == VERSION
 
 
 def test_every_decision_is_short_complete_and_listed():
@@ -58,3 +71,58 @@ def test_every_decision_is_short_complete_and_listed():
             "Decision",
             "Consequence",
         ]
+
+
+def test_the_readme_lists_the_calculations_of_the_registry():
+    rows = re.findall(r"^\| `([\w/-]+)` \| (.*?) \| .* \|$", README, re.MULTILINE)
+    assert len(rows) == len(CALCULATIONS)
+    assert dict(rows) == {name: each.title for name, each in CALCULATIONS.items()}
+
+
+def test_the_documents_of_the_api_name_every_path_and_kind_of_problem():
+    text = (ROOT / "docs/api.md").read_text()
+    named = {*re.findall(r"`(?:POST|GET) (/[\w/.-]*)`", text)}
+    paths = {path.removeprefix(API) for path in create_app().openapi()["paths"]}
+    calculations = {f"/{name}" for name in CALCULATIONS} | {f"/{n}/chart" for n in CALCULATIONS}
+    assert paths - calculations <= named
+
+
+def test_the_older_spellings_are_listed():
+    text = (ROOT / "docs/api.md").read_text()
+    studies = {
+        get_args(model.model_fields["calculation"].annotation)
+        for model in get_args(get_args(CALCULATIONS["work-precision"].request)[0])
+    }
+    older = {(new, old) for old, new in SPELLINGS.items() if old != new}
+    older |= {(new, old) for new, old in studies if old != new}
+    listed = re.findall(r"^\| `([\w/-]+)` \| (.*) \|$", text, re.MULTILINE)
+    assert {(new, old) for new, cell in listed for old in re.findall(r"`(\w+)`", cell)} == older
+
+
+def test_every_picture_is_small():
+    pictures = [*ROOT.glob("docs/**/*.webp"), *ROOT.glob("docs/**/*.png")]
+    assert pictures and all(each.stat().st_size < 150_000 for each in pictures)
+    documents = "".join(document.read_text() for document in DOCUMENTS)
+    assert all(each.name in documents for each in pictures)
+
+
+def test_every_document_can_be_reached_from_the_readme():
+    seen, rest = set(), [ROOT / "README.md"]
+    while rest:
+        document = rest.pop()
+        seen.add(document)
+        links = re.findall(r"\]\(([^)\s#]+\.md)", document.read_text())
+        found = {(document.parent / link).resolve() for link in links if "://" not in link}
+        rest += found - seen - {*rest}
+    assert set(DOCUMENTS) - seen == set()
+
+
+def test_files_that_documents_name_are_there():
+    for document in DOCUMENTS:
+        if document.name == "CHANGELOG.md":
+            continue
+        named = re.findall(
+            r"`((?:app|core|static|tests|benchmarks|clients|docs|requirements)/[\w./-]*)`",
+            document.read_text(),
+        )
+        assert [name for name in named if not (ROOT / name).exists()] == [], document.name

@@ -1,6 +1,8 @@
 """The pinned requirements belong to pyproject.toml: `make requirements` after each change there."""
 
+import ast
 import re
+import sys
 import tomllib
 from pathlib import Path
 
@@ -43,3 +45,29 @@ def test_every_requirement_is_pinned_with_a_hash():
 def test_no_registry_is_written_down():
     for file in (ROOT / "requirements").iterdir():
         assert "://" not in file.read_text()
+
+
+def imported(source):
+    """Top-level packages that a source imports."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            yield from (each.name.split(".")[0] for each in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield node.module.split(".")[0]
+
+
+def test_what_the_service_imports_is_installed_with_it():
+    files = (*ROOT.glob("app/**/*.py"), *ROOT.glob("core/**/*.py"))
+    names = {name for file in files for name in imported(file.read_text())}
+    packages = {name.replace("-", "_") for name in pinned("run")}
+    assert "fastapi" in names
+    assert names - packages - set(sys.stdlib_module_names) == {"app", "core"}
+    assert "plotly" not in packages
+
+
+def test_the_image_may_copy_what_it_copies():
+    copied = re.findall(r"^COPY (?!--)(\S+) ", (ROOT / "Dockerfile").read_text(), re.MULTILINE)
+    let_in = (ROOT / ".dockerignore").read_text().split()
+    assert "LICENSE" in copied
+    assert {f"!{path.split('/')[0]}" for path in copied} == set(let_in) - {"*", "**/__pycache__"}
+    assert all((ROOT / path).exists() for path in copied)

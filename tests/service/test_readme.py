@@ -1,6 +1,8 @@
-"""The Python client of the README, run as it stands against a running service."""
+"""What the README shows, run against a running service: the same comes out."""
 
+import json
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import fields
@@ -8,56 +10,75 @@ from pathlib import Path
 
 import httpx
 import pytest
+from khv_calc import Client, Refused
 
 from app.settings import Settings
 
-README = Path(__file__).parent.parent.parent / "README.md"
+ROOT = Path(__file__).parent.parent.parent
+README = (ROOT / "README.md").read_text()
+CLIENTS = str(ROOT / "clients" / "python")
+ADDRESS = "http://127.0.0.1:8000"
+
+BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", README, re.DOTALL | re.MULTILINE)
 
 
 @pytest.fixture(scope="module")
-def client():
-    (block,) = re.findall(r"```python\n(.*?)```", README.read_text(), re.DOTALL)
-    return block
+def direct():
+    """No proxy on the way to this machine."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NO_PROXY", "127.0.0.1")
+        patch.setenv("PYTHONPATH", CLIENTS)
+        patch.setenv("MYPYPATH", CLIENTS)
+        yield
 
 
-def test_the_client_gets_the_numbers_of_the_api(service, client):
-    names = {"__name__": "client"}
-    exec(compile(client, "README.md", "exec"), names)
-    calculator = names["Calculator"](service.url)
-    try:
-        contact = calculator.contact(pins=3, output_torque_Nm=500, pin_radius_mm=8)
-        hertz = httpx.post(
-            f"{service.url}/api/v1/hertz",
-            json={
-                "force_N": contact.peak_force_N,
-                "contact_length_mm": 20,
-                "pin_radius_mm": 8,
-                "hole_radius_mm": 10,
-            },
-        ).json()
-        assert contact.peak_force_N == pytest.approx(20_000 / 3, rel=1e-12)
-        assert contact.max_pressure_MPa == pytest.approx(hertz["max_pressure_MPa"], rel=1e-12)
-        with pytest.raises(names["Refused"], match="pins must be at least 1"):
-            calculator.contact(pins=0, output_torque_Nm=500, pin_radius_mm=8)
-    finally:
-        calculator.http.close()
+def block(language):
+    (text,) = (text for name, text in BLOCKS if name == language)
+    return text
 
 
-def test_the_client_has_the_types_it_says(client, tmp_path):
-    file = tmp_path / "client.py"
-    file.write_text(client)
-    checked = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file=", str(file)],
-        capture_output=True,
-        text=True,
-    )
-    assert checked.returncode == 0, checked.stdout
+def output(*command):
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_python_example_prints_what_stands_there(service, direct):
+    assert ADDRESS in block("python")
+    example = block("python").replace(ADDRESS, service.url)
+    assert output(sys.executable, "-c", example) == block("text")
+
+
+def test_the_python_example_has_the_types_it_says(direct):
+    output(sys.executable, "-m", "mypy", "--strict", "--config-file=", "-c", block("python"))
+
+
+@pytest.mark.skipif(not shutil.which("curl"), reason="needs curl")
+def test_the_curl_example_answers_what_stands_there(service, direct):
+    assert ADDRESS in block("sh")
+    answer = json.loads(output("sh", "-c", block("sh").replace(ADDRESS, service.url)))
+    shown = json.loads(block("json"))
+    accuracy, stated = answer.pop("accuracy"), shown.pop("accuracy")
+    assert accuracy.pop("run_time_us") > 0 and stated.pop("run_time_us") > 0
+    assert accuracy.pop("relative_error") == pytest.approx(stated.pop("relative_error"), rel=0.01)
+    assert accuracy == stated
+    assert answer.pop("peak_pair") == shown.pop("peak_pair")
+    assert answer == pytest.approx(shown, rel=1e-12)
+
+
+def test_the_refusal_of_the_api_document_is_what_is_sent(service):
+    text = (ROOT / "docs" / "api.md").read_text()
+    (shown,) = re.findall(r"^```json\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+    body = {"pins": 0, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
+    transport = httpx.HTTPTransport()
+    with Client(service.url, transport=transport) as calc, pytest.raises(Refused) as caught:
+        calc.ask("contact-force", body)
+    assert caught.value.problem == json.loads(shown)
 
 
 def test_every_setting_is_in_the_table_with_its_default():
-    rows = dict(
-        re.findall(r"^\| `KHV_(\w+)` \|.*?\| `?([^|`]*?)`? \|", README.read_text(), re.MULTILINE)
-    )
+    text = (ROOT / "docs" / "operation.md").read_text()
+    rows = dict(re.findall(r"^\| `KHV_(\w+)` \|.*?\| `?([^|`]*?)`? \|", text, re.MULTILINE))
     expected = {
         field.name.upper(): f"{field.default:.9g}" if field.type in (int, float) else field.default
         for field in fields(Settings)
