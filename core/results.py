@@ -50,8 +50,6 @@ NOTICES = {
 
 
 METHODS = {
-    "adaptive_phi": "adaptive (QUADPACK rule) in phi",
-    "adaptive_z": "adaptive (QUADPACK rule) in z",
     "approximation": "approximation (2018, eq. 5)",
     "bisection": "bisection",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",

@@ -10,13 +10,7 @@ from core.arrays import FloatArray
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import Roller, RollerByLength
-from core.work_precision.rules import (
-    Integrand,
-    adaptive,
-    finite_sum,
-    fixed_rules,
-    integrate,
-)
+from core.work_precision.rules import Integrand, finite_sum, fixed_rules, integrate
 from core.work_precision.study import (
     REFERENCE_DIGITS,
     Reference,
@@ -117,19 +111,6 @@ def _study(
                     evaluations=len(nodes) * len(lines),
                 )
             )
-        for tolerance in (1e-4, 1e-8, 1e-12):
-            points.append(
-                measured(
-                    method=f"adaptive_{variable}",
-                    setting=("tolerance", tolerance),
-                    calculate=partial(_adaptively, wanted, pieces, tolerance),
-                    exact=exact,
-                    evaluations=sum(
-                        adaptive(integrand=f, start=a, end=b, tolerance=tolerance)[1]
-                        for f, (a, b) in pieces
-                    ),
-                )
-            )
     chosen = measured(
         method="graded_z",
         calculate=default,
@@ -150,14 +131,6 @@ def _by_rule(
 ) -> float | list[float]:
     parts = [
         _length_positive(integrate(integrand=f, start=a, end=b, nodes=nodes, weights=weights))
-        for f, (a, b) in pieces
-    ]
-    return wanted(finite_sum(parts))
-
-
-def _adaptively(wanted: _Components, pieces: _Pieces, tolerance: float) -> float | list[float]:
-    parts = [
-        _length_positive(adaptive(integrand=f, start=a, end=b, tolerance=tolerance)[0])
         for f, (a, b) in pieces
     ]
     return wanted(finite_sum(parts))

@@ -86,39 +86,6 @@ def integrate(
     return result
 
 
-def adaptive(
-    *, integrand: Integrand, start: float, end: float, tolerance: float
-) -> tuple[FloatArray, int]:
-    """Integral by adaptive Gauss-Kronrod quadrature (SciPy), and its evaluations.
-
-    Parameters
-    ----------
-    integrand : callable
-        As in `integrate`.
-    start, end : float
-        Ends of the interval.
-    tolerance : float
-        Relative tolerance asked for.
-
-    Returns
-    -------
-    value : array, shape (m,)
-    evaluations : int
-    """
-    from scipy.integrate import quad_vec
-
-    value, _, info = quad_vec(
-        lambda t: integrand(np.array([t]))[:, 0],
-        start,
-        end,
-        epsrel=tolerance,
-        epsabs=0.0,
-        limit=200,
-        full_output=True,
-    )
-    return value, int(info.neval)
-
-
 def finite_sum(parts: list[FloatArray]) -> list[float]:
     """Sum of the parts, component by component.
 

@@ -17,7 +17,6 @@ SETTINGS = {
     "level": "level {value}",
     "points": "n = {value}",
     "steps": "{value} steps",
-    "tolerance": "tolerance {value:g}",
 }
 """Settings of methods in English, by code."""
 

@@ -761,8 +761,6 @@ export default {
       used: "Применено в калькуляторе",
     },
     methods: {
-      adaptive_phi: "адаптивная (QUADPACK) в φ",
-      adaptive_z: "адаптивная (QUADPACK) в z",
       approximation: "приближение (2018, (5))",
       bisection: "деление пополам",
       clenshaw_curtis_phi: "Кленшоу–Кёртис в φ",
@@ -807,7 +805,6 @@ export default {
       level: "уровень {value}",
       points: "n = {value}",
       steps: "шагов: {value}",
-      tolerance: "допуск {value}",
     },
     fields: {
       allowable_pressure_MPa: ["Допускаемое давление", "Допускаемое контактное давление: по нему оценивают эту деталь."],

@@ -158,8 +158,6 @@ export default {
     "used": "Used by the calculator"
   },
   "methods": {
-    "adaptive_phi": "adaptive (QUADPACK rule) in phi",
-    "adaptive_z": "adaptive (QUADPACK rule) in z",
     "approximation": "approximation (2018, eq. 5)",
     "bisection": "bisection",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
@@ -203,8 +201,7 @@ export default {
     "default": "default",
     "level": "level {value}",
     "points": "n = {value}",
-    "steps": "{value} steps",
-    "tolerance": "tolerance {value}"
+    "steps": "{value} steps"
   },
   "fields": {
     "allowable_pressure_MPa": [

@@ -761,8 +761,6 @@ export default {
       used: "Застосовано в калькуляторі",
     },
     methods: {
-      adaptive_phi: "адаптивна (QUADPACK) у φ",
-      adaptive_z: "адаптивна (QUADPACK) у z",
       approximation: "наближення (2018, (5))",
       bisection: "поділ навпіл",
       clenshaw_curtis_phi: "Кленшоу–Кертіс у φ",
@@ -807,7 +805,6 @@ export default {
       level: "рівень {value}",
       points: "n = {value}",
       steps: "кроків: {value}",
-      tolerance: "допуск {value}",
     },
     fields: {
       allowable_pressure_MPa: ["Допустимий тиск", "Допустимий контактний тиск: за ним оцінюють цю деталь."],

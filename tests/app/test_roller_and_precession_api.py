@@ -206,8 +206,8 @@ async def test_a_gear_that_cannot_work_is_refused_with_its_place(api, change, pl
     assert place in response.json()["where"]
 
 
-def test_starting_the_service_loads_neither_scipy_nor_plotly():
-    code = "import sys, app.main; print(*(m for m in ('scipy', 'plotly') if m in sys.modules))"
+def test_starting_the_service_loads_neither_mpmath_nor_plotly():
+    code = "import sys, app.main; print(*(m for m in ('mpmath', 'plotly') if m in sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == ""
 

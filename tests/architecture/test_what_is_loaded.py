@@ -6,10 +6,10 @@ import sys
 
 import core
 
-HEAVY = {"scipy", "mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn", "numba"}
+HEAVY = {"mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
 
 
-def test_importing_every_calculation_loads_no_plotting_no_web_and_no_scipy() -> None:
+def test_importing_every_calculation_loads_no_plotting_no_web_and_no_mpmath() -> None:
     every = [module.name for module in pkgutil.walk_packages(core.__path__, "core.")]
     assert len(every) > 20
     code = f"import sys, {', '.join(every)}; print(*sorted({HEAVY} & set(sys.modules)))"

@@ -1,8 +1,6 @@
 """Invariants, refusals and points of the contact lines."""
 
 import math
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
@@ -309,17 +307,3 @@ def test_refusals_of_a_wheel(parameter: str, changes: dict[str, Any]) -> None:
     with pytest.raises(InvalidInput) as caught:
         wheel_rollers(**valid | changes)
     assert caught.value.parameter == parameter
-
-
-def test_scipy_is_not_loaded() -> None:
-    code = (
-        "import sys, math\n"
-        "from core.precession.meshing_load import meshing_load\n"
-        "from core.precession.rollers import RollerByLength\n"
-        "import core.precession.shaft_deflection, core.rollers.roller_strength\n"
-        "meshing_load(roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=0.1,\n"
-        "    ratio_u12=0.96, rollers=[RollerByLength(1.0, 0.01, 0.02)], torque=1.0,\n"
-        "    reference_z=0.0)\n"
-        "assert 'scipy' not in sys.modules and 'mpmath' not in sys.modules\n"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
