@@ -32,11 +32,24 @@ class Service:
             text=True,
         )
         self.lines = []
+        self.reading = threading.Event()
+        self.reading.set()
+        self.uds = limits.get("unix_socket")
         self.reader = threading.Thread(target=self._read)
         self.reader.start()
 
     def _read(self):
-        self.lines.extend(self.process.stdout)
+        for line in self.process.stdout:
+            self.lines.append(line)
+            self.reading.wait()
+
+    def hold(self):
+        """Read nothing of the log."""
+        self.reading.clear()
+
+    def go_on(self):
+        """Read the log again."""
+        self.reading.set()
 
     def log(self):
         """The log so far: every line of it is JSON."""
@@ -45,8 +58,9 @@ class Service:
     def wait_until_ready(self):
         for _ in range(300):
             try:
-                if httpx.get(f"{self.url}/readyz", trust_env=False).status_code == 200:
-                    return
+                with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds)) as client:
+                    if client.get(f"{self.url}/readyz").status_code == 200:
+                        return
             except httpx.TransportError:
                 assert self.process.poll() is None, "".join(self.lines)
             time.sleep(0.1)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from app import VERSION
+from app.settings import Settings
 
 ROOT = Path(__file__).parent.parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -58,3 +59,18 @@ def test_every_decision_is_short_complete_and_listed():
             "Decision",
             "Consequence",
         ]
+
+
+def test_every_setting_is_in_the_table_of_operation():
+    text = (ROOT / "docs/operation.md").read_text()
+    rows = re.findall(r"^\| `KHV_(\w+)` \| (.*) \| `?([^|`]*?)`? \|$", text, re.MULTILINE)
+    assert rows == [
+        (name.upper(), field.description, _shown(field.default))
+        for name, field in Settings.model_fields.items()
+    ]
+
+
+def _shown(default):
+    if isinstance(default, tuple):
+        default = ", ".join(default)
+    return (f"{default:.9g}" if isinstance(default, int | float) else default) or "none"
