@@ -114,7 +114,7 @@ async def batch(request: Request) -> Response:
     With `Accept: application/x-ndjson` a line for each request. Both are sent as they are done.
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
-    refuse_if_busy(jobs)
+    refuse_if_busy(jobs, record)
     content = await received(request, record.settings.max_batch_bytes)
     record.received = time.perf_counter()
     calculation, requests = await in_process(jobs, split, content, record.settings, record=record)

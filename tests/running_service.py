@@ -67,6 +67,7 @@ class Service:
         raise AssertionError("not ready in 30 s: " + "".join(self.lines))
 
     def stop(self):
+        self.go_on()
         self.process.terminate()
         self.process.wait(30)
         self.reader.join()

@@ -85,7 +85,7 @@ async def test_what_takes_too_long_is_stopped_and_refused_for_now():
 
 async def test_where_too_many_wait_all_that_is_long_is_refused_at_once():
     batch = {"calculation": "contact_force", "requests": [{"pins": 3, "ratio": 20.0, **LOAD}]}
-    async with service(processes=1, max_waiting=2) as api:
+    async with service(processes=1, max_waiting=4) as api:
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
         waiting = [asyncio.create_task(api.post("contact-force", json=SLOW)) for _ in range(3)]
         await asyncio.sleep(0.3)
