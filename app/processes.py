@@ -20,10 +20,6 @@ from core.errors import ImpossibleMechanism
 
 LOG = logging.getLogger("khv.processes")
 
-INLINE_MS = 15.0
-"""Estimated cost up to which a request runs in the event loop, milliseconds; handing it over costs
-half of one."""
-
 Result = TypeVar("Result")
 
 

@@ -16,7 +16,7 @@ import httpx
 class Service:
     """A running service, its address and its log."""
 
-    def __init__(self, limits, workers):
+    def __init__(self, limits, workers, descriptors):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
@@ -24,8 +24,9 @@ class Service:
         arguments = ["--port", str(self.port), "--workers", str(workers)]
         environment = {name: text for name, text in os.environ.items() if name[:4] != "KHV_"}
         environment |= {f"KHV_{name.upper()}": str(value) for name, value in limits.items()}
+        before = ["sh", "-c", f'ulimit -n {descriptors}; exec "$@"', "sh"] if descriptors else []
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "app.serve", *arguments],
+            [*before, sys.executable, "-m", "app.serve", *arguments],
             env=environment | {"PYTHONPATH": "."},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -115,9 +116,11 @@ def eventually(holds: Callable[[], bool]) -> bool:
 
 
 @contextmanager
-def running_service(workers: int = 1, **limits: float) -> Iterator[Service]:
+def running_service(
+    workers: int = 1, descriptors: int = 0, **limits: float | str
+) -> Iterator[Service]:
     """A running service with these settings, ready to answer."""
-    service = Service(limits, workers)
+    service = Service(limits, workers, descriptors)
     try:
         service.wait_until_ready()
         yield service
