@@ -2,6 +2,8 @@
 
 import asyncio
 import logging
+from collections import deque
+from contextlib import suppress
 from typing import Any
 
 from starlette.responses import Response
@@ -45,12 +47,17 @@ class PatientProtocol(HttpToolsProtocol):
         super().connection_made(transport)
         if len(self.connections) > self.settings.max_connections:
             self.app = Full(self.app)
+            BEYOND.append(self)
+            if len(BEYOND) > MOST_BEYOND:
+                BEYOND.popleft().transport.abort()  # descriptors are not to run out
         self._await_request()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Wait for nothing."""
         self.request_timer = _cancelled(self.request_timer)
         self.answer_timer = _cancelled(self.answer_timer)
+        with suppress(ValueError):
+            BEYOND.remove(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
@@ -118,6 +125,12 @@ class PatientProtocol(HttpToolsProtocol):
         ):
             self.transport.write(_raw(problem))
         self.transport.close()
+
+
+MOST_BEYOND = 64
+"""Connections beyond the limit that may be open for a moment, to ask for a probe or be refused."""
+
+BEYOND: deque[PatientProtocol] = deque()
 
 
 class Full:
