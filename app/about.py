@@ -152,10 +152,10 @@ async def health() -> Health:
     return Health(status="ok", version=VERSION)
 
 
-problems = APIRouter(tags=["service"])
+problems = APIRouter()
 
 
-@problems.get("/problems/{kind}", operation_id="problem_kind")
+@problems.get("/problems/{kind}", include_in_schema=False)
 async def problem_kind(kind: str) -> ProblemKind:
     """What a kind of problem is: the address that is the `type` of such a problem."""
     if kind not in KINDS:

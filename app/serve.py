@@ -60,11 +60,11 @@ def main() -> None:
         settings = Settings.from_environment()
     except ValueError as error:
         sys.exit(str(error))
-    logging.config.dictConfig(log_config(settings.log_level))
     connections = connections_within(settings.max_connections)
+    os.environ[f"{PREFIX}MAX_CONNECTIONS"] = str(connections)  # for the workers too
+    logging.config.dictConfig(log_config(settings.log_level))
     if connections < settings.max_connections:
         LOG.warning("the limit of descriptors leaves room for %d connections", connections)
-        os.environ[PREFIX + "MAX_CONNECTIONS"] = str(connections)
         settings = Settings.from_environment()
     started = {"version": VERSION, "python": platform.python_version(), **settings.model_dump()}
     LOG.info({"message": "settings", **started})

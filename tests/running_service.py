@@ -57,6 +57,9 @@ class Service:
         return [json.loads(line) for line in self.lines]
 
     def wait_until_ready(self):
+        while self.uds and not os.path.exists(self.uds):
+            assert self.process.poll() is None, "".join(self.lines)
+            time.sleep(0.1)
         for _ in range(300):
             try:
                 with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds)) as client:
