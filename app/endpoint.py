@@ -17,10 +17,19 @@ from fastapi import Request, Response
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
+from starlette.types import Receive, Scope, Send
 
 from app import processes
 from app.model import Calculation, RequestModel
-from app.problems import MEDIA_TYPE, ErrorItem, invalid_input, not_json, too_large, wrong_fields
+from app.problems import (
+    MEDIA_TYPE,
+    ErrorItem,
+    invalid_input,
+    not_json,
+    too_large,
+    unavailable,
+    wrong_fields,
+)
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
 from app.running import refusals_named
@@ -50,6 +59,12 @@ COMPRESS_BYTES = 2048
 
 COMPRESS_LEVEL = 3
 """On curves, half the time of zlib's usual level for 2 % more bytes."""
+
+PART_BYTES = 1 << 18
+"""Size of what is sent at once."""
+
+MOST_WAITING_BYTES = 1 << 27
+"""Most bytes of large answers that wait in a worker for clients to take them."""
 
 RESPONSES: dict[int | str, dict[str, Any]] = {
     status: {
@@ -286,16 +301,42 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
+class Answer(Response):
+    """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
+    it, and refused where too much waits for clients already.
+    """
+
+    media_type = JSON
+    waiting_bytes = 0
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send it."""
+        size, kind = len(self.body), type(self)
+        if size <= PART_BYTES:
+            await super().__call__(scope, receive, send)
+            return
+        if kind.waiting_bytes + size > MOST_WAITING_BYTES and kind.waiting_bytes:
+            raise unavailable("Too many answers wait for clients to take them")
+        kind.waiting_bytes += size
+        try:
+            start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
+            await send(start)
+            for sent in range(0, size, PART_BYTES):
+                part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
+                await send({"type": "http.response.body", "body": part, "more_body": more})
+        finally:
+            kind.waiting_bytes -= size
+
+
 def takes_gzip(request: Request) -> bool:
     """Whether a client takes compressed answers."""
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
 def _json_response(content: bytes) -> Response:
-    """Answer of JSON, which may be compressed."""
     headers = {}
     if content.startswith(b"\x1f\x8b"):
         headers = {"vary": "accept-encoding", "content-encoding": "gzip"}
     elif len(content) >= COMPRESS_BYTES:
         headers = {"vary": "accept-encoding"}
-    return Response(content, headers=headers, media_type=JSON)
+    return Answer(content, headers=headers)

@@ -37,7 +37,7 @@ from app import VERSION
 from app.record import Record
 from app.settings import current
 
-MOST_LINES = 10_000
+MOST_LINES = 1000
 """Lines of the log that wait to be read; more are dropped and counted."""
 
 LOG = logging.getLogger("khv.request")

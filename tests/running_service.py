@@ -57,7 +57,7 @@ class Service:
         return [json.loads(line) for line in self.lines]
 
     def wait_until_ready(self):
-        while self.uds and not os.path.exists(self.uds):
+        while self.uds and not _accepts(self.uds):
             assert self.process.poll() is None, "".join(self.lines)
             time.sleep(0.1)
         for _ in range(300):
@@ -76,6 +76,11 @@ class Service:
         self.process.wait(30)
         self.reader.join()
         self.process.stdout.close()
+
+
+def _accepts(path: str) -> bool:
+    with socket.socket(socket.AF_UNIX) as connection:
+        return connection.connect_ex(path) == 0
 
 
 def family(pid: int) -> list[int]:

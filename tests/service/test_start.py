@@ -107,14 +107,14 @@ def test_a_log_that_nobody_reads_stops_nothing(serve):
     with serve(log_level="info") as service:
         service.hold()
         with httpx.Client(base_url=service.url) as client:
-            for _ in range(12_000):
+            for _ in range(2500):
                 assert client.get("/livez").status_code == 200
             dropped = re.search(
                 r"(?m)^khv_log_lines_dropped_total (\S+)", client.get("/metrics").text
             )
         assert float(dropped[1]) > 100
         service.go_on()
-        assert eventually(lambda: len(service.lines) > 10_000)
+        assert eventually(lambda: len(service.lines) > 1000)
 
 
 def test_what_is_no_http_is_refused_as_a_problem(service):
