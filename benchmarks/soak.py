@@ -22,12 +22,11 @@ from statistics import mean
 import httpx
 
 from app.examples import EXAMPLES, REQUESTS
+from benchmarks.load import service
 from benchmarks.options import options
 from tests.oracles.fuzz_requests import Draw, random_request
-from tests.running_service import family, running_service
 
 MINUTES = 20
-WORKERS = 2
 DRAWN = Path(__file__).parent.parent / "docs" / "soak.svg"
 
 Answers = Counter[tuple[str, str]]
@@ -41,6 +40,17 @@ class Sample:
     processes: int
     memory_mb: float
     descriptors: int
+
+
+def family(pid: int) -> list[int]:
+    """A process and all that it and they have started."""
+    with contextlib.suppress(FileNotFoundError):
+        threads = Path(f"/proc/{pid}/task").iterdir()
+        started = [
+            int(child) for each in threads for child in (each / "children").read_text().split()
+        ]
+        return [pid, *(one for child in started for one in family(child))]
+    return []
 
 
 def sample(pid: int, minutes: float) -> Sample:
@@ -136,8 +146,9 @@ def drawn(samples: list[Sample]) -> str:
 
 def main(minutes: float, write: bool) -> int:
     """Run, draw, and say what stayed; 1 if something grew or failed."""
-    with running_service(workers=WORKERS, log_level="WARNING") as service:
-        samples, answers = asyncio.run(run(service.process.pid, service.url, minutes))
+    with service("app.serve") as running:
+        url = f"http://127.0.0.1:{running.port}"
+        samples, answers = asyncio.run(run(running.process.pid, url, minutes))
     failed = sum(count for (_, status), count in answers.items() if status == "500")
     print("| kind | what came of it |\n|---|---|")
     for kind in dict.fromkeys(kind for kind, _ in sorted(answers)):
