@@ -21,7 +21,11 @@ from tests.oracles.in_process import API, exchange
 
 SLOW_S = 1.0
 FIELDS = {name for model in MODELS.values() for name in model.get("properties", ())}
-PROBLEMS = {413: {"too-large"}, 422: {"invalid-input", "impossible-mechanism"}}
+PROBLEMS = {
+    413: {"too-large"},
+    415: {"unsupported-media-type"},
+    422: {"invalid-input", "impossible-mechanism"},
+}
 
 
 @dataclass(slots=True)
