@@ -5,11 +5,11 @@
 set -eu
 cd "$(dirname "$0")/.."
 place=$(mktemp -d)
-service=
+service= base= container=
 export BUILDAH_ISOLATION=chroot STORAGE_DRIVER=vfs
 end() {
     [ -z "$service" ] || kill "$service" 2>/dev/null || true
-    buildah rm --all >/dev/null 2>&1 || true
+    for each in $base $container; do buildah rm "$each" >/dev/null 2>&1 || true; done
     rm -rf "$place"
 }
 trap end EXIT
