@@ -8,7 +8,8 @@ RUN python -m venv /packages \
     && /packages/bin/pip uninstall --yes --quiet pip setuptools
 
 FROM ${BASE_IMAGE}
-ENV PATH=/packages/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 WORKERS=1
+ARG BUILD=
+ENV PATH=/packages/bin:$PATH PYTHONDONTWRITEBYTECODE=1 KHV_HOST=0.0.0.0 KHV_BUILD=${BUILD}
 WORKDIR /service
 COPY --from=packages /packages /packages
 COPY core core
@@ -21,4 +22,4 @@ USER 65534:65534
 EXPOSE 8000
 HEALTHCHECK --interval=30s --timeout=3s --start-period=10s \
     CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8000/livez', timeout=2)"]
-CMD ["sh", "-c", "exec python -m app.serve --host 0.0.0.0 --workers ${WORKERS}"]
+CMD ["python", "-m", "app.serve"]

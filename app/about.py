@@ -2,12 +2,14 @@
 
 from typing import Any
 
-from fastapi import APIRouter
+from fastapi import APIRouter, HTTPException
 from pydantic import Field
 
 from app import VERSION
 from app.examples import EXAMPLES
 from app.model import NEGLECTED, Calculation, Maybe, ResponseModel
+from app.problems import KINDS
+from app.record import root_path
 from app.registry import CALCULATIONS
 from app.units import from_si
 from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS, Criterion, TableMaterial
@@ -114,8 +116,9 @@ class CalculationOut(ResponseModel):
     model: list[NeglectedOut] = Field(description="What its model leaves out.")
 
     @classmethod
-    def of(cls, prefix: str, each: Calculation) -> "CalculationOut":
-        """Answer of a calculation below a prefix of the API."""
+    def of(cls, each: Calculation) -> "CalculationOut":
+        """Answer of a calculation."""
+        prefix = root_path() + API
         return cls(
             name=each.name,
             title=each.title,
@@ -133,6 +136,13 @@ class CalculationList(ResponseModel):
     calculations: list[CalculationOut]
 
 
+class ProblemKind(ResponseModel):
+    """What a kind of problem is."""
+
+    type: str
+    description: str
+
+
 API = "/api/v1"
 
 router = APIRouter(prefix=API, tags=["service"])
@@ -144,12 +154,21 @@ async def health() -> Health:
     return Health(status="ok", version=VERSION)
 
 
+problems = APIRouter()
+
+
+@problems.get("/problems/{kind}", include_in_schema=False)
+async def problem_kind(kind: str) -> ProblemKind:
+    """What a kind of problem is: the address that is the `type` of such a problem."""
+    if kind not in KINDS:
+        raise HTTPException(404)
+    return ProblemKind(type=f"{root_path()}/problems/{kind}", description=KINDS[kind])
+
+
 @router.get("/calculations", operation_id="calculations", response_model_exclude_none=True)
 async def calculations() -> CalculationList:
     """What can be calculated: names, paths, sources, and what each model leaves out."""
-    return CalculationList(
-        calculations=[CalculationOut.of(API, each) for each in CALCULATIONS.values()]
-    )
+    return CalculationList(calculations=[CalculationOut.of(each) for each in CALCULATIONS.values()])
 
 
 @router.get("/materials", operation_id="materials", response_model_exclude_none=True)

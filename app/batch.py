@@ -10,14 +10,22 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import orjson
 from fastapi import APIRouter, Request
 from fastapi.responses import Response, StreamingResponse
-from pydantic import FailFast, Field, ValidationError
+from pydantic import FailFast, Field, StringConstraints, ValidationError
 from pydantic_core import from_json, to_json
 
 from app.endpoint import COMPRESS_LEVEL, JSON, RESPONSES, encoded, received, takes_gzip
 from app.examples import REQUESTS
 from app.jobs import Jobs, TooLong, Unfinished
 from app.model import Calculation, Maybe, RequestModel, ResponseModel
-from app.problems import Problem, ProblemOut, impossible, too_large, wrong_fields, wrong_json
+from app.problems import (
+    MAX_NAME,
+    Problem,
+    ProblemOut,
+    impossible,
+    too_large,
+    wrong_fields,
+    wrong_json,
+)
 from app.processes import in_parts, in_process, refuse_if_busy, why
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
@@ -38,6 +46,8 @@ MAX_ERRORS = 100
 
 MAX_REQUESTS = 10_000
 """Most requests of a batch."""
+
+Name = Annotated[str, StringConstraints(max_length=MAX_NAME)]
 
 LINES = "application/x-ndjson"
 
@@ -67,23 +77,35 @@ class BatchRequest(RequestModel):
         list[dict[str, Any]], FailFast(), Field(min_length=1, max_length=MAX_REQUESTS)
     ]
 
+    ids: Maybe[list[Name]] = Field(
+        default=None,
+        min_length=1,
+        max_length=MAX_REQUESTS,
+        description="A name of each request, which comes back with its answer.",
+    )
+
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse more requests than the operator allows.
+        """Refuse more requests than the operator allows, and names that are not one for each.
 
         Raises
         ------
         InvalidInput
-            If there are too many.
+            If there are.
         """
         if len(self.requests) > settings.max_batch:
             raise InvalidInput(
                 "requests", len(self.requests), "service_limit", limit=settings.max_batch
             )
+        if self.ids is not None and len(self.ids) != len(self.requests):
+            count = {"expected": len(self.requests), "actual": len(self.ids)}
+            raise InvalidInput("ids", len(self.ids), "different_length", **count)
 
 
 class BatchItem(ResponseModel):
     """What became of one request: its result, or its problem with pointers into that request."""
 
+    index: Maybe[int] = Field(default=None, description="Its place, from 0; in lines alone.")
+    id: Maybe[str] = Field(default=None, description="Its name, where the batch has `ids`.")
     result: Maybe[dict[str, Any]] = Field(
         default=None, description="What the calculation's own endpoint answers."
     )
@@ -116,16 +138,20 @@ router = APIRouter(tags=["batch"])
 async def batch(request: Request) -> Response:
     """Answers in the order of the requests, each with its result or its problem.
 
-    With `Accept: application/x-ndjson` a line for each request. Both are sent as they are done.
+    With `Accept: application/x-ndjson` a line for each request, numbered from 0 by its `index`.
+    Both are sent as they are done. What `ids` name comes back with its `id`.
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
-    refuse_if_busy(jobs)
+    refuse_if_busy(jobs, record)
     content = await received(request, record.settings.max_batch_bytes)
     record.received = time.perf_counter()
-    calculation, requests = await in_process(jobs, split, content, record.settings, record=record)
+    calculation, requests, ids = await in_process(
+        jobs, split, content, record.settings, record=record
+    )
     done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
     done = _from(await anext(done), done)  # without which there is nothing to answer
     by_lines = LINES in request.headers.get("accept", "")
+    done = _named(done, ids, numbered=by_lines)
     written = _as_lines(done) if by_lines else _as_object(done)
     headers = {"vary": "accept-encoding"}
     if takes_gzip(request):
@@ -134,8 +160,10 @@ async def batch(request: Request) -> Response:
     return StreamingResponse(written, headers=headers, media_type=LINES if by_lines else JSON)
 
 
-def split(content: bytes, settings: Settings) -> Iterator[tuple[str, list[bytes]]]:
-    """The calculation and the requests of a batch, each as JSON of its own.
+def split(
+    content: bytes, settings: Settings
+) -> Iterator[tuple[str, list[bytes], list[str] | None]]:
+    """The calculation and the requests of a batch, each as JSON of its own, and their names.
 
     Raises
     ------
@@ -154,6 +182,7 @@ def split(content: bytes, settings: Settings) -> Iterator[tuple[str, list[bytes]
     yield (
         body.calculation,
         [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests],
+        body.ids,
     )
 
 
@@ -255,6 +284,21 @@ async def _from(
     yield first
     async for some in others:
         yield some
+
+
+async def _named(
+    answers: AsyncIterator[list[bytes]], ids: list[str] | None, *, numbered: bool
+) -> AsyncIterator[list[bytes]]:
+    """The answers with their places and names."""
+    place = 0
+    async for some in answers:
+        named = []
+        for line in some:
+            if ids is not None:
+                line = b'{"id":%b,%b' % (orjson.dumps(ids[place]), line[1:])
+            named.append(b'{"index":%d,%b' % (place, line[1:]) if numbered else line)
+            place += 1
+        yield named
 
 
 async def _as_lines(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:

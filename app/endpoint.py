@@ -5,8 +5,10 @@ reads the bytes and orjson writes them, which takes half the time of FastAPI's o
 """
 
 import gzip
+import math
 import time
 from collections.abc import Callable, Coroutine, Iterator
+from functools import cache
 from typing import Any, get_args, get_type_hints
 
 import numpy as np
@@ -15,16 +17,38 @@ from fastapi import Request, Response
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
+from starlette.types import Receive, Scope, Send
 
 from app import processes
 from app.model import Calculation, RequestModel
-from app.problems import MEDIA_TYPE, ErrorItem, invalid_input, not_json, too_large, wrong_fields
+from app.problems import (
+    MEDIA_TYPE,
+    ErrorItem,
+    invalid_input,
+    not_json,
+    too_large,
+    unavailable,
+    wrong_fields,
+)
 from app.record import Record, at_hand
+from app.registry import CALCULATIONS
 from app.running import refusals_named
+from app.settings import Settings
 from app.theme import Figure, Theme, with_words
 from core.errors import ImpossibleMechanism
 
 JSON = "application/json"
+
+LIGHT_BYTES = 16_384
+LIGHT_POINTS = 20_000
+"""What a request may have to be answered in the event loop: bytes, and points by `points`. It then
+holds the loop for some 10 ms; to hand it over costs half of one."""
+
+ROLLERS = ("rollers", "rollers_total")
+COUNTS = ("pins", "satellites", "satellites", "revolutions", *ROLLERS)
+
+ELEMENT_POINTS, DRAWN_POINTS = 20, 100
+"""Points of a pair or a roller of which no curve is asked, and of one that is drawn."""
 
 MAX_NESTED = 1000
 """Most lists and objects in a request: they cost a hundred times as much to read as numbers do. The
@@ -35,6 +59,12 @@ COMPRESS_BYTES = 2048
 
 COMPRESS_LEVEL = 3
 """On curves, half the time of zlib's usual level for 2 % more bytes."""
+
+PART_BYTES = 1 << 18
+"""Size of what is sent at once."""
+
+MOST_WAITING_BYTES = 1 << 27
+"""Most bytes of large answers that wait in a worker for clients to take them."""
 
 RESPONSES: dict[int | str, dict[str, Any]] = {
     status: {
@@ -70,24 +100,23 @@ class CalculationRoute(APIRoute):
         hints = get_type_hints(self.endpoint, include_extras=True)
         if "body" not in hints:
             return super().get_route_handler()
-        endpoint, drawn = self.endpoint, "theme" in hints
-        model: TypeAdapter[RequestModel] = TypeAdapter(hints["body"])
+        name = next(n for n, e in CALCULATIONS.items() if self.endpoint in (e.solve, e.figure))
+        drawn = "theme" in hints
 
         async def handle(request: Request) -> Response:
             record = at_hand.get() or Record()
             sent = await received(request, record.settings.max_body_bytes)
             record.received = time.perf_counter()
-            body = _read(model, sent)
-            with refusals_named(body):
-                body.refuse_beyond(record.settings)
-                cost_ms = body.cost_ms(drawn=drawn)
-            given = (body, _theme(request)) if drawn else (body,)
-            asked = endpoint, given, takes_gzip(request)
-            if cost_ms <= processes.INLINE_MS:
-                (content,) = _content(*asked)
+            theme = _theme(request) if drawn else None
+            asked = name, sent, theme, takes_gzip(request), record.settings
+            body = None
+            if len(sent) <= LIGHT_BYTES:
+                body = _read(CALCULATIONS[name], sent, record.settings)
+            if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
+                content = _content(CALCULATIONS[name], body, theme, takes_gzip(request))
             else:
                 jobs = request.app.state.jobs
-                content = await processes.in_process(jobs, _content, *asked, record=record)
+                content = await processes.in_process(jobs, _answer, *asked, record=record)
             return _json_response(content)
 
         return handle
@@ -108,13 +137,66 @@ def drawing(calculation: Calculation) -> Callable[[Any, Any], Figure]:
     return figure
 
 
-def _content(endpoint: Callable[..., Any], given: tuple[Any, ...], zipped: bool) -> Iterator[bytes]:
-    """The answer of an endpoint, compressed where it is large and the client takes that."""
-    values = endpoint(*given)
-    content = encoded(with_words(values) if len(given) == 2 else values)
+def points(body: RequestModel, *, drawn: bool) -> float:
+    """How many points a request asks for, by the counts that it states: the one rule for what
+    leaves the event loop.
+
+    Pairs times satellites (each satellite has a driving set of its own, which meets those of all
+    others) times turns, or rollers; and of each the samples of its curve.
+
+    Parameters
+    ----------
+    body : RequestModel
+        The request.
+    drawn : bool
+        Whether its figure is asked.
+    """
+    if body.LONG:
+        return math.inf
+    stated = {name: value for name, value in _stated(body) if value is not None}
+    size = 1.0
+    for name in COUNTS:
+        count = stated.get(name, 1)
+        size *= max(1, len(count) if isinstance(count, list) else count)
+    if {*ROLLERS} & {*stated}:
+        size *= ELEMENT_POINTS  # nodes of its contact line
+    teeth = stated.get("ring_teeth", 1) / stated.get("satellite_teeth", 1)
+    size *= max(1.0, 1 / stated.get("ratio", 1.0), teeth)  # turns of the output link
+    each = DRAWN_POINTS if drawn else ELEMENT_POINTS
+    if {"curves", "points"} & {*stated.get("include", ())}:
+        each = max(each, stated["samples"])
+    return float(size * each)
+
+
+def _stated(body: BaseModel) -> Iterator[tuple[str, Any]]:
+    """Fields of a request and of the models within it; of lists just that they are there."""
+    for name, value in body:
+        if isinstance(value, BaseModel):
+            yield from _stated(value)
+        else:
+            yield name, value
+
+
+def _content(
+    calculation: Calculation, body: RequestModel, theme: str | None, zipped: bool
+) -> bytes:
+    """The answer of a calculation, compressed where it is large and the client takes that."""
+    if theme is None:
+        content = encoded(calculation.solve(body))
+    else:
+        assert calculation.figure is not None
+        content = encoded(with_words(calculation.figure(body, theme)))
     if zipped and len(content) >= COMPRESS_BYTES:
         content = gzip.compress(content, COMPRESS_LEVEL)
-    yield content
+    return content
+
+
+def _answer(
+    name: str, sent: bytes, theme: str | None, zipped: bool, settings: Settings
+) -> Iterator[bytes]:
+    """The same from the bytes of a request, in a process."""
+    calculation = CALCULATIONS[name]
+    yield _content(calculation, _read(calculation, sent, settings), theme, zipped)
 
 
 async def received(request: Request, limit: int) -> bytes:
@@ -149,20 +231,28 @@ async def received(request: Request, limit: int) -> bytes:
             return b"".join(parts)
 
 
-def _read(model: TypeAdapter[RequestModel], content: bytes) -> RequestModel:
+@cache
+def _reader(name: str) -> TypeAdapter[RequestModel]:
+    return TypeAdapter(CALCULATIONS[name].request)
+
+
+def _read(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
     """The body of a request.
 
     Raises
     ------
     Problem
-        If it is no JSON, or not what the model says.
+        If it is no JSON, not what the model says, or more than the operator allows.
     """
     if content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise invalid_input([ErrorItem("", "too_nested", {"limit": MAX_NESTED})])
     try:
-        return model.validate_json(content)
+        body = _reader(calculation.name).validate_json(content)
     except ValidationError as error:
         raise wrong_fields(error) from None
+    with refusals_named(body):
+        body.refuse_beyond(settings)
+    return body
 
 
 def _theme(request: Request) -> str:
@@ -209,16 +299,42 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
+class Answer(Response):
+    """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
+    it, and refused where too much waits for clients already.
+    """
+
+    media_type = JSON
+    waiting_bytes = 0
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send it."""
+        size, kind = len(self.body), type(self)
+        if size <= PART_BYTES:
+            await super().__call__(scope, receive, send)
+            return
+        if kind.waiting_bytes + size > MOST_WAITING_BYTES and kind.waiting_bytes:
+            raise unavailable("Too many answers wait for clients to take them")
+        kind.waiting_bytes += size
+        try:
+            start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
+            await send(start)
+            for sent in range(0, size, PART_BYTES):
+                part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
+                await send({"type": "http.response.body", "body": part, "more_body": more})
+        finally:
+            kind.waiting_bytes -= size
+
+
 def takes_gzip(request: Request) -> bool:
     """Whether a client takes compressed answers."""
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
 def _json_response(content: bytes) -> Response:
-    """Answer of JSON, which may be compressed."""
     headers = {}
     if content.startswith(b"\x1f\x8b"):
         headers = {"vary": "accept-encoding", "content-encoding": "gzip"}
     elif len(content) >= COMPRESS_BYTES:
         headers = {"vary": "accept-encoding"}
-    return Response(content, headers=headers, media_type=JSON)
+    return Answer(content, headers=headers)

@@ -82,7 +82,7 @@ class Stopped(Unfinished):
 
 
 class Jobs:
-    """A fixed number of processes, and a queue of bounded length for them.
+    """A fixed number of processes, for which clients wait in turn, in queues of bounded length.
 
     Processes start ahead within ``async with``; outside of it, with the first job.
 
@@ -91,7 +91,8 @@ class Jobs:
     processes : int
         How many; 0 for one to a processor.
     waiting : int
-        Most jobs that may wait when a new one is admitted.
+        Most jobs that may wait. Of one client no more are admitted than there is room besides, so
+        that others find room too: half of it where it is alone.
     preload : iterable of str
         Modules that the jobs need.
     """
@@ -104,7 +105,7 @@ class Jobs:
         self._free: list[_Child] = []
         self._ended: list[BaseProcess] = []
         self._starting: set[asyncio.Task[None]] = set()
-        self._waiting: deque[asyncio.Future[_Child]] = deque()
+        self._waiting: dict[str, deque[asyncio.Future[_Child]]] = {}
         self._keeper: asyncio.Task[None] | None = None
         self._able = self._closed = False
         self._turn_s = 1.0
@@ -131,19 +132,22 @@ class Jobs:
             child.kill()  # whoever runs a job in it sees that
         self._refuse_waiting()
 
-    def admit(self) -> None:
-        """Refuse a new job where too many are waiting.
+    def admit(self, client: str = "") -> None:
+        """Refuse a new job of a client where too many are waiting.
 
         Raises
         ------
         Busy
             If there are; when there may be room is estimated from what jobs took of late.
         """
-        if len(self._waiting) >= self._most_waiting:
-            turns = (len(self._waiting) + 1) / self.processes
+        waiting = sum(map(len, self._waiting.values()))
+        if len(self._waiting.get(client, ())) >= self._most_waiting - waiting:
+            turns = (waiting + 1) / self.processes
             raise Busy(math.ceil(turns * self._turn_s))
 
-    async def run(self, job: Job, *args: Any, limit_s: float, admitted: bool = False) -> list[Any]:
+    async def run(
+        self, job: Job, *args: Any, limit_s: float, admitted: bool = False, client: str = ""
+    ) -> list[Any]:
         """All that a job yields.
 
         To cancel this ends the job.
@@ -158,6 +162,8 @@ class Jobs:
             Longest time from its start to its end, seconds; waiting for a process is not counted.
         admitted : bool
             Whether it may wait however many do: a part of work that has been admitted as a whole.
+        client : str
+            Who asks: clients take turns.
 
         Raises
         ------
@@ -169,8 +175,8 @@ class Jobs:
             If there is no process and none can be started.
         """
         if not admitted:
-            self.admit()
-        child = await self._next_free()
+            self.admit(client)
+        child = await self._next_free(client)
         parts: list[Any] = []
         begun, ended = time.monotonic(), False
         try:
@@ -191,8 +197,8 @@ class Jobs:
                 self._replace(child)
         return parts
 
-    async def _next_free(self) -> "_Child":
-        """A process for a job, in the order in which they ask."""
+    async def _next_free(self, client: str) -> "_Child":
+        """A process for a job of a client."""
         while self._free:
             child = self._free.pop()
             if not child.gone():
@@ -201,7 +207,7 @@ class Jobs:
         if self._closed:
             raise CannotRun
         turn: asyncio.Future[_Child] = asyncio.get_running_loop().create_future()
-        self._waiting.append(turn)
+        self._waiting.setdefault(client, deque()).append(turn)
         self._start_missing()
         try:
             return await turn
@@ -210,17 +216,29 @@ class Jobs:
                 self._give(turn.result())
             raise
         finally:
-            with suppress(ValueError):
-                self._waiting.remove(turn)
+            with suppress(KeyError, ValueError):
+                self._waiting[client].remove(turn)
+                if not self._waiting[client]:
+                    del self._waiting[client]
 
     def _give(self, child: "_Child") -> None:
-        """Hand a process to who waits longest."""
-        while self._waiting:
-            turn = self._waiting.popleft()
+        """Hand a process to who waits longest of the client whose turn it is."""
+        while turn := self._next_turn():
             if not turn.done():
                 turn.set_result(child)
                 return
         self._free.append(child)
+
+    def _next_turn(self) -> "asyncio.Future[_Child] | None":
+        """Take the next one out of its client's queue; that client's turn comes again last."""
+        if not self._waiting:
+            return None
+        client = next(iter(self._waiting))
+        turns = self._waiting.pop(client)
+        turn = turns.popleft()
+        if turns:
+            self._waiting[client] = turns
+        return turn
 
     def _replace(self, child: "_Child") -> None:
         """End a process; another one is started in the background."""
@@ -232,8 +250,7 @@ class Jobs:
     def _refuse_waiting(self) -> None:
         """Nobody is going to hand over a process."""
         self._able = False
-        while self._waiting:
-            turn = self._waiting.popleft()
+        while turn := self._next_turn():
             if not turn.done():
                 turn.set_exception(CannotRun())
 

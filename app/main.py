@@ -1,25 +1,32 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
 import gc
+import hashlib
+import os
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from fastapi import FastAPI
+import orjson
+from fastapi import FastAPI, Request
 from fastapi.middleware.cors import CORSMiddleware
-from fastapi.responses import FileResponse, JSONResponse, PlainTextResponse, Response
+from fastapi.responses import FileResponse, PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
+from starlette.datastructures import Headers
+from starlette.staticfiles import NotModifiedResponse
+from starlette.types import Scope
 
 from app import VERSION, about, batch, observability
 from app.about import API
-from app.endpoint import RESPONSES, CalculationRoute, FigureOut, answering, drawing
+from app.endpoint import JSON, RESPONSES, CalculationRoute, FigureOut, answering, drawing
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
 from app.problems import REFUSED, refused, unavailable
 from app.registry import CALCULATIONS
-from app.settings import Settings
+from app.settings import Settings, current
 
 STATIC = Path(__file__).parent.parent / "static"
 
@@ -50,6 +57,40 @@ def example(body: dict[str, Any]) -> dict[str, Any]:
     return {"requestBody": {"content": {"application/json": {"example": body}}}}
 
 
+def etag_of(content: bytes) -> str:
+    """Tag of what is served, the same wherever it is; compressed or not."""
+    return f'"{hashlib.blake2b(content, digest_size=12).hexdigest()}"'
+
+
+@cache
+def _etag_of_file(path: str, changed_ns: int) -> str:
+    return etag_of(Path(path).read_bytes())
+
+
+def tagged(response: Response, etag: str, scope: Scope) -> Response:
+    """An answer with its tag, or that nothing has changed since."""
+    response.headers["etag"] = f"W/{etag}"
+    known = Headers(scope=scope).get("if-none-match", "")
+    if known.strip() == "*" or etag in [
+        each.strip().removeprefix("W/") for each in known.split(",")
+    ]:
+        return NotModifiedResponse(response.headers)
+    return response
+
+
+class Files(StaticFiles):
+    """Files with tags of what is in them."""
+
+    def file_response(
+        self, full_path: Any, stat_result: os.stat_result, scope: Scope, status_code: int = 200
+    ) -> Response:
+        """Answer of a file."""
+        response = FileResponse(full_path, status_code, stat_result=stat_result)
+        del response.headers["last-modified"]
+        etag = _etag_of_file(str(full_path), stat_result.st_mtime_ns)
+        return tagged(response, etag, scope)
+
+
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Have processes for long calculations as long as the service runs."""
@@ -72,19 +113,23 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     -------
     FastAPI
     """
-    settings = settings or Settings.from_environment()
+    settings = settings or current()
     app = FastAPI(
         title="KHV Calc",
         version=VERSION,
         description=DESCRIPTION,
         license_info=LICENSE,
         openapi_tags=TAGS,
+        servers=[{"url": settings.root_path}] if settings.root_path else None,
+        openapi_url=None,
         docs_url=None,
         redoc_url=None,
+        redirect_slashes=False,  # whose address would be made from the Host header
         lifespan=lifespan,
         # What is seen from outside is in app.observability.
         telemetry={"tracing": False, "metrics": False, "logs": False},
     )
+    app.state.settings = settings
     app.state.jobs = Jobs(
         processes=settings.processes, waiting=settings.max_waiting, preload=PRELOAD
     )
@@ -111,6 +156,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             )(drawing(each))
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
+    app.include_router(about.problems)
     app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     if settings.cors_origins:
         app.add_middleware(
@@ -122,13 +168,15 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         )
     app.add_middleware(Requests, settings=settings)
 
-    @app.api_route("/", methods=["GET", "HEAD"], include_in_schema=False)
-    async def page() -> FileResponse:
-        return FileResponse(STATIC / "index.html")
+    files = Files(directory=STATIC)
 
-    @app.api_route("/docs", methods=["GET", "HEAD"], include_in_schema=False)
-    async def docs() -> FileResponse:
-        return FileResponse(STATIC / "docs.html")
+    @app.get("/", include_in_schema=False)
+    async def page(request: Request) -> Response:
+        return await files.get_response("index.html", request.scope)
+
+    @app.get("/docs", include_in_schema=False)
+    async def docs(request: Request) -> Response:
+        return await files.get_response("docs.html", request.scope)
 
     @app.get("/livez", include_in_schema=False)
     async def livez() -> PlainTextResponse:
@@ -144,11 +192,13 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def metrics() -> Response:
         return observability.metrics()
 
+    @app.get("/openapi.json", include_in_schema=False)
     @app.get(f"{API}/openapi.json", include_in_schema=False)
-    async def openapi() -> JSONResponse:
-        return JSONResponse(app.openapi())
+    async def openapi(request: Request) -> Response:
+        content = orjson.dumps(app.openapi())
+        return tagged(Response(content, media_type=JSON), etag_of(content), request.scope)
 
-    app.mount("/static", StaticFiles(directory=STATIC), name="static")
+    app.mount("/static", files, name="static")
     return app
 
 

@@ -9,7 +9,7 @@ from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app import observability
+from app import VERSION, observability
 from app.problems import failure, unavailable
 from app.record import Record, at_hand
 from app.settings import Settings
@@ -40,13 +40,17 @@ class Requests:
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
         self.settings = settings
+        version = f"{VERSION}+{settings.build}".rstrip("+")
+        self.headers = [*HEADERS, (b"server", f"khv-calc/{version}".encode())]
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        record = Record(self.settings, _request_id(scope), receive)
+        asked, scope = scope, _below_root(scope, self.settings.root_path)
+        client = scope.get("client") or ("",)
+        record = Record(self.settings, _request_id(scope), receive, client[0])
         at_hand.set(record)
         observability.begin()
         status, answered = 0, 0.0
@@ -56,7 +60,10 @@ class Requests:
             nonlocal status, answered
             if message["type"] == "http.response.start":
                 status, answered = message["status"], time.perf_counter()
-                message["headers"] = _completed(message.get("headers", []), scope, record, answered)
+                given = [*message.get("headers", []), *self.headers]
+                message["headers"] = _completed(given, scope, record, answered)
+            elif asked["method"] == "HEAD":
+                message["body"] = b""
             await send(message)
 
         try:
@@ -72,6 +79,7 @@ class Requests:
             if not status:
                 await failure(record.request_id).response()(scope, receive, with_headers)
         finally:
+            scope["method"] = asked["method"]
             observability.end(record, scope, status, answered, failed)
 
 
@@ -82,6 +90,16 @@ class CompressGet(GZipMiddleware):
         """Answer one request."""
         reads = scope["type"] == "http" and scope["method"] == "GET"
         await (super().__call__ if reads else self.app)(scope, receive, send)
+
+
+def _below_root(scope: Scope, root: str) -> Scope:
+    """A request as the routes know it: without the prefix, which a proxy may leave or take away;
+    what asks for the head of an answer is answered like what asks for all of it.
+    """
+    path = scope["path"]
+    if root and path.startswith(root + "/"):
+        path = path[len(root) :]
+    return {**scope, "path": path, "method": {"HEAD": "GET"}.get(scope["method"], scope["method"])}
 
 
 def _request_id(scope: Scope) -> str:
@@ -95,7 +113,7 @@ def _completed(
     given: list[tuple[bytes, bytes]], scope: Scope, record: Record, now: float
 ) -> list[tuple[bytes, bytes]]:
     """Headers of an answer with those of every answer."""
-    headers = [*given, *HEADERS, (b"x-request-id", record.request_id.encode())]
+    headers = [*given, (b"x-request-id", record.request_id.encode())]
     if scope["path"].startswith("/api/"):
         timing = b"total;dur=%.3f" % ((now - record.started) * 1e3)
         if record.calculations_us:

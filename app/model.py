@@ -171,9 +171,8 @@ class RequestModel(BaseModel):
         """The given fields as the core's arguments, in SI units."""
         return {core_name(name): to_si(name, value) for name, value in self if value is not None}
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """About what the answer will cost on one core, milliseconds, or its figure if `drawn`."""
-        return 0.0
+    LONG: ClassVar[bool] = False
+    """Whether it takes long whatever its counts are."""
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits.

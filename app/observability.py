@@ -4,14 +4,21 @@ With several workers the metrics of all are added up through files: prometheus-c
 ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sees to.
 """
 
+import atexit
 import logging
 import os
+import queue
+import threading
 import time
+from contextlib import suppress
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from app.shared_files import DIRECTORY  # before prometheus-client looks for it
+
+# isort: split
 import orjson
 from prometheus_client import (
     CONTENT_TYPE_LATEST,
@@ -26,7 +33,12 @@ from prometheus_client.multiprocess import MultiProcessCollector, mark_process_d
 from starlette.responses import Response
 from starlette.types import Scope
 
+from app import VERSION
 from app.record import Record
+from app.settings import current
+
+MOST_LINES = 1000
+"""Lines of the log that wait to be read; more are dropped and counted."""
 
 LOG = logging.getLogger("khv.request")
 
@@ -51,6 +63,42 @@ CALCULATION = Histogram(
 IN_FLIGHT = Gauge(
     "khv_requests_in_flight", "Requests that are being answered.", multiprocess_mode="livesum"
 )
+DROPPED = Counter("khv_log_lines_dropped", "Lines of the log that nobody read in time.")
+BUILD = Gauge(
+    "khv_build_info", "1, of this version and build.", ("version", "build"), multiprocess_mode="max"
+)
+BUILD.labels(VERSION, current().build).set(1)
+
+
+class Output(logging.Handler):
+    """Writes lines to the standard output in a thread: where nobody reads them, nothing waits."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: queue.Queue[bytes] = queue.Queue(MOST_LINES)
+        threading.Thread(target=self._write, daemon=True).start()
+        atexit.register(self.flush)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Hand a line over."""
+        try:
+            self.lines.put_nowait(self.format(record).encode() + b"\n")
+        except queue.Full:
+            DROPPED.inc()
+
+    def flush(self) -> None:
+        """Wait for what is to be written, a second at most."""
+        end = time.monotonic() + 1
+        while self.lines.unfinished_tasks and time.monotonic() < end:
+            time.sleep(0.005)
+
+    def _write(self) -> None:
+        while True:
+            line = self.lines.get()
+            with suppress(OSError):  # nobody is there any more
+                while line:
+                    line = line[os.write(1, line) :]
+            self.lines.task_done()
 
 
 class JsonLines(logging.Formatter):
@@ -125,6 +173,7 @@ def end(
         return
     line = {
         "id": record.request_id,
+        "client": record.client,
         "method": method,
         "route": route,
         "status": status,
@@ -172,8 +221,8 @@ def _forget_the_dead(shared: Path) -> None:
 def metrics() -> Response:
     """All metrics in the text form of Prometheus, those of the other workers included."""
     registry = REGISTRY
-    if "PROMETHEUS_MULTIPROC_DIR" in os.environ:
-        _forget_the_dead(Path(os.environ["PROMETHEUS_MULTIPROC_DIR"]))
+    if DIRECTORY in os.environ:
+        _forget_the_dead(Path(os.environ[DIRECTORY]))
         registry = CollectorRegistry()
         MultiProcessCollector(registry)  # type: ignore[no-untyped-call]
     return Response(generate_latest(registry), media_type=CONTENT_TYPE_LATEST)

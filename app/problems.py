@@ -13,6 +13,7 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.model import UNION_TAGS, api_params
+from app.record import root_path
 from app.units import api_value
 from core.errors import IMPOSSIBLE, REFUSALS, ImpossibleMechanism
 
@@ -94,6 +95,24 @@ PHYSICAL = frozenset(
 )
 """Codes with which a request may be refused that its schema admits: what cannot exist, does not fit
 together, or is too much."""
+
+KINDS = {
+    "bad-request": "What was sent is no HTTP request.",
+    "failure": "An error of the service, not of the input. Its log names the request by its id.",
+    "headers-too-large": "The request line and the headers are longer than the service takes.",
+    "impossible-mechanism": "The input is well-formed, but such a mechanism cannot exist or cannot "
+    "work; `errors` says why by its code, `where` at which position.",
+    "invalid-input": "Fields are missing, unknown, or out of their range; `errors` points to them "
+    "and says by a code what is wrong.",
+    "method-not-allowed": "The path is there, but not for this method; `Allow` names those it has.",
+    "not-found": "There is nothing at this path; the API's description lists all.",
+    "request-timeout": "The request did not arrive whole in the time that the service waits.",
+    "too-large": "The body has more bytes than the service takes.",
+    "unavailable": "Too much is asked at once, a calculation takes longer than allowed, or the "
+    "service starts or stops; `Retry-After` says when to ask again.",
+    "unsupported-media-type": "The body is not sent as plain `application/json`.",
+}
+"""What each kind of problem is, as the address in its `type` says."""
 
 _PARAMS = {
     "greater_than": "gt",
@@ -186,7 +205,7 @@ class Problem(Exception):
     def body(self) -> dict[str, Any]:
         """The problem as JSON."""
         body: dict[str, Any] = {
-            "type": f"/problems/{self.kind}",
+            "type": f"{root_path()}/problems/{self.kind}",
             "title": self.title,
             "status": self.status,
             "detail": self.detail,
@@ -274,11 +293,12 @@ def too_large(limit: int) -> Problem:
 def http_problem(error: HTTPException) -> Problem:
     """Problem of an HTTP error: no such path, wrong method."""
     title = HTTPStatus(error.status_code).phrase
+    detail = "No such path, see /api/v1/openapi.json" if error.status_code == 404 else error.detail
     return Problem(
         error.status_code,
         title.lower().replace(" ", "-"),
         title,
-        str(error.detail),
+        str(detail),
         headers=dict(error.headers or {}),
     )
 

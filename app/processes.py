@@ -20,10 +20,6 @@ from core.errors import ImpossibleMechanism
 
 LOG = logging.getLogger("khv.processes")
 
-INLINE_MS = 15.0
-"""Estimated cost up to which a request runs in the event loop, milliseconds; handing it over costs
-half of one."""
-
 Result = TypeVar("Result")
 
 
@@ -31,8 +27,8 @@ class CalculationFailed(Exception):
     """An error of our own in a process; its text is the traceback from there."""
 
 
-def refuse_if_busy(jobs: Jobs) -> None:
-    """Refuse a request for a process at once where too many are waiting.
+def refuse_if_busy(jobs: Jobs, record: Record) -> None:
+    """Refuse a request for a process at once where too many of its client's are waiting.
 
     Raises
     ------
@@ -40,7 +36,7 @@ def refuse_if_busy(jobs: Jobs) -> None:
         503, and when there may be room.
     """
     try:
-        jobs.admit()
+        jobs.admit(record.client)
     except Busy as busy:
         raise _too_many(busy) from None
 
@@ -113,7 +109,7 @@ async def in_parts(
     TooLong, Stopped
         If the job does not come to its end; with what it had yielded.
     """
-    running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted)
+    running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted, client=record.client)
     try:
         return [_noted(part, record) for part in await _while_wanted(running, record)]
     except Busy as busy:

@@ -2,15 +2,17 @@
 
 import asyncio
 import logging
-from functools import cache
+from collections import deque
+from contextlib import suppress
 from typing import Any
 
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
+from app.middleware import HEADERS
 from app.problems import Problem, unavailable
-from app.settings import Settings
+from app.settings import current
 
 LOG = logging.getLogger("khv.connection")
 
@@ -27,14 +29,14 @@ PROBES = ("/livez", "/metrics")
 class PatientProtocol(HttpToolsProtocol):
     """Closes connections whose client is too slow, and refuses those that are too many.
 
-    A request has to arrive whole within `Settings.receive_seconds` of the connection or of its own
+    A request has to arrive whole within `KHV_RECEIVE_SECONDS` of the connection or of its own
     first byte, and the client has to take some of its answer within the same time; otherwise the
-    connection is closed. What comes beyond `Settings.max_connections` is told when to come again.
+    connection is closed. What comes beyond `KHV_MAX_CONNECTIONS` is told when to come again.
     """
 
     def __init__(self, *args: Any, **given: Any) -> None:
         super().__init__(*args, **given)
-        self.settings = settings()
+        self.settings = current()
         self.request_timer: asyncio.TimerHandle | None = None
         self.answer_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None
@@ -45,12 +47,17 @@ class PatientProtocol(HttpToolsProtocol):
         super().connection_made(transport)
         if len(self.connections) > self.settings.max_connections:
             self.app = Full(self.app)
+            BEYOND.append(self)
+            if len(BEYOND) > MOST_BEYOND:
+                BEYOND.popleft().transport.abort()  # descriptors are not to run out
         self._await_request()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Wait for nothing."""
         self.request_timer = _cancelled(self.request_timer)
         self.answer_timer = _cancelled(self.answer_timer)
+        with suppress(ValueError):
+            BEYOND.remove(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
@@ -100,6 +107,10 @@ class PatientProtocol(HttpToolsProtocol):
         self.answer_timer = _cancelled(self.answer_timer)
         super().resume_writing()
 
+    def send_400_response(self, msg: str) -> None:
+        """Refuse what is no HTTP."""
+        self._give_up(Problem(400, "bad-request", "Bad request", msg.rstrip(".")))
+
     def _await_request(self) -> None:
         self.request_timer = self.loop.call_later(
             self.settings.receive_seconds, self._give_up, TOO_SLOW
@@ -116,6 +127,12 @@ class PatientProtocol(HttpToolsProtocol):
         self.transport.close()
 
 
+MOST_BEYOND = 64
+"""Connections beyond the limit that may be open for a moment, to ask for a probe or be refused."""
+
+BEYOND: deque[PatientProtocol] = deque()
+
+
 class Full:
     """Refuses every request but the probes."""
 
@@ -124,7 +141,7 @@ class Full:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request."""
-        if scope["path"] in PROBES:
+        if scope["path"].removeprefix(current().root_path) in PROBES:
             await self.app(scope, receive, send)
             return
         response = FULL.response()
@@ -139,12 +156,6 @@ HEAD_TOO_LARGE = Problem(
 FULL = unavailable("Too many connections are open")
 
 
-@cache
-def settings() -> Settings:
-    """The settings of this process, read once."""
-    return Settings.from_environment()
-
-
 def _cancelled(timer: asyncio.TimerHandle | None) -> asyncio.TimerHandle | None:
     """No timer, after cancelling one."""
     if timer is not None:
@@ -155,7 +166,7 @@ def _cancelled(timer: asyncio.TimerHandle | None) -> asyncio.TimerHandle | None:
 def _raw(problem: Problem) -> bytes:
     """A problem as it goes over a connection that has no request to answer."""
     response: Response = problem.response()
-    headers = [*response.raw_headers, (b"connection", b"close")]
+    headers = [*response.raw_headers, *HEADERS, (b"connection", b"close")]
     lines = [b"HTTP/1.1 %d %s" % (problem.status, problem.title.encode())]
     lines += [name + b": " + value for name, value in headers]
     return b"\r\n".join([*lines, b"", bytes(response.body)])

@@ -6,7 +6,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Any
 
-from app.settings import Settings
+from app.settings import Settings, current
 
 
 async def _nothing_more() -> Any:
@@ -26,6 +26,8 @@ class Record:
         The client's own, or one made.
     receive : callable
         The client: what it sends next, which after its body is that it has gone.
+    client : str
+        Its address, as the service or a trusted proxy sees it; empty over a Unix socket.
     started, received, calculated : float
         When the request came, its body was whole, its last calculation was done; seconds of
         `time.perf_counter`, 0 where it has not happened.
@@ -33,9 +35,10 @@ class Record:
         Run times of its calculations, microseconds.
     """
 
-    settings: Settings = field(default_factory=Settings)
+    settings: Settings = field(default_factory=current)
     request_id: str = ""
     receive: Callable[[], Awaitable[Any]] = _nothing_more
+    client: str = ""
     started: float = field(default_factory=time.perf_counter)
     received: float = 0.0
     calculated: float = 0.0
@@ -45,6 +48,12 @@ class Record:
         """Note a calculation that has just been done."""
         self.calculations_us.append(run_time_us)
         self.calculated = time.perf_counter()
+
+
+def root_path() -> str:
+    """The prefix below which the addresses of an answer stand."""
+    record = at_hand.get()
+    return (record.settings if record else current()).root_path
 
 
 at_hand: ContextVar[Record | None] = ContextVar("at_hand", default=None)

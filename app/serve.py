@@ -1,14 +1,28 @@
 """Start the service with the settings of its environment: ``python -m app.serve``."""
 
 import argparse
+import logging
+import logging.config
 import os
+import platform
+import resource
+import sys
 import tempfile
 from contextlib import ExitStack
 from typing import Any
 
 import uvicorn
 
-from app.settings import Settings
+from app import VERSION
+from app.settings import PREFIX, Settings
+
+OPTIONS = ("host", "port", "workers", "unix_socket", "root_path")
+"""Settings that may be given on the command line as well."""
+
+OTHER_FILES = 200
+"""Descriptors of a worker besides its connections: modules, logs, processes, pages being sent."""
+
+LOG = logging.getLogger("khv.serve")
 
 
 def log_config(level: str) -> dict[str, Any]:
@@ -17,39 +31,62 @@ def log_config(level: str) -> dict[str, Any]:
         "version": 1,
         "disable_existing_loggers": False,
         "formatters": {"json": {"()": "app.observability.JsonLines"}},
-        "handlers": {
-            "out": {
-                "class": "logging.StreamHandler",
-                "formatter": "json",
-                "stream": "ext://sys.stdout",
-            }
-        },
+        "handlers": {"out": {"()": "app.observability.Output", "formatter": "json"}},
         "root": {"handlers": ["out"], "level": level},
     }
+
+
+def connections_within(most: int) -> int:
+    """How many connections a worker's limit of descriptors allows, once it is as high as may be."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    needed = most + OTHER_FILES
+    if hard != resource.RLIM_INFINITY:
+        needed = min(needed, hard)
+    if soft != resource.RLIM_INFINITY and soft < needed:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (needed, hard))
+    return max(1, min(most, needed - OTHER_FILES))
 
 
 def main() -> None:
     """Serve until stopped; requests in flight are answered first."""
     parser = argparse.ArgumentParser(prog="python -m app.serve", description=__doc__)
-    parser.add_argument("--host", default="127.0.0.1")
-    parser.add_argument("--port", type=int, default=8000)
-    parser.add_argument("--workers", type=int, default=1)
-    options = parser.parse_args()
-    settings = Settings.from_environment()
+    for name in OPTIONS:
+        described = Settings.model_fields[name].description
+        parser.add_argument(f"--{name.replace('_', '-')}", help=described, default="")
+    for name, text in vars(parser.parse_args()).items():
+        if text:
+            os.environ[PREFIX + name.upper()] = text  # for the workers too
+    try:
+        settings = Settings.from_environment()
+    except ValueError as error:
+        sys.exit(str(error))
+    connections = connections_within(settings.max_connections)
+    os.environ[f"{PREFIX}MAX_CONNECTIONS"] = str(connections)  # for the workers too
+    logging.config.dictConfig(log_config(settings.log_level))
+    if connections < settings.max_connections:
+        LOG.warning("the limit of descriptors leaves room for %d connections", connections)
+        settings = Settings.from_environment()
+    started = {"version": VERSION, "python": platform.python_version(), **settings.model_dump()}
+    LOG.info({"message": "settings", **started})
     with ExitStack() as stack:
-        if options.workers > 1 and "PROMETHEUS_MULTIPROC_DIR" not in os.environ:
-            shared = stack.enter_context(tempfile.TemporaryDirectory(prefix="khv-metrics-"))
-            os.environ["PROMETHEUS_MULTIPROC_DIR"] = shared
+        if settings.workers > 1 and "PROMETHEUS_MULTIPROC_DIR" not in os.environ:
+            try:
+                shared = stack.enter_context(tempfile.TemporaryDirectory(prefix="khv-metrics-"))
+                os.environ["PROMETHEUS_MULTIPROC_DIR"] = shared
+            except OSError as error:
+                LOG.warning("metrics are those of single workers: %s", error)
         uvicorn.run(
             "app.main:app",
-            host=options.host,
-            port=options.port,
-            workers=options.workers,
+            host=settings.host,
+            port=settings.port,
+            uds=settings.unix_socket or None,
+            workers=settings.workers,
             http="app.protocol:PatientProtocol",
             ws="none",
             log_config=log_config(settings.log_level),
             access_log=False,
             server_header=False,
+            forwarded_allow_ips="*" if settings.unix_socket else [*settings.trusted_proxies],
             timeout_keep_alive=settings.keep_alive_seconds,
             timeout_graceful_shutdown=settings.stop_seconds,
         )

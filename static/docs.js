@@ -1,6 +1,6 @@
 /* The API's description, without anything from another host. */
 SwaggerUIBundle({
-  url: "/openapi.json",
+  url: "api/v1/openapi.json",
   dom_id: "#api",
   validatorUrl: null,
   deepLinking: true,

@@ -16,7 +16,7 @@ import httpx
 class Service:
     """A running service, its address and its log."""
 
-    def __init__(self, limits, workers):
+    def __init__(self, limits, workers, descriptors):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
@@ -24,39 +24,63 @@ class Service:
         arguments = ["--port", str(self.port), "--workers", str(workers)]
         environment = {name: text for name, text in os.environ.items() if name[:4] != "KHV_"}
         environment |= {f"KHV_{name.upper()}": str(value) for name, value in limits.items()}
+        before = ["sh", "-c", f'ulimit -n {descriptors}; exec "$@"', "sh"] if descriptors else []
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "app.serve", *arguments],
+            [*before, sys.executable, "-m", "app.serve", *arguments],
             env=environment | {"PYTHONPATH": "."},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
         )
         self.lines = []
+        self.reading = threading.Event()
+        self.reading.set()
+        self.uds = limits.get("unix_socket")
         self.reader = threading.Thread(target=self._read)
         self.reader.start()
 
     def _read(self):
-        self.lines.extend(self.process.stdout)
+        for line in self.process.stdout:
+            self.lines.append(line)
+            self.reading.wait()
+
+    def hold(self):
+        """Read nothing of the log."""
+        self.reading.clear()
+
+    def go_on(self):
+        """Read the log again."""
+        self.reading.set()
 
     def log(self):
         """The log so far: every line of it is JSON."""
         return [json.loads(line) for line in self.lines]
 
     def wait_until_ready(self):
+        while self.uds and not _accepts(self.uds):
+            assert self.process.poll() is None, "".join(self.lines)
+            time.sleep(0.1)
         for _ in range(300):
             try:
-                if httpx.get(f"{self.url}/readyz", trust_env=False).status_code == 200:
-                    return
+                with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds)) as client:
+                    if client.get(f"{self.url}/readyz").status_code == 200:
+                        return
             except httpx.TransportError:
                 assert self.process.poll() is None, "".join(self.lines)
             time.sleep(0.1)
         raise AssertionError("not ready in 30 s: " + "".join(self.lines))
 
     def stop(self):
+        self.go_on()
         self.process.terminate()
         self.process.wait(30)
         self.reader.join()
         self.process.stdout.close()
+
+
+def _accepts(path: str) -> bool:
+    with socket.socket(socket.AF_UNIX) as connection:
+        return connection.connect_ex(path) == 0
 
 
 def family(pid: int) -> list[int]:
@@ -100,9 +124,11 @@ def eventually(holds: Callable[[], bool]) -> bool:
 
 
 @contextmanager
-def running_service(workers: int = 1, **limits: float) -> Iterator[Service]:
+def running_service(
+    workers: int = 1, descriptors: int = 0, **limits: float | str
+) -> Iterator[Service]:
     """A running service with these settings, ready to answer."""
-    service = Service(limits, workers)
+    service = Service(limits, workers, descriptors)
     try:
         service.wait_until_ready()
         yield service

@@ -129,22 +129,6 @@ class TorqueFields(RequestModel):
             efficiency=self.efficiency,
         )
 
-    def peak_cost(self, fields: MechanismFields) -> float:
-        """About what the peak costs for a mechanism, milliseconds.
-
-        Evenly spaced pairs have closed forms or a few driving sets; otherwise there are about 3*K
-        of them, with K phases each, searched where the exponent is neither 0 nor 1.
-        """
-        pairs, satellites = fields.pairs, fields.satellites
-        searched = self.force_exponent not in (0.0, 1.0)
-        if fields.crank_angles_deg is None and fields.crank_spacing_deg is None:
-            cost = 0.002 * pairs + (2.0 if searched else 0.0)
-        else:
-            cost = satellites * (0.05 + 0.01 * satellites)
-            if searched:
-                cost += 1.0 + satellites * (0.2 + 1.2e-3 * pairs)
-        return cost
-
 
 class CurveFields(RequestModel):
     """How finely curves are asked."""
@@ -198,13 +182,6 @@ class LoadFields(CurveFields, TorqueFields):
         default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
 
-    def cost_of(self, fields: MechanismFields, *, drawn: bool) -> float:
-        """About what the force costs for a mechanism, milliseconds."""
-        cost = self.peak_cost(fields)
-        if "curves" in self.include:
-            cost += 3e-4 * fields.pairs * self.samples
-        return cost + (0.5 * fields.pairs if drawn else 0.0)
-
     def solve_for(self, mechanism: Mechanism) -> ContactForce:
         """Contact force of a mechanism under this load; what is not included is not computed."""
         return contact_force(
@@ -246,10 +223,6 @@ class LoadFields(CurveFields, TorqueFields):
 
 class ContactForceRequest(MechanismFields, LoadFields):
     """A mechanism and its load."""
-
-    def cost_ms(self, *, drawn: bool) -> float:
-        """What the force costs."""
-        return self.cost_of(self, drawn=drawn)
 
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""

@@ -57,11 +57,6 @@ class ContactLineRequest(GearFields):
         help="Number of points of each curve.",
     )
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """What the rollers cost, and 0.02 ms for each point."""
-        points = 0.02 * self.samples * self.roller_count if "points" in self.include else 0.0
-        return super().cost_ms(drawn=drawn) + points
-
     def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
         """Contact lines, and their points where asked."""
         try:

@@ -127,17 +127,6 @@ class CrankPlanetaryRequest(RequestModel):
         given = [name for name in ("load", "contact") if getattr(self, name) is not None]
         return [each for each in usual if {*_NEEDS[each]} <= {*given}]
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """What the sections that are asked cost."""
-        cost = 0.0
-        if drawn or "cyclogram" in self.sections:
-            cost += self.mechanism.cost_ms(drawn=drawn)
-        if self.load is not None and (drawn or {"contact_force", "hertz"} & {*self.sections}):
-            cost += self.load.cost_of(self.mechanism, drawn=drawn)
-        if "geometry" in self.sections:
-            cost += 0.02 * self.mechanism.pairs
-        return cost
-
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load."""
         self.mechanism.refuse_beyond(settings)

@@ -59,10 +59,6 @@ class CyclogramRequest(MechanismFields, RangeFields):
         """About how often pairs drive in the range, at least once each."""
         return self.pairs * max(1.0, self.revolutions * (1 + 1 / self.ratio_given()))
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """About what the cyclogram costs; measured: 3 to 7 us a driving phase, 12 more drawn."""
-        return (0.02 if drawn else 0.007) * self.driving_phases
-
     def refuse_undrawable(self) -> None:
         """Refuse a figure of more pairs or driving phases than anyone can tell apart.
 

@@ -191,10 +191,6 @@ class GearFields(RequestModel):
         assert self.wheel is not None
         return self.wheel.rollers_in_mesh or self.wheel.rollers_total
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """About 0.3 ms a roller, 1.3 ms drawn."""
-        return (1.3 if drawn else 0.3) * self.roller_count
-
     def gear(self) -> dict[str, float]:
         """Geometry in SI units, as the core's arguments."""
         return {

@@ -169,18 +169,6 @@ class OutputEfficiencyRequest(CurveFields):
             raise field_error("pin", "needed_beside", field="sleeve")
         return self
 
-    def cost_ms(self, *, drawn: bool) -> float:
-        """What the forces cost, and their mean over the turn: unevenly spaced pairs have some 3*K
-        driving sets of half of the pairs each.
-        """
-        fields = self.mechanism
-        cost = 3.0 + self.load.peak_cost(fields) + 0.005 * fields.pairs
-        if fields.crank_angles_deg is not None or fields.crank_spacing_deg is not None:
-            cost += fields.satellites * (2.0 + 0.006 * fields.pairs)
-        if "curves" in self.include:
-            cost += 3e-4 * fields.pairs * self.samples
-        return cost + (0.5 * fields.pairs if drawn else 0.0)
-
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in pairs or samples."""
         self.mechanism.refuse_beyond(settings)

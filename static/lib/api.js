@@ -27,11 +27,11 @@ async function problemOf(response) {
   });
 }
 
-/** `get(path)` and `post(path, body, { signal, query })` below `base`. */
+/** `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page. */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
   async function ask(path, options) {
     try {
-      const response = await fetch(base + path, options);
+      const response = await fetch(`.${base}${path}`, options);
       if (!response.ok) throw await problemOf(response);
       return await response.json();
     } catch (error) {

@@ -23,7 +23,7 @@ let loading = null;
  */
 export function loadPlotly() {
   loading ??= new Promise((resolve, reject) => {
-    const script = Object.assign(document.createElement("script"), { src: "/static/vendor/plotly/plotly-basic.min.js" });
+    const script = Object.assign(document.createElement("script"), { src: "static/vendor/plotly/plotly-basic.min.js" });
     script.addEventListener("load", () => resolve(globalThis.Plotly));
     script.addEventListener("error", () => {
       loading = null; // the next figure tries again

@@ -35,7 +35,7 @@ export function createShare({ exchange, say }) {
 
   function show() {
     shown = exchange();
-    const url = (path) => new URL(path, location.origin).href;
+    const url = (path) => new URL(`.${path}`, document.baseURI).href;
     const bodies = shown?.requests ?? [];
     fill(content, html`
       ${snippet("link", message("share.link"), location.href)}

@@ -85,10 +85,27 @@ async def test_answers_come_line_by_line_where_that_is_asked(api):
         assert answer.headers["content-type"] == "application/x-ndjson"
         async for line in answer.aiter_lines():
             lines.append(json.loads(line))
+    assert [line["index"] for line in lines] == list(range(400))
     pressures = [line["result"]["max_pressure_MPa"] for line in lines]
     assert len(pressures) == 400
     # p0 grows with the root of the force
     assert pressures[-1] / pressures[0] == pytest.approx(20, rel=1e-12)
+
+
+async def test_names_of_requests_come_back_with_their_answers(api):
+    ids = ['a "b"', "é" * 64, "", "a"]
+    body = {"calculation": "hertz", "requests": [REQUESTS["hertz"], {}] * 2, "ids": ids}
+    results = (await api.post("batch", json=body)).json()["results"]
+    assert [[*each] for each in results] == [["id", "result"], ["id", "problem"]] * 2
+    assert [each["id"] for each in results] == ids
+    by_lines = await api.post("batch", json=body, headers={"accept": "application/x-ndjson"})
+    for place, line in enumerate(map(json.loads, by_lines.text.splitlines())):
+        assert [*line][:2] == ["index", "id"]
+        assert (line["index"], line["id"]) == (place, ids[place])
+    for wrong in (ids[1:], ["x" * 65, *ids[1:]], [1, *ids[1:]], []):
+        refused = await api.post("batch", json=body | {"ids": wrong})
+        assert refused.status_code == 422
+        assert refused.json()["errors"][0]["pointer"].startswith("/ids")
 
 
 @pytest.mark.parametrize("requests", [[], [1], "no list", [{}] * 11])

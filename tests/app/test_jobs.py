@@ -24,7 +24,7 @@ def anyio_backend(request):
 
 @pytest.fixture
 async def started():
-    async with Jobs(processes=2, waiting=4, preload=PRELOAD) as jobs:
+    async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
         await until(lambda: len(pids(jobs)) == 2)
         assert jobs.ready
         yield jobs
@@ -74,6 +74,32 @@ async def test_a_full_queue_refuses_at_once_and_says_when_to_come_again(started)
     part_of_more = started.run(jobs_to_run.sleeps, 0, limit_s=60, admitted=True)
     await asyncio.gather(*running, part_of_more)
     started.admit()
+
+
+async def test_clients_take_turns_and_none_takes_all_the_room(started):
+    done = []
+
+    async def ask(client, job):
+        await started.run(jobs_to_run.sleeps, 0.1, limit_s=60, client=client)
+        done.append((client, job))
+
+    def refused(client):
+        try:
+            started.admit(client)
+        except Busy:
+            return True
+        return False
+
+    asking = []
+    for client, job in [*((1, n) for n in range(6)), (2, 0), (2, 1), (3, 0)]:
+        assert not refused(client)
+        asking.append(asyncio.create_task(ask(client, job)))
+        await asyncio.sleep(0.01)
+    assert [refused(client) for client in (1, 2, 3, 4)] == [True, True, True, False]
+    await asyncio.gather(*asking)
+    assert sorted(done[2:5]) == [(1, 2), (2, 0), (3, 0)]  # the first two ran at once
+    assert done[-1] == (1, 5)
+    assert not started._waiting
 
 
 async def test_what_takes_too_long_ends_and_what_it_had_done_is_kept(started):
@@ -146,7 +172,7 @@ async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(mo
 
     with monkeypatch.context() as patched:
         patched.setattr(module, "_started", fails)
-        async with Jobs(processes=2, waiting=4, preload=PRELOAD) as jobs:
+        async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
             waiting = [
                 asyncio.create_task(jobs.run(jobs_to_run.counts, 1, limit_s=60)) for _ in range(3)
             ]
@@ -161,7 +187,7 @@ async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(mo
 
 
 async def test_processes_end_with_their_jobs():
-    async with Jobs(processes=2, waiting=4, preload=PRELOAD) as jobs:
+    async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
         await until(lambda: len(pids(jobs)) == 2)
         running = asyncio.create_task(jobs.run(jobs_to_run.sleeps, 3600, limit_s=7200))
         await asyncio.sleep(0.1)

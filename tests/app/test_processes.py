@@ -9,10 +9,14 @@ from contextlib import suppress
 
 import httpx
 import pytest
+from pydantic import TypeAdapter
 
-from app import jobs, processes
+from app import endpoint, jobs
 from app.calculations.contact_force import ContactForceRequest
+from app.endpoint import LIGHT_BYTES, LIGHT_POINTS, points
+from app.examples import REQUESTS
 from app.main import create_app
+from app.registry import CALCULATIONS
 from app.settings import Settings
 from tests.running_service import lives
 
@@ -85,7 +89,7 @@ async def test_what_takes_too_long_is_stopped_and_refused_for_now():
 
 async def test_where_too_many_wait_all_that_is_long_is_refused_at_once():
     batch = {"calculation": "contact_force", "requests": [{"pins": 3, "ratio": 20.0, **LOAD}]}
-    async with service(processes=1, max_waiting=2) as api:
+    async with service(processes=1, max_waiting=4) as api:
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
         waiting = [asyncio.create_task(api.post("contact-force", json=SLOW)) for _ in range(3)]
         await asyncio.sleep(0.3)
@@ -165,9 +169,9 @@ async def test_a_process_that_dies_is_no_server_error():
 )
 async def test_a_process_gives_the_same_answer_as_the_event_loop(monkeypatch, path, body):
     async with service() as api:
-        monkeypatch.setattr(processes, "INLINE_MS", float("inf"))
+        monkeypatch.setattr(endpoint, "LIGHT_POINTS", float("inf"))
         inline = await api.post(path, json=body)
-        monkeypatch.setattr(processes, "INLINE_MS", -1.0)
+        monkeypatch.setattr(endpoint, "LIGHT_POINTS", -1.0)
         apart = await api.post(path, json=body)
     assert apart.status_code == inline.status_code
     assert apart.headers["content-type"] == inline.headers["content-type"]
@@ -185,11 +189,31 @@ def test_usual_designs_run_at_once(exponent, include):
     request = ContactForceRequest(
         pins=6, satellites=3, ratio=20.0, force_exponent=exponent, include=include, **LOAD
     )
-    assert request.cost_ms(drawn=False) <= processes.INLINE_MS
+    assert points(request, drawn=False) <= LIGHT_POINTS
 
 
 def test_long_calculations_are_known_beforehand():
-    assert ContactForceRequest(**SLOW).cost_ms(drawn=False) > 1000
+    assert points(ContactForceRequest(**SLOW), drawn=False) > 100 * LIGHT_POINTS
+    study = TypeAdapter(CALCULATIONS["work-precision"].request)
+    asked = study.validate_python(REQUESTS["work-precision"])
+    assert points(asked, drawn=False) == float("inf")
+
+
+async def test_a_large_body_is_read_in_a_process(monkeypatch):
+    """With the same refusals as a small one."""
+
+    def unused(*_):
+        raise AssertionError("read in the event loop")
+
+    monkeypatch.setattr(endpoint, "_read", unused)
+    async with service() as api:
+        for body in ({"pins": 3, "ratio": 20}, {"pins": 3}, {"pins": 3, "ratio": 20, "a": 1}):
+            sent = json.dumps(body) + " " * LIGHT_BYTES
+            answer = await api.post("cyclogram", content=sent, headers=JSON_HEADERS)
+            assert answer.status_code == (200 if len(body) == 2 and "ratio" in body else 422)
+
+
+JSON_HEADERS = {"content-type": "application/json"}
 
 
 async def test_the_operator_limits_pairs_and_samples():

@@ -3,13 +3,16 @@
 import hashlib
 import json
 import os
+import re
+import shutil
 from pathlib import Path
 
 import httpx
 import pytest
 
-from app import VERSION
+from app import VERSION, main
 from app.main import create_app
+from app.problems import KINDS
 from app.settings import Settings
 from app.units import shown_unit
 
@@ -51,14 +54,82 @@ async def test_modules_are_revalidated_so_that_an_update_reaches_the_page(api):
         ("/reducers", "/reducers/api/v1/cyclogram", 200),
         ("/reducers", "/api/v1/cyclogram", 200),
         ("", "/reducers/api/v1/cyclogram", 404),
-        ("", "/api/v1/cyclogram/", 307),
+        ("", "/api/v1/cyclogram/", 404),
+        ("/reducers", "/reducersapi/v1/cyclogram", 404),
         ("", "/api/v1/cyclogram/x", 404),
     ],
 )
 async def test_calculations_are_found_below_the_root_of_the_service(root, path, status):
-    transport = httpx.ASGITransport(create_app(Settings()), root_path=root)
+    transport = httpx.ASGITransport(create_app(Settings(root_path=root)))
     async with httpx.AsyncClient(transport=transport, base_url=SITE) as client:
         assert (await client.post(path, json=JOB)).status_code == status
+
+
+async def test_what_the_service_says_of_its_addresses_has_its_prefix():
+    transport = httpx.ASGITransport(create_app(Settings(root_path="/reducers")))
+    async with httpx.AsyncClient(transport=transport, base_url=f"{SITE}/reducers/") as client:
+        page = await client.get("")
+        named = re.findall(r'(?:href|src)="([^"#]+)"', page.text)
+        assert len(named) > 40
+        for path in [*named, "docs", "static/lib/api.js"]:
+            assert (await client.get(path)).status_code == 200, path
+        description = (await client.get("api/v1/openapi.json")).json()
+        assert description["servers"] == [{"url": "/reducers"}]
+        for each in (await client.get("api/v1/calculations")).json()["calculations"]:
+            assert (await client.post(SITE + each["path"], json={})).status_code == 422
+        refused = (await client.post("api/v1/cyclogram", json={})).json()
+        assert (await client.get(SITE + refused["type"])).json()["type"] == refused["type"]
+
+
+async def test_no_answer_repeats_the_host_that_a_client_names(api):
+    headers = {"host": "evil.example", "content-type": "application/json"}
+    for path in ("/api/v1/hertz/", "/docs/", "/static", "/"):
+        answer = await api.get(SITE + path, headers=headers)
+        assert "location" not in answer.headers and "evil" not in answer.text
+
+
+async def test_head_is_answered_wherever_get_is(api):
+    for path in ("/", "/docs", "/livez", "/metrics", "/api/v1/health", "/api/v1/openapi.json"):
+        head = await api.head(SITE + path)
+        assert (head.status_code, head.content) == (200, b"")
+    assert (await api.head("hertz")).status_code == 405
+
+
+async def test_tags_are_those_of_the_content_and_heeded(api, tmp_path, monkeypatch):
+    copied = tmp_path / "static"
+    shutil.copytree(main.STATIC, copied, ignore=shutil.ignore_patterns("vendor"))
+    for file in copied.rglob("*"):
+        os.utime(file, (1, 1))
+    monkeypatch.setattr(main, "STATIC", copied)
+    replica = httpx.ASGITransport(create_app(Settings()))
+    async with httpx.AsyncClient(transport=replica) as other:
+        for path in ("/", "/docs", "/static/main.js", "/openapi.json"):
+            first, second = await api.get(SITE + path), await other.get(SITE + path)
+            tag = first.headers["etag"]
+            assert second.headers["etag"] == tag and tag.startswith('W/"')
+            again = await other.get(SITE + path, headers={"if-none-match": f'"x", {tag}'})
+            assert (again.status_code, again.content) == (304, b"")
+            assert "last-modified" not in first.headers
+
+
+async def test_every_kind_of_problem_opens(api):
+    source = "".join(file.read_text() for file in Path("app").glob("*.py"))
+    kinds = {*re.findall(r'Problem\(\s*\d+,\s*"([a-z-]+)"', source), "not-found"}
+    assert kinds <= {*KINDS} and len(kinds) > 7
+    for kind in KINDS:
+        opened = await api.get(f"{SITE}/problems/{kind}")
+        assert opened.json() == {"type": f"/problems/{kind}", "description": KINDS[kind]}
+    assert (await api.get(f"{SITE}/problems/unknown")).status_code == 404
+
+
+async def test_every_answer_says_which_build_it_is_of():
+    transport = httpx.ASGITransport(create_app(Settings(build="abc1")))
+    async with httpx.AsyncClient(transport=transport, base_url=SITE) as client:
+        assert (await client.get("/livez")).headers["server"] == f"khv-calc/{VERSION}+abc1"
+        assert (
+            f'khv_build_info{{build="",version="{VERSION}"}} 1.0'
+            in (await client.get("/metrics")).text
+        )
 
 
 async def test_nothing_outside_static_is_served(api):
@@ -180,16 +251,35 @@ def test_the_environment_overrides_the_settings(monkeypatch):
     )
     monkeypatch.setenv("KHV_PROCESSES", "0")
     assert Settings.from_environment().processes == 0
-    for name, text, wrong in (
-        ("KHV_MAX_PAIRS", "many", "a number, not 'many'"),
-        ("KHV_MAX_SECONDS", "0", "at least 0.001, not 0"),
-        ("KHV_MAX_SECONDS", "nan", "at least 0.001, not nan"),
-        ("KHV_PROCESSES", "-1", "at least 0, not -1"),
-    ):
+    monkeypatch.setenv("KHV_MAX_PAIRS", "")
+    assert Settings.from_environment().max_pairs == 10_000
+    for name, text in WRONG:
         with monkeypatch.context() as patched:
-            patched.setenv(name, text)
-            with pytest.raises(ValueError, match=f"{name} must be {wrong}"):
+            patched.setenv(f"KHV_{name}", text)
+            with pytest.raises(ValueError, match=f"^KHV_{name}[^\n]*$"):
                 Settings.from_environment()
+
+
+WRONG = [
+    ("MAX_BODY_BYTES", "-1"),
+    ("MAX_BODY_BYTES", "abc"),
+    ("PROCESSES", "-1"),
+    ("MAX_SECONDS", "nan"),
+    ("MAX_SECONDS", "0"),
+    ("MAX_CONNECTIONS", "0"),
+    ("MAX_PAIRS", "999999"),
+    ("MAX_CURVE_SAMPLES", "10002"),
+    ("KEEP_ALIVE_SECONDS", "2.5"),
+    ("LOG_LEVEL", "foo"),
+    ("PORT", "99999"),
+    ("WORKERS", "0"),
+    ("ROOT_PATH", "reducers/"),
+    ("CORS_ORIGINS", "https://a.example/x"),
+    ("TRUSTED_PROXIES", "10.0.0.0/99"),
+    ("BUILD", "a b"),
+    ("MAX_BODY_BYTE", "5"),
+]
+"""Settings that cannot be, and one that is not there."""
 
 
 async def test_large_answers_travel_compressed(api):
@@ -197,8 +287,3 @@ async def test_large_answers_travel_compressed(api):
     assert plotly.headers["content-encoding"] == "gzip" and plotly.headers["etag"]
     small = await api.get("health")
     assert "content-encoding" not in small.headers
-
-
-async def test_pages_answer_head(api):
-    for path in ("/", "/docs"):
-        assert (await api.head(f"http://service{path}")).status_code == 200

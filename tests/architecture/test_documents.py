@@ -12,6 +12,7 @@ from app.about import API
 from app.batch import SPELLINGS
 from app.main import create_app
 from app.registry import CALCULATIONS
+from app.settings import Settings
 
 ROOT = Path(__file__).parent.parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -126,3 +127,18 @@ def test_files_that_documents_name_are_there():
             document.read_text(),
         )
         assert [name for name in named if not (ROOT / name).exists()] == [], document.name
+
+
+def test_every_setting_is_in_the_table_of_operation():
+    text = (ROOT / "docs/operation.md").read_text()
+    rows = re.findall(r"^\| `KHV_(\w+)` \| (.*) \| `?([^|`]*?)`? \|$", text, re.MULTILINE)
+    assert rows == [
+        (name.upper(), field.description, _shown(field.default))
+        for name, field in Settings.model_fields.items()
+    ]
+
+
+def _shown(default):
+    if isinstance(default, tuple):
+        default = ", ".join(default)
+    return (f"{default:.9g}" if isinstance(default, int | float) else default) or "none"

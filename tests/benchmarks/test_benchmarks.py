@@ -16,6 +16,7 @@ SAYS = {
     "load": "stopped (SIGTERM)",
     "page": "a frame",
     "service": "parts of a request",
+    "soak": "most processes",
     "speed": "contact line",
     "stability": "right to their stated error",
 }

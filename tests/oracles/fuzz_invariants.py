@@ -156,7 +156,10 @@ async def hertz(body: Body, answer: Body, ask: Ask) -> None:
 
 async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
     """Every section is what its own endpoint gives; forces at an angle carry the torque."""
-    asked = {*body.get("include", ["cyclogram", "contact_force", "hertz"])}
+    usual = ["cyclogram"]
+    if "load" in body:
+        usual += ["contact_force", *(["hertz"] if "contact" in body else [])]
+    asked = {*body.get("include", usual)}
     expect(set(answer) - {"warnings"} == asked, "sections", list(answer))
     if "cyclogram" in answer:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)

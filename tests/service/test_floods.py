@@ -9,6 +9,7 @@ import random
 import socket
 import threading
 import time
+from contextlib import ExitStack
 from pathlib import Path
 
 import httpx
@@ -18,7 +19,7 @@ from tests.running_service import calculators, eventually, family
 
 MOST_BYTES = 100_000
 MOST_MB = 500
-MOST_LOOP_S = 0.1
+MOST_LOOP_S = 0.05
 
 BODY, BATCH = 262_144, 8_388_608  # the default limits
 HERTZ = {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
@@ -79,7 +80,8 @@ def peak_mb(pid):
 
 @pytest.fixture(scope="module")
 def running(serve):
-    with serve() as service, httpx.Client(base_url=f"{service.url}/api/v1/", timeout=120) as client:
+    busy = serve(max_seconds=120)  # a busy machine is no reason to fail
+    with busy as service, httpx.Client(base_url=f"{service.url}/api/v1/", timeout=240) as client:
         yield service.process.pid, client
 
 
@@ -114,6 +116,27 @@ def test_a_small_request_for_a_large_answer_costs_the_loop_little(running):
     assert answer.headers["content-encoding"] == "gzip"
     assert len(answer.content) > 8_000_000
     assert min(spent) <= MOST_LOOP_S
+
+
+def test_answers_that_nobody_takes_are_bounded(running):
+    """60 clients ask for 9 MB each and read nothing; whoever reads is answered."""
+    pid, client = running
+    body = {"pins": 50, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
+    large = json.dumps(body | {"include": ["curves"], "samples": 10000}).encode()
+    head = (
+        b"POST /api/v1/contact-force HTTP/1.1\r\nhost: x\r\naccept-encoding: gzip\r\n"
+        b"content-type: application/json\r\ncontent-length: %d\r\n\r\n" % len(large)
+    )
+    with ExitStack() as idle:
+        for _ in range(60):
+            connection = socket.socket()
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            connection.connect((client.base_url.host, client.base_url.port))
+            idle.enter_context(connection).sendall(head + large)
+        for _ in range(60):
+            assert client.post("hertz", json=HERTZ).status_code == 200
+            time.sleep(0.5)
+    assert peak_mb(pid) <= MOST_MB
 
 
 def test_a_batch_of_wrong_requests_names_a_few_of_their_errors(running):

@@ -5,14 +5,11 @@ import re
 import shutil
 import subprocess
 import sys
-from dataclasses import fields
 from pathlib import Path
 
 import httpx
 import pytest
 from khv_calc import Client, Refused
-
-from app.settings import Settings
 
 ROOT = Path(__file__).parent.parent.parent
 README = (ROOT / "README.md").read_text()
@@ -74,13 +71,3 @@ def test_the_refusal_of_the_api_document_is_what_is_sent(service):
     with Client(service.url, transport=transport) as calc, pytest.raises(Refused) as caught:
         calc.ask("contact-force", body)
     assert caught.value.problem == json.loads(shown)
-
-
-def test_every_setting_is_in_the_table_with_its_default():
-    text = (ROOT / "docs" / "operation.md").read_text()
-    rows = dict(re.findall(r"^\| `KHV_(\w+)` \|.*?\| `?([^|`]*?)`? \|", text, re.MULTILINE))
-    expected = {
-        field.name.upper(): f"{field.default:.9g}" if field.type in (int, float) else field.default
-        for field in fields(Settings)
-    }
-    assert rows == expected | {"CORS_ORIGINS": "none"}

@@ -17,7 +17,7 @@ const answering = (status, body, type = "application/json") => {
 test("a body goes out as JSON, with its query, and the answer comes back", async () => {
   const { calls, client } = answering(200, { force_N: 5 });
   assert.deepEqual(await client.post("/x/chart", { pins: 3 }, { query: { theme: "dark" } }), { force_N: 5 });
-  assert.equal(calls[0].url, "/api/x/chart?theme=dark");
+  assert.equal(calls[0].url, "./api/x/chart?theme=dark");
   assert.equal(calls[0].options.body, '{"pins":3}');
   assert.equal(calls[0].options.headers["content-type"], "application/json");
 });

@@ -36,13 +36,13 @@ function preloadedAt(search) {
   };
   vm.runInNewContext(textOf("/static/first.js"), { URLSearchParams, document, location: { search } });
   assert.ok(links.every(({ rel }) => rel === "modulepreload"));
-  return links.map(({ href }) => href);
+  return links.map(({ href }) => `/${href}`);
 }
 
 test("every module of the first screen is preloaded", () => {
   const modules = [...graph("/static/main.js")];
   assert.ok(modules.length > 40, modules.length);
-  assert.deepEqual(linked("modulepreload").map(({ href }) => href).sort(), modules.filter((path) => path !== "/static/main.js").sort());
+  assert.deepEqual(linked("modulepreload").map(({ href }) => `/${href}`).sort(), modules.filter((path) => path !== "/static/main.js").sort());
 });
 
 for (const id of CALCULATORS) {
@@ -62,6 +62,6 @@ test("without a calculator in the address those of the first", () => {
 test("what the service says of itself is asked for in the way in which the page asks", () => {
   const paths = /\[([^\]]*)\]\.map\(\(path\) => client\.get\(path\)\)/.exec(textOf("/static/main.js"))[1];
   const asked = linked("preload").filter((link) => link.as === "fetch");
-  assert.deepEqual(asked.map(({ href }) => href), paths.match(/[\w/.]+/g).map((path) => `/api/v1${path}`));
+  assert.deepEqual(asked.map(({ href }) => href), paths.match(/[\w/.]+/g).map((path) => `api/v1${path}`));
   assert.ok(asked.every((link) => link.crossorigin === "")); // as fetch does
 });

@@ -1,0 +1,129 @@
+"""How the service starts and what it starts in: settings, sockets, limits, disks, logs."""
+
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+from contextlib import ExitStack
+
+import httpx
+import pytest
+
+from tests.running_service import eventually, family
+
+
+@pytest.mark.parametrize(
+    ("setting", "text", "said"),
+    [
+        ("KHV_MAX_BODY_BYTES", "-1", "greater than or equal to 1"),
+        ("KHV_MAX_SECONDS", "nan", "finite"),
+        ("KHV_MAX_BODY_BYTE", "5", "KHV_MAX_BODY_BYTES is"),
+        ("KHV_WORKERS", "0", "greater than or equal to 1"),
+    ],
+)
+def test_what_cannot_be_set_ends_the_start_with_one_line(setting, text, said):
+    environment = os.environ | {"PYTHONPATH": ".", setting: text}
+    ended = subprocess.run(
+        [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
+    )
+    assert ended.returncode == 1 and ended.stdout == ""
+    (line,) = ended.stderr.splitlines()
+    assert line.startswith(setting) and said in line
+
+
+def test_the_effective_settings_are_the_first_line(serve):
+    with serve(max_body_bytes=1000, log_level="info") as service:
+        first = service.log()[0]
+    assert first["message"] == "settings"
+    assert (first["max_body_bytes"], first["log_level"], first["port"]) == (
+        1000,
+        "INFO",
+        service.port,
+    )
+
+
+def test_a_unix_socket_and_the_addresses_that_its_proxy_names(serve, tmp_path):
+    path = str(tmp_path / "socket")
+    with (
+        serve(unix_socket=path, root_path="/reducers", workers=2) as service,
+        httpx.Client(transport=httpx.HTTPTransport(uds=path), base_url="http://x") as client,
+    ):
+        for prefix in ("/reducers", ""):
+            answer = client.get(f"{prefix}/api/v1/health", headers={"x-forwarded-for": "192.0.2.7"})
+            assert answer.status_code == 200
+    lines = [line for line in service.log() if line.get("route") == "/api/v1/health"]
+    assert [line["client"] for line in lines] == ["192.0.2.7"] * 2
+
+
+def test_only_a_trusted_proxy_names_the_client(serve):
+    for trusted, client in (("127.0.0.1", "192.0.2.7"), ("10.0.0.0/8", "127.0.0.1")):
+        with serve(trusted_proxies=trusted) as service:
+            httpx.get(f"{service.url}/api/v1/health", headers={"x-forwarded-for": "192.0.2.7"})
+        (line,) = [line for line in service.log() if line.get("route") == "/api/v1/health"]
+        assert line["client"] == client
+
+
+def test_connections_stay_within_the_limit_of_descriptors(serve):
+    """More idle connections than there are descriptors: the probes are answered."""
+    with serve(descriptors=256) as service, ExitStack() as idle:
+        assert "room for 56 connections" in service.log()[0]["message"]
+        assert service.log()[1]["max_connections"] == 56
+        for _ in range(300):
+            idle.enter_context(socket.create_connection(("127.0.0.1", service.port)))
+        assert eventually(lambda: httpx.get(f"{service.url}/readyz").status_code == 503)
+        assert httpx.get(f"{service.url}/livez").status_code == 200
+
+
+@pytest.fixture
+def tiny(tmp_path):
+    """A file system of 48 kB."""
+    mounted = subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=48k", "tmpfs", tmp_path], capture_output=True
+    )
+    if mounted.returncode:
+        pytest.skip("file systems can only be mounted as root")
+    yield tmp_path
+    subprocess.run(["umount", "--lazy", tmp_path], check=True)
+
+
+@pytest.mark.parametrize("full", [False, True])
+def test_a_full_tmp_kills_no_worker(serve, tiny, monkeypatch, full):
+    if full:
+        (tiny / "file").write_bytes(b"x" * 49_152)
+    monkeypatch.setenv("TMPDIR", str(tiny))
+    with serve(workers=2) as service:
+        started = family(service.process.pid)
+        for path in ("/nothing", "/api/v1/hertz", "/metrics", "/api/v1/health"):
+            for _ in range(4):
+                assert httpx.get(service.url + path).status_code in (200, 404, 405)
+        assert httpx.post(f"{service.url}/api/v1/hertz", json={}).status_code == 422
+        assert family(service.process.pid) == started
+    assert not [line for line in service.log() if line["level"] == "error"]
+
+
+def test_a_log_that_nobody_reads_stops_nothing(serve):
+    with serve(log_level="info") as service:
+        service.hold()
+        with httpx.Client(base_url=service.url) as client:
+            for _ in range(2500):
+                assert client.get("/livez").status_code == 200
+            dropped = re.search(
+                r"(?m)^khv_log_lines_dropped_total (\S+)", client.get("/metrics").text
+            )
+        assert float(dropped[1]) > 100
+        service.go_on()
+        assert eventually(lambda: len(service.lines) > 1000)
+
+
+def test_what_is_no_http_is_refused_as_a_problem(service):
+    for sent in (b"NOTHING\r\n\r\n", b"GET / HTTP/1.1\r\ncontent-length: x\r\n\r\n"):
+        with socket.create_connection(("127.0.0.1", service.port), timeout=10) as connection:
+            connection.sendall(sent)
+            received = b""
+            while part := connection.recv(65536):
+                received += part
+        head, _, body = received.partition(b"\r\n\r\n")
+        assert head.startswith(b"HTTP/1.1 400 ") and b"nosniff" in head
+        assert json.loads(body)["type"] == "/problems/bad-request"
