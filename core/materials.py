@@ -274,8 +274,12 @@ def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLim
 def _strength(
     tensile_MPa: float | None, yield_MPa: float | None, size_mm: float | None, source: str
 ) -> Strength:
-    in_pascal = [None if each is None else each * 1e6 for each in (tensile_MPa, yield_MPa)]
-    return Strength(*in_pascal, None if size_mm is None else size_mm / 1e3, source)
+    return Strength(
+        tensile=None if tensile_MPa is None else tensile_MPa * 1e6,
+        yield_strength=None if yield_MPa is None else yield_MPa * 1e6,
+        valid_diameter=None if size_mm is None else size_mm / 1e3,
+        source=source,
+    )
 
 
 _ISO_6336_2 = "ISO 6336-2, table of elasticity factors"

@@ -218,7 +218,6 @@ def test_bearing_steel_and_tempered_steel_have_a_conformal_pressure() -> None:
     assert same.conformal_error == 0
 
 
-
 @given(contacts())
 def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object]) -> None:
     one = calculate(contact)
