@@ -186,7 +186,7 @@ def test_shakedown_is_where_the_orthogonal_shear_yields() -> None:
             # McEwen, Johnson 4.49: m, n of the elliptic pressure over half-width 1
             root = math.sqrt((1 - x * x + z * z) ** 2 + 4 * x * x * z * z)
             m2, n2 = (root + (1 - x * x + z * z)) / 2, (root - (1 - x * x + z * z)) / 2
-            m, n = math.sqrt(m2), math.copysign(math.sqrt(n2), x)
+            n = math.copysign(math.sqrt(n2), x)
             largest = max(largest, abs(n * (m2 - z * z) / (m2 + n2)))
     assert largest == pytest.approx(0.25, rel=1e-3)
     assert SHAKEDOWN * largest == pytest.approx(1 / math.sqrt(3), rel=1e-3)
