@@ -19,7 +19,7 @@ Body = dict[str, Any]
 GIVEN = "a count, or as given"
 
 ELSEWHERE = ("/accuracy/", "/warnings/", "/counts/", "/torque_reserve", "/largest_torque_Nm")
-"""Numbers that other tests hold, by the start of a pointer: verdicts, in tests/core/test_checks.py."""
+"""Numbers that other tests hold (tests/core/test_checks.py), by the start of a pointer."""
 """What there is to know of a number that nothing can be wrong with but the whole."""
 
 
