@@ -151,9 +151,10 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     drawn : bool
         Whether its figure is asked.
     """
-    if body.LONG:
-        return math.inf
     stated = {name: value for name, value in _stated(body) if value is not None}
+    asked = {*stated.get("include", ())}
+    if body.LONG or "fixes" in asked:
+        return math.inf
     size = 1.0
     for name in COUNTS:
         count = stated.get(name, 1)
@@ -163,7 +164,7 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     teeth = stated.get("ring_teeth", 1) / stated.get("satellite_teeth", 1)
     size *= max(1.0, 1 / stated.get("ratio", 1.0), teeth)  # turns of the output link
     each = DRAWN_POINTS if drawn else ELEMENT_POINTS
-    if {"curves", "points"} & {*stated.get("include", ())}:
+    if {"curves", "points"} & asked:
         each = max(each, stated["samples"])
     return float(size * each)
 

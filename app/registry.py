@@ -10,6 +10,7 @@ from app.calculations import (
     output_efficiency,
     roller_strength,
     shaft_deflection,
+    solve,
     work_precision,
 )
 from app.model import Calculation
@@ -26,6 +27,7 @@ CALCULATIONS: dict[str, Calculation] = {
         contact_line,
         meshing_load,
         shaft_deflection,
+        solve,
         work_precision,
     )
 }

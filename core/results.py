@@ -21,10 +21,10 @@ NOTICES = {
     "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
     "assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where "
-    "there is none, for different materials, take it as a rough guide.",
+    "there is none, for very different materials, take it as a rough guide.",
     "hertz_impossible": "The contact is {width:.3g} times as wide as the pin's radius: wider than "
-    "the pin, so that Hertz does not apply at all, and for different materials no conformal "
-    "solution is at hand: make the hole larger or the load smaller.",
+    "the pin, so that Hertz does not apply at all, and for very different materials no "
+    "conformal solution is at hand: make the hole larger or the load smaller.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
     "them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite "
@@ -34,6 +34,8 @@ NOTICES = {
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches "
     "along a narrow strip, where pressure times speed is higher.",
+    "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
+    "centrifugally cast CuSn12-C-GZ is a material of its own.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "
@@ -52,6 +54,7 @@ NOTICES = {
 METHODS = {
     "approximation": "approximation (2018, eq. 5)",
     "bisection": "bisection",
+    "bracketing": "sampling, then brackets narrowed to neighbouring numbers",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
     "clenshaw_curtis_shaft": "Clenshaw-Curtis along the shaft",
     "clenshaw_curtis_z": "Clenshaw-Curtis in z",
