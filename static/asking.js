@@ -4,6 +4,7 @@ import { readState, stateFromInput } from "./lib/schema_form.js";
 import { answered, asked, compared, failed } from "./store.js";
 
 const DEBOUNCE_MS = 120;
+const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
 
 /** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
 function postingOnce(client, signal, done = []) {
@@ -43,6 +44,7 @@ export function createAsking({ store, client, designs }) {
   const newest = newestOnly();
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
+  let failures = 0;
 
   function answerOf(input) {
     const key = JSON.stringify(input);
@@ -57,7 +59,7 @@ export function createAsking({ store, client, designs }) {
   /** The designs kept of this calculator, each with its answer (none where it was refused). */
   async function compare(said) {
     const kept = await Promise.all(designs.of(calculator.id)
-      .map(async (design) => ({ ...design, design, answer: await answerOf(design.input) })));
+      .map(async (design) => ({ ...design, answer: await answerOf(design.input) })));
     store.apply(compared, kept, said);
   }
 
@@ -74,8 +76,14 @@ export function createAsking({ store, client, designs }) {
     const { answer, problem, superseded } = await newest.ask((signal) =>
       askSections({ client, calculator, input, filled, tables, signal }));
     if (superseded) return;
-    if (problem) store.apply(failed, problem);
-    else store.apply(answered, answer);
+    if (problem) {
+      store.apply(failed, problem);
+      timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
+      failures += 1;
+      return;
+    }
+    failures = 0;
+    store.apply(answered, answer);
     if (store.state.shown && !store.state.kept) await compare();
   }
 

@@ -12,12 +12,12 @@
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
- * `turn`     crank angle and pair selected in the drawing
+ * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
 import { formatNumber } from "./lib/format.js";
 import { begun, recorded, redone, undone } from "./lib/history.js";
-import { readState, shownFields, textIn } from "./lib/schema_form.js";
+import { readState, shownFields, textIn, withLinks } from "./lib/schema_form.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
@@ -56,10 +56,11 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, typed, theme) {
+export function opened(about, design, theme) {
+  const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, curves: null,
-    kept: null, tables: new Set(), turn: { angle: 0, pair: null }, line: ["", ""], said: "",
+    kept: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
   }, begun(typed));
   return { ...state, pending: state.reading.filled };
 }
@@ -100,10 +101,18 @@ function fromCatalogue(fields, id, option, entries, chosen) {
   return Object.fromEntries(fields.map(({ path, name }) => [path, entry[name]]));
 }
 
+/** Title, author, revision or note of the design. */
+export function labelled(state, label, text, time) {
+  const typed = { ...state.typed, texts: { ...state.typed.texts, [label]: text } };
+  const history = recorded(state.history, typed, label, time);
+  const shown = state.shown?.typed === state.typed ? { ...state.shown, typed } : state.shown;
+  return { ...state, history, typed, shown };
+}
+
 /** A whole design taken over at once. */
 export function taken(state, typed, time) {
-  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null };
-  return read(untouched, recorded(state.history, typed, undefined, time));
+  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false } };
+  return read(untouched, recorded(state.history, withLinks(state.about.model, typed), undefined, time));
 }
 
 function moved(state, history) {
@@ -126,10 +135,16 @@ export function insisted(state) {
   return state.reading.wrong.length > 0 ? checked(next) : next;
 }
 
+/** The link follows what needs no answer. */
+export function addressed(state) {
+  const { about: { model, calculator }, typed } = state;
+  return { ...state, address: query(calculator.id, model, typed) };
+}
+
 /** The service is asked, unless boxes cannot be read. */
 export function asked(state) {
-  const { about: { model, calculator }, typed, reading: { filled, wrong } } = state;
-  const next = { ...state, address: query(calculator.id, model, typed) };
+  const { reading: { filled, wrong } } = state;
+  const next = addressed(state);
   return wrong.length > 0 ? { ...next, said: state.line[1] } : { ...next, phase: "computing", pending: filled };
 }
 
@@ -142,9 +157,11 @@ export function answered(state, { answer, refusal, requests }) {
     cells: calculator.verdict(answer, context),
     impossible: calculator.impossible?.(answer, context) ?? [],
   };
+  const angle = !state.turn.own && answer && calculator.drawing.start?.(answer);
+  const turn = Number.isFinite(angle) ? { ...state.turn, angle } : state.turn;
   return refusal
-    ? refused({ ...state, shown }, refusal)
-    : { ...state, shown, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown) };
+    ? refused({ ...state, shown, turn }, refusal)
+    : { ...state, shown, turn, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown) };
 }
 
 function refused(state, refusal) {
@@ -186,7 +203,7 @@ export function failed(state, problem) {
 export const compared = (state, kept, said = state.said) => ({ ...state, kept, said });
 export const announcing = (state, said) => ({ ...state, said });
 export const themed = (state, theme) => ({ ...state, theme });
-export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle } });
+export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle, own: true } });
 export const selected = (state, pair) => ({ ...state, turn: { ...state.turn, pair } });
 
 export function tabled(state, id, on) {

@@ -5,8 +5,8 @@
  */
 import { createAsking } from "./asking.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped } from "./lib/schema_form.js";
-import { query } from "./lib/url_state.js";
+import { stateFromInput, stepped, withLinks } from "./lib/schema_form.js";
+import { LABELS, query } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
 import * as next from "./store.js";
@@ -35,11 +35,20 @@ function lightEachOther(form, drawing) {
   });
 }
 
+/** What a link says that this version does not know. */
+function noticeOf(names) {
+  const notice = element(html`<p class="notice card" role="status"><span>${message("page.unknown", { names: names.join(", ") })}</span>
+    <button type="button" class="toggle" aria-label="${message("keys.close")}">×</button></p>`);
+  notice.querySelector("button").addEventListener("click", () => notice.remove());
+  return notice;
+}
+
 /**
- * `typed` is the state of the form to begin with. `on.address(query)`, `on.history(canUndo, canRedo)`
+ * `typed` is the state of the form to begin with, `unknown` what the link said besides. `on.left()` tells
+ * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, typed, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, typed, unknown = [], lengths, on }) {
   const titles = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
@@ -65,16 +74,38 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   /** What happens outside follows the state too: it is told of the parts that it asks for. */
   const following = (pick, tell) => ({ update: next.following(pick, (state) => tell(...pick(state))) });
   const select = (pair) => store.apply(next.selected, pair);
+  const stateOf = (input, labels = {}) => {
+    const { texts, chosen } = withLinks(model, stateFromInput(model, input));
+    return { texts: { ...texts, ...labels }, chosen };
+  };
+  /** Another design, to which Back leads back. */
+  function take(typed) {
+    on.left();
+    changeAtOnce(next.taken, typed);
+  }
   const picker = createExamples({
     examples,
-    queries: examples.map(({ input }) => query(calculator.id, model, stateFromInput(model, input))),
-    on: { picked: ({ input }) => changeAtOnce(next.taken, stateFromInput(model, input)) },
+    labels: LABELS,
+    queries: examples.map(({ input }) => query(calculator.id, model, stateOf(input))),
+    on: {
+      picked: ({ input }) => take(stateOf(input)),
+      cleared() {
+        take(stateOf({}));
+        form.focus(model.fields.keys().next().value);
+      },
+      labelled: (label, text) => {
+        store.apply(next.labelled, label, text, Date.now());
+        store.apply(next.addressed);
+      },
+    },
   });
   const form = createForm({
     model,
     calculator,
     catalogues,
+    lengths,
     on: {
+      lengths: on.lengths,
       typed: (path, text) => change(next.typedIn, path, text),
       step(path, direction, factor) {
         const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
@@ -121,15 +152,17 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     calculator,
     on: {
       pin() {
-        const { name } = designs.add(calculator.id, store.state.shown.input);
+        const { input, typed: { texts } } = store.state.shown;
+        const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
+        const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
         asking.compare(message("compare.kept", { name }));
       },
-      open: ({ input }) => changeAtOnce(next.taken, stateFromInput(model, input)),
-      rename({ design }, name) {
+      open: ({ input, labels }) => take(stateOf(input, labels)),
+      rename(design, name) {
         designs.rename(design, name);
         asking.compare();
       },
-      remove({ design }) {
+      remove(design) {
         designs.remove(design);
         asking.compare();
       },
@@ -142,7 +175,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
 
   const inputs = element(html`<div class="inputs"></div>`);
-  inputs.append(picker.root, form.root);
+  inputs.append(...unknown.length > 0 ? [noticeOf(unknown)] : [], picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const cards = [verdict, drawing, ...figures, explanation, results, worked, compare];
   outputs.append(...cards.map(({ root }) => root));
@@ -151,6 +184,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   document.addEventListener("keydown", ({ key }) => {
     if (key === "Escape" && !document.querySelector("dialog[open], :popover-open")) select(null);
   }, { signal: listening.signal });
+  addEventListener("storage", () => asking.compare(), { signal: listening.signal }); // kept in another tab
+  addEventListener("online", () => asking.now(), { signal: listening.signal });
 
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   const report = createReport({

@@ -10,7 +10,7 @@ function box(field, id) {
   }
   const mode = field.kind === "integer" ? "numeric" : field.kind === "numbers" ? "text" : "decimal";
   return html`<input id="${id}" class="box" type="text" inputmode="${mode}" autocomplete="off"
-    spellcheck="false" aria-describedby="${id}-message">`;
+    spellcheck="false" aria-describedby="${id}-unit ${id}-message">`;
 }
 
 function titleOf(field) {
@@ -30,11 +30,11 @@ export function createField(field, { suggestion, on }) {
         ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
         ${box(field, id)}
       </span>
-      <span class="unit">${shownUnit(field.unit)}</span>
-      <p class="field-message" id="${id}-message"></p>
+      <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
+      <p class="field-message" id="${id}-message"><span></span></p>
     </div>`);
   const input = root.querySelector(".box");
-  const line = root.querySelector(".field-message");
+  const line = root.querySelector(".field-message span");
   const button = root.querySelector(".suggest");
 
   input.addEventListener("input", () => on.typed(input.value));
@@ -65,8 +65,9 @@ export function createField(field, { suggestion, on }) {
     setPlaceholder(text) {
       input.placeholder = text;
     },
-    setSuggestion({ label, possible }) {
+    setSuggestion({ label, possible, pressed }) {
       button.disabled = !possible;
+      button.setAttribute("aria-pressed", String(pressed));
       button.setAttribute("aria-label", label);
       button.title = label;
     },

@@ -131,6 +131,22 @@ test("the drawing waits for the curves of its figure, unless that has none or is
   assert.equal(next.drawable(next.tabled(next.tabled(state, "force", true), "force", false)), null);
 });
 
+test("the drawing opens at the place that decides, until the user turns it", () => {
+  const drawing = { section: "force", start: ({ force }) => force.value };
+  const first = answeredWith(opened(INPUT, { drawing }));
+  assert.equal(first.turn.angle, 5);
+  const turned = answeredWith(next.turned(first, 40));
+  assert.equal(turned.turn.angle, 40);
+  assert.equal(answeredWith(next.taken(turned, stateFromInput(MODEL, INPUT), 0)).turn.angle, 5);
+});
+
+test("a title is no input: it leaves the numbers fresh, stands in the link and can be undone", () => {
+  const titled = next.addressed(next.labelled(answeredWith(opened()), "title", "Hoist", 0));
+  assert.deepEqual(next.standing(titled), { phase: "fresh", numbers: "fresh" });
+  assert.match(titled.address, /&title=Hoist$/);
+  assert.equal(next.steppedBack(titled).typed.texts.title, undefined);
+});
+
 test("views are told of every state, and act only on what they follow", () => {
   const store = next.createStore(opened());
   const seen = [];
@@ -140,5 +156,5 @@ test("views are told of every state, and act only on what they follow", () => {
   store.apply(next.themed, "dark");
   store.apply(next.selected, "1.2");
   assert.deepEqual(seen, [0, 30, 30]);
-  assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2" });
+  assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2", own: true });
 });

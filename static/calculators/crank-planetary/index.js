@@ -24,13 +24,16 @@ function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
   return { ...contact, force_N: answer.contact_force.peak_force_N };
 }
 
-function positive(value) {
-  return value > 0 ? value : NaN;
+/** How much the hole is larger than pin and eccentricity need, or smaller. */
+function clearanceNote({ contact }) {
+  const clearance = tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
+  if (!(Math.abs(clearance) > 1e-9)) return "";
+  return message(`form.${clearance > 0 ? "clearance" : "interference"}`, { value: formatQuantity(Math.abs(clearance), "mm", 4) });
 }
 
-/** Tooth numbers of exactly this ratio, with a difference as small as usual; none where there are none. */
+/** Tooth numbers of exactly this ratio, with the least difference; none where there are none. */
 function teethOf(ratio) {
-  const difference = [2, 1, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
+  const difference = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
   if (!difference) return {};
   const satellite = tidy(ratio * difference);
   return { "mechanism.satellite_teeth": satellite, "mechanism.ring_teeth": satellite + difference };
@@ -118,6 +121,13 @@ export default {
   id: "crank-planetary",
   path: "/crank-planetary",
   groups: ["mechanism", "load", "contact"],
+  arranged: {
+    reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
+    pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
+    load: ["torque", "contact.dynamic_factor"],
+    materials: ["contact.pin_material", "contact.hole_material"],
+    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
+  },
   hidden: ["load.include", "load.samples", "include", "crank_angle_deg"],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
@@ -131,15 +141,15 @@ export default {
   suggestions: {
     "mechanism.crank_spacing_deg": {
       formula: "360°/K",
+      linked: true,
       value: ({ mechanism }) => 360 / mechanism.satellites,
     },
     "contact.hole_radius_mm": {
       formula: "r_in + e",
+      linked: true,
+      needs: "contact.eccentricity_mm",
       value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm),
-    },
-    "contact.eccentricity_mm": {
-      formula: "r_out − r_in",
-      value: ({ contact }) => positive(tidy(contact?.hole_radius_mm - contact?.pin_radius_mm)),
+      note: clearanceNote,
     },
   },
 
@@ -180,7 +190,7 @@ export default {
   elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
 
   /** The drawing takes its forces from a figure's curves. */
-  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true },
+  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
 
   figures: [
     {
