@@ -5,7 +5,7 @@
  */
 import { createAsking } from "./asking.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped, withLinks } from "./lib/schema_form.js";
+import { stateFromInput, stepped, textIn, withLinks } from "./lib/schema_form.js";
 import { LABELS, query } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
@@ -136,6 +136,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         asking.now();
       },
       charted: (id, data) => store.apply(next.charted, id, data),
+      turned: (angle) => store.apply(next.turned, angle),
+      set: ([path, value]) => change(next.typedIn, path, textIn(model.fields.get(path), value)),
       picked: (pair) => select(pair === store.state.turn.pair ? null : pair),
       tables: asking.tables,
     },

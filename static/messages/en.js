@@ -580,6 +580,9 @@ export default {
     none: "Too many pairs to be drawn, or nothing to draw.",
   },
   figure: {
+    largest: "Largest force",
+    switching: "Dotted lines: a pair starts or stops driving.",
+    coinciding: "Curves that coincide: {pairs}.",
     table: "Table",
     showTable: "Show as a table",
     save: "{title}: save as {kind}",

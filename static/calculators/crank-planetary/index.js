@@ -6,6 +6,7 @@
  */
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
+import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { impossible, impossibleWords, judged, judgement, wantedWords, withoutFalseSafety } from "./judgement.js";
@@ -206,7 +207,8 @@ export default {
       id: "force",
       section: "contact_force",
       path: "/contact-force/chart",
-      follows: ({ data }) => (data.mode === "lines" ? data.name : null),
+      follows: ({ data }) => pairsOf(data)[0] ?? null,
+      enveloped: true,
       compared: true,
       body: forceBody,
       height: 400,

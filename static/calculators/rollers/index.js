@@ -71,6 +71,9 @@ export default {
       path: "/roller-strength/chart",
       compared: true,
       height: 940,
+      /** A click on a curve over l/d sets the length. */
+      sets: ({ x, data: { xaxis } }, { diameter_mm: diameter, cylinder_length_mm: length }) =>
+        ["cylinder_length_mm", xaxis === "x2" ? length : Number((x * diameter).toPrecision(3))],
       tables: ({ roller_strength: { forces_N: forces } }) => [{
         title: message("figure.rollerForces"),
         columns: [{ title: message("figure.roller") }, { title: message("figure.rollerForce"), unit: "N" }],
