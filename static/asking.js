@@ -1,7 +1,8 @@
 /** Asking the service for results: 120 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/schema_form.js";
-import { answered, asked, compared, failed } from "./store.js";
+import { judgedOf } from "./lib/checks.js";
+import { answered, asked, compared, failed, mended } from "./store.js";
 
 const DEBOUNCE_MS = 120;
 const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
@@ -42,6 +43,7 @@ async function askSections({ client, calculator, input, filled, tables, signal }
 export function createAsking({ store, client, designs }) {
   const { model, calculator } = store.state.about;
   const newest = newestOnly();
+  const fixing = newestOnly();
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
   let failures = 0;
@@ -66,6 +68,14 @@ export function createAsking({ store, client, designs }) {
   function cancel() {
     clearTimeout(timer);
     newest.cancel();
+    fixing.cancel();
+  }
+
+  /** What would mend the design that is shown, asked for after its answer. */
+  async function mend(shown) {
+    if (!calculator.mend || !["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict)) return;
+    const { answer } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), ...shown }));
+    if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? []);
   }
 
   async function now() {
@@ -84,6 +94,7 @@ export function createAsking({ store, client, designs }) {
     }
     failures = 0;
     store.apply(answered, answer);
+    if (answer.answer) mend(store.state.shown);
     if (store.state.shown && !store.state.kept) await compare();
   }
 

@@ -30,7 +30,7 @@ let service = null;
 
 /** What the service says of itself, asked for already at the head of the page; after a failure anew. */
 function described() {
-  service ??= Promise.all(["/openapi.json", "/examples", "/materials"].map((path) => client.get(path)))
+  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations"].map((path) => client.get(path)))
     .catch((problem) => {
       service = null;
       throw problem;
@@ -66,7 +66,7 @@ function say(text) {
 
 /** What a calculator needs to be at work. */
 async function partsOf(id) {
-  const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), described()]);
+  const [calculator, [openapi, { examples }, lists, { calculations }]] = await Promise.all([calculatorOf(id), described()]);
   return {
     calculator,
     modelOf: () => formModel(openapi, {
@@ -75,6 +75,7 @@ async function partsOf(id) {
     }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
+    calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
     version: openapi.info.version,
   };
 }
@@ -185,8 +186,10 @@ const settings = createSettings({
     },
   },
 });
+const keep = tool("+", message("compare.pin"), () => bench?.keep());
+keep.disabled = false;
 const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
-document.getElementById("tools").append(undo, redo, share.button, settings.button, createKeys().button);
+document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys().button);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);

@@ -10,6 +10,8 @@ import { LABELS, query } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
 import * as next from "./store.js";
+import { createAccuracy } from "./views/accuracy.js";
+import { createChecks } from "./views/checks.js";
 import { createCompare } from "./views/compare.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
@@ -20,7 +22,8 @@ import { loadPlotly } from "./views/plot.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
 import { currentTheme } from "./views/settings.js";
-import { createVerdict } from "./views/verdict.js";
+import { createSizing } from "./views/sizing.js";
+import { createNumbers, createVerdict } from "./views/verdict.js";
 import { createWorked } from "./views/worked.js";
 
 /** A field lights its dimension in the drawing, and a dimension its field. */
@@ -48,7 +51,7 @@ function noticeOf(names) {
  * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, typed, unknown = [], lengths, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, unknown = [], lengths, on }) {
   const titles = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
@@ -111,6 +114,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
         if (text !== null) change(next.typedIn, path, text);
       },
+      size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       apply() {
@@ -121,12 +125,26 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
   });
-  const verdict = createVerdict({ calculator });
+  const apply = (sets) => changeAtOnce(next.applied, sets);
+  const sizing = createSizing({ calculator, client, titles, on: { applied: apply } });
+  const verdict = createVerdict({ calculator, titles });
+  const numbers = createNumbers({ calculator });
+  const checks = createChecks({
+    calculator, titles, titleAt: (path) => model.fields.get(path)?.title,
+    on: { fixed: apply, asked: (path) => form.focus(path) },
+  });
   const drawing = createDrawingView({
     calculator,
     on: { turned: (angle) => store.apply(next.turned, angle), selected: select },
   });
-  const figures = calculator.figures.map((figure) => createFigure({
+  const pin = () => {
+    if (!store.state.shown) return;
+    const { input, typed: { texts } } = store.state.shown;
+    const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
+    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
+    asking.compare(message("compare.kept", { name }));
+  };
+  const all = calculator.figures.map((figure) => createFigure({
     figure,
     client,
     titles,
@@ -153,12 +171,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     model,
     calculator,
     on: {
-      pin() {
-        const { input, typed: { texts } } = store.state.shown;
-        const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
-        const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
-        asking.compare(message("compare.kept", { name }));
-      },
+      pin,
       open: ({ input, labels }) => take(stateOf(input, labels)),
       rename(design, name) {
         designs.rename(design, name);
@@ -179,8 +192,22 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(...unknown.length > 0 ? [noticeOf(unknown)] : [], picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  const cards = [verdict, drawing, ...figures, explanation, results, worked, compare];
-  outputs.append(...cards.map(({ root }) => root));
+  const measured = all.filter((figure) => figure.measured);
+  const figures = all.filter((figure) => !figure.measured);
+  const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
+  const column = (name, ...views) => {
+    const part = element(html`<div class="${name}"></div>`);
+    part.append(...views.map(({ root }) => root));
+    return part;
+  };
+  outputs.append(
+    verdict.root,
+    column("answer", numbers, checks, explanation),
+    column("shown", drawing, ...figures.filter(({ side }) => !side)),
+    column("beside", ...figures.filter(({ side }) => side)),
+    column("rest", compare, results, worked, accuracy),
+  );
+  const cards = [verdict, numbers, checks, explanation, drawing, ...all, compare, results, worked, accuracy];
   host.replaceChildren(inputs, outputs);
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
@@ -191,7 +218,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
 
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   const report = createReport({
-    calculator, model, catalogues, version, outputs, figures, plain: explanation.root, worked,
+    calculator, model, catalogues, version, outputs, figures, worked,
     shown: () => store.state.shown,
     light: () => {
       retheme("light");
@@ -209,6 +236,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       update(state) {
         host.dataset.state = state.phase;
         host.dataset.stale = String(next.stale(state));
+        host.dataset.impossible = String(next.standing(state).phase === "refused");
       },
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
@@ -222,6 +250,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
+    keep: pin,
     /** What was asked for the results on the screen, and answered; null where there are none. */
     exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
@@ -229,8 +258,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       asking.cancel();
       listening.abort();
       drawing.close();
+      sizing.close();
       report.close();
-      for (const figure of figures) figure.close();
+      for (const figure of all) figure.close();
       on.address(query(calculator.id, model, store.state.typed));
     },
   };

@@ -1,6 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, fill, html } from "../lib/html.js";
-import { said } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
 
@@ -21,13 +21,15 @@ function titleOf(field) {
  * `on.typed(text)` follows the typing, `on.step(direction, factor)` the arrow keys, `on.suggest()`
  * the suggestion's button. Help and message share one line, so that nothing moves when one comes.
  */
-export function createField(field, { suggestion, on }) {
+export function createField(field, { suggestion, sizable, on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
   const root = element(html`
     <div class="field kind-${field.kind}" data-path="${field.path}">
       <label for="${id}" title="${field.help}">${titleOf(field)}</label>
       <span class="entry">
         ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
+        ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
+          title="${message("sizing.at", { field: field.title })}">◎</button>`}
         ${box(field, id)}
       </span>
       <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
@@ -45,6 +47,8 @@ export function createField(field, { suggestion, on }) {
     event.preventDefault();
     on.step(direction, event.shiftKey ? 10 : 1);
   });
+  const size = root.querySelector(".size");
+  size?.addEventListener("click", () => on.size());
   button?.addEventListener("click", () => on.suggest());
 
   return {
@@ -61,6 +65,11 @@ export function createField(field, { suggestion, on }) {
       root.classList.toggle("noted", error === "" && note !== "");
       if (error) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
+    },
+    /** Whether a value may be looked for here. */
+    setSizable(possible) {
+      if (size) size.classList.toggle("idle", !possible);
+      if (size) size.disabled = !possible;
     },
     setPlaceholder(text) {
       input.placeholder = text;

@@ -41,6 +41,7 @@ export function createFigure({ figure: about, client, titles, on }) {
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
         ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}
+        ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}
       </div>
       ${figure.enveloped && html`<p class="figure-note"></p>`}
     </figure>`);
@@ -49,7 +50,9 @@ export function createFigure({ figure: about, client, titles, on }) {
   const trouble = root.querySelector(".figure-message");
   const tools = root.querySelector(".figure-tools");
   const toggle = root.querySelector(".show-table");
-  const measure = root.querySelector(".measure");
+  const measures = [...root.querySelectorAll(".measure")];
+  const [measure] = measures;
+  let example = false; // whether the figure's own example is measured
   const plot = createPlot({ label: message(`figure.${figure.id}Label`), follows: figure.follows, picked: on.picked, clicked });
   canvas.prepend(plot.root);
   if (figure.follows) canvas.append(plot.cursor);
@@ -78,7 +81,8 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   function post({ input, answer }, theme, signal) {
-    return client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }).then(inLanguage);
+    const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer);
+    return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage);
   }
 
   /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */
@@ -133,22 +137,26 @@ export function createFigure({ figure: about, client, titles, on }) {
     else on.tabled(figure.id, tabled);
   });
 
-  measure?.addEventListener("click", async () => {
-    measure.disabled = true;
-    measure.textContent = message("figure.measuring");
+  for (const button of measures) button.addEventListener("click", async () => {
+    example = button !== measure;
+    for (const one of measures) one.disabled = true;
+    button.textContent = message("figure.measuring");
     const asked = latest;
     reserve(heightOf(asked.filled));
     await draw();
     if (latest !== asked) return;
-    measure.hidden = true;
+    for (const one of measures) one.hidden = true;
     tools.hidden = false;
   });
 
   /** A figure on demand of other inputs than these gives way to its button. */
   function fold() {
-    measure.hidden = false;
-    measure.disabled = latest === null;
-    measure.textContent = message("figure.measure");
+    example = false;
+    for (const one of measures) {
+      one.hidden = false;
+      one.disabled = latest === null;
+      one.textContent = message(one === measure ? "figure.measure" : "figure.measureExample");
+    }
     tools.hidden = true;
     newest.cancel();
     plot.purge();
@@ -206,6 +214,8 @@ export function createFigure({ figure: about, client, titles, on }) {
   return {
     root,
     id: figure.id,
+    side: figure.side,
+    measured: Boolean(figure.onDemand),
     picture,
     drawn: () => plot.drawn() && latest !== null,
     /** When what is to be drawn is drawn. */

@@ -1,5 +1,6 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
 import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
+import { judgedOf, pathOf } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { textIn } from "../lib/schema_form.js";
@@ -56,7 +57,10 @@ function createChoice({ id, title, options }, { on }) {
   };
 }
 
-/** `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`, `on.apply()`. */
+/**
+ * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
+ * `on.apply()`, `on.lengths(option)`, `on.size(path)`.
+ */
 export function createForm({ model, calculator, catalogues, lengths, on }) {
   const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
   root.addEventListener("submit", (event) => {
@@ -83,7 +87,9 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const create = field.kind === "records" ? createRows : createField;
     const view = create(field, {
       suggestion: suggestions[field.path],
+      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
       on: {
+        size: () => on.size(field.path),
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
         /** What follows others does so while it is empty; else the value itself is put in. */
@@ -181,12 +187,22 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     }
   }
 
+  /** A value may be looked for where a check hangs on the field. */
+  const sizes = following(({ shown }) => [shown], ({ shown }) => {
+    const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
+    const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
+    for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
+  });
+  const boxes = following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
+    show(state);
+    suggest(state.reading.filled, state.typed.texts);
+  });
   return {
     root,
     focus: (path) => fields.get(path).focus(),
-    update: following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
-      show(state);
-      suggest(state.reading.filled, state.typed.texts);
-    }),
+    update(state) {
+      boxes(state);
+      sizes(state);
+    },
   };
 }

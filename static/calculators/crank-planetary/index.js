@@ -9,12 +9,17 @@ import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/forma
 import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
-import { impossible, impossibleWords, judged, judgement, wantedWords, withoutFalseSafety } from "./judgement.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { sentences } from "./sentences.js";
 import { workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
+
+/** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
+const TRADE_OFF = {
+  pins: 5, satellites: 3, crank_angles_deg: [0, 100, 230], ratio: 17.31, output_torque_Nm: 280, pin_circle_radius_mm: 28,
+  force_exponent: 1.1,
+};
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
 function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
@@ -66,12 +71,19 @@ function peakCell(section) {
   };
 }
 
-function pressureCell(answer, context) {
-  const { pressure, level } = judged(answer);
-  const value = pressure === undefined ? {} : stated(answer.hertz, pressure, "MPa", 4);
-  return impossible(answer).length > 0
-    ? { ...value, level: "bad", note: message("state.refused") }
-    : { ...value, level, note: judgement(answer, context) };
+function pressureCell(section) {
+  const { governing_pressure_MPa: pressure, safety_factor: safety } = section;
+  return {
+    ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
+    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3) }),
+  };
+}
+
+/** An answer as it is shown: no safety of what cannot be built. */
+function withoutFalseSafety(answer) {
+  if (!answer.hertz || !answer.checks?.some(({ impossible }) => impossible)) return answer;
+  const { safety, safety_factor, ...hertz } = answer.hertz;
+  return { ...answer, hertz };
 }
 
 function columns(...names) {
@@ -129,7 +141,7 @@ export default {
     materials: ["contact.pin_material", "contact.hole_material"],
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
-  hidden: ["load.include", "load.samples", "include", "crank_angle_deg"],
+  hidden: ["load.include", "load.samples", "include", "fixes_for", "crank_angle_deg"],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
     ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
@@ -173,19 +185,24 @@ export default {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
       ...(sections.includes("hertz") && { contact: input.contact }),
-      include: sections,
+      include: [...sections, "checks"],
     }));
   },
 
-  verdict: (answer, context) => [
+  mend: ({ post, input }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
+
+  /** Which way results are better. */
+  better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },
+
+  /** What a field may be sized for besides the checks. */
+  targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
+
+  verdict: (answer) => [
     cell("peak", answer.contact_force, peakCell),
     cell("pairs", answer.cyclogram, pairsCell),
-    cell("pressure", answer.hertz, () => pressureCell(answer, context)),
+    cell("pressure", answer.hertz, pressureCell),
   ],
 
-  /** Why the design cannot be built, and what has to be given before it can be judged: sentences. */
-  impossible: (answer, { input }) => impossibleWords(answer, input),
-  wanted: wantedWords,
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
   elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
@@ -196,6 +213,7 @@ export default {
   figures: [
     {
       id: "cyclogram",
+      side: true,
       follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
       path: "/cyclogram/chart",
@@ -216,13 +234,14 @@ export default {
     },
     {
       id: "hertz",
+      side: true,
       section: "hertz",
       path: "/hertz/chart",
       compared: true,
       body: hertzBody,
       height: 320,
     },
-    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody },
+    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
 
   worked: workedSteps,

@@ -33,6 +33,7 @@ export default {
   path: "/roller-strength",
   groups: ["load", "roller", "material"],
   inline: [],
+  hidden: ["include", "fixes_for"],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
@@ -51,8 +52,11 @@ export default {
   sections: ["roller_strength"],
 
   async ask({ post, input }) {
-    return { roller_strength: await post("/roller-strength", input) };
+    return { roller_strength: await post("/roller-strength", { ...input, include: ["checks"] }) };
   },
+  better: { max_force_N: -1, load_nonuniformity: -1, bending_stress_MPa: -1, displacement_mm: -1 },
+  judgedIn: "roller_strength",
+  mend: async ({ post, input }) => ({ roller_strength: await post("/roller-strength", { ...input, include: ["fixes"] }) }),
 
   verdict: ({ roller_strength: section }) => [
     cell("rollerForce", section, forceCell),
