@@ -221,10 +221,10 @@ export function createFigure({ figure: about, client, titles, on }) {
     /** When what is to be drawn is drawn. */
     settled: () => drawing,
     /** Fit what is drawn to paper, at once; `fromPaper` undoes it. */
-    toPaper(width) {
+    toPaper(width, share) {
       if (!plot.drawn() || tabled) return;
       root.dataset.drawn = latest.theme;
-      plot.fit({ width, height: heightOf(latest.filled) });
+      plot.fit({ width, height: share * heightOf(latest.filled) });
     },
     fromPaper() {
       if (!root.dataset.drawn) return;

@@ -1,4 +1,4 @@
-/** The report on paper and as one HTML file: what the page shows, its inputs as a table, all steps open. */
+/** The report on paper, as the page stands open, and as one HTML file with everything; inputs as a table. */
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/schema_form.js";
@@ -9,6 +9,7 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
+const PAPER_HEIGHT = 0.66; // of that on the screen
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
@@ -80,7 +81,8 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
   const listening = new AbortController();
   let prepared = false;
 
-  function prepare() {
+  /** On paper stands what is open on the page, in a file of its own everything. */
+  function prepare({ whole } = {}) {
     const now = shown();
     if (!now || prepared) return;
     prepared = true;
@@ -93,10 +95,11 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made">${location.href}</p>`);
     fill(givens, html`<h2>${message("report.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
-    folds = [...outputs.querySelectorAll("details.fold:not([open]), .checks details.more:not([open])")].filter((fold) => !fold.matches(".accuracy-fold"));
+    const closed = whole ? "details.fold:not([open], .accuracy-fold), .checks details.more:not([open])" : ".checks details.more:not([open])";
+    folds = [...outputs.querySelectorAll(closed)];
     for (const fold of folds) fold.open = true;
-    worked.unfold();
-    for (const figure of figures) figure.toPaper(PAPER_WIDTH);
+    if (whole) worked.unfold();
+    for (const figure of figures) figure.toPaper(PAPER_WIDTH, whole ? 1 : PAPER_HEIGHT);
   }
 
   function restore() {
@@ -109,7 +112,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
     fill(givens, html``);
   }
 
-  addEventListener("beforeprint", prepare, { signal: listening.signal });
+  addEventListener("beforeprint", () => prepare(), { signal: listening.signal });
   addEventListener("afterprint", () => {
     restore();
     back();
@@ -119,7 +122,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
     const css = await styles();
     const pictures = await Promise.all(figures.map(async (figure) =>
       [figure.id, figure.drawn() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
-    prepare();
+    prepare({ whole: true });
     const copy = outputs.cloneNode(true);
     restore();
     // The pictures join as text: in this document their style attributes would break the policy.

@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     assert length == pytest.approx(40.2196026288, rel=2e-4)
     assert deflection == pytest.approx(answer["deflection_C_mm"]["total"], rel=5e-3)
     assert result(page, "max_line_load_N_per_mm") == pytest.approx(load, rel=1e-3)
-    expect(page.locator(".verdict .numbers")).to_contain_text("C 379.5")  # |(-171.17, 338.66)|
+    expect(page.locator(".summary .numbers")).to_contain_text("C 379.5")  # |(-171.17, 338.66)|
     for figure in ("contactLines", "lineLoad", "shaft"):
         line = page.locator(f'[data-figure="{figure}"] .scatterlayer .js-line')
         expect(line.first).to_be_attached()

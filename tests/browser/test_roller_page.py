@@ -104,7 +104,7 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     titles = page.locator("#example option").all_inner_texts()
     assert len(titles) > 2 and all("pairs" not in title for title in titles)
     page.locator("#example").select_option(label=next(one for one in titles if "fig. 5" in one))
-    expect(page.locator(".verdict .numbers .cell.bad")).to_contain_text("1 of")
+    expect(page.locator(".summary .numbers .cell.bad")).to_contain_text("1 of")
     expect(page.locator("#example-source")).to_contain_text("Ovsyannikov")
     fits_narrow_screens(page, "rollers")
     expect(page.locator(".notes")).to_contain_text("n/4")
