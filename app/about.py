@@ -10,7 +10,14 @@ from app.examples import EXAMPLES
 from app.model import NEGLECTED, Calculation, Maybe, ResponseModel
 from app.registry import CALCULATIONS
 from app.units import from_si
-from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS, Criterion, TableMaterial
+from core.materials import (
+    GROUPS,
+    LIMIT_SOURCES,
+    MATERIALS,
+    Criterion,
+    TableMaterial,
+    Verified,
+)
 
 
 class Health(ResponseModel):
@@ -27,6 +34,9 @@ class LimitOut(ResponseModel):
     pressure_MPa: float = Field(description="The limit.")
     source: str = Field(description="Where it comes from.")
     source_code: str = Field(description="The same by code.")
+    verified: Verified = Field(
+        description="Whether it was read in its standard or in two secondary sources."
+    )
 
 
 class MaterialOut(ResponseModel):
@@ -43,6 +53,18 @@ class MaterialOut(ResponseModel):
     )
     limits: list[LimitOut]
     source: str = Field(description="Where Young's modulus and Poisson's ratio come from.")
+    tensile_strength_MPa: Maybe[float] = Field(default=None, description="Tensile strength.")
+    yield_strength_MPa: Maybe[float] = Field(
+        default=None, description="Yield strength Re or Rp0.2, or yield stress of a plastic."
+    )
+    valid_diameter_mm: Maybe[float] = Field(
+        default=None, description="Largest diameter or wall that the strengths hold for."
+    )
+    strength_source: Maybe[str] = Field(
+        default=None, description="Where they come from: a standard, as in two secondary sources."
+    )
+    density_kg_m3: Maybe[float] = Field(default=None, description="Density.")
+    density_source: Maybe[str] = Field(default=None, description="Where it comes from.")
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
@@ -54,10 +76,21 @@ class MaterialOut(ResponseModel):
                 pressure_MPa=from_si("pressure_MPa", limit.pressure),
                 source=LIMIT_SOURCES[limit.source],
                 source_code=limit.source,
+                verified=limit.verified or "secondary",
             )
             for limit in entry.limits
         ]
-        endurance = [each.pressure_MPa for each in limits if each.criterion == "endurance"]
+        endurance = [each.pressure_MPa for each in limits if each.criterion != "static"]
+        strength = entry.strength
+        known = {
+            "tensile_strength_MPa": from_si("strength_MPa", strength.tensile),
+            "yield_strength_MPa": from_si("strength_MPa", strength.yield_strength),
+            "valid_diameter_mm": from_si("diameter_mm", strength.valid_diameter),
+            "strength_source": strength.source or None,
+            "density_kg_m3": entry.density,
+            "density_source": entry.density_source or None,
+            "allowable_pressure_MPa": endurance[0] if endurance else None,
+        }
         return cls(
             name=entry.name,
             title=entry.title,
@@ -65,9 +98,9 @@ class MaterialOut(ResponseModel):
             group_code=entry.group,
             youngs_modulus_GPa=from_si("youngs_modulus_GPa", material.youngs_modulus),
             poissons_ratio=material.poissons_ratio,
-            **({"allowable_pressure_MPa": endurance[0]} if endurance else {}),
             limits=limits,
             source=entry.source,
+            **{name: value for name, value in known.items() if value is not None},
         )
 
 

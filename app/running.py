@@ -68,12 +68,25 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
     def __exit__(self, kind: object, error: BaseException | None, _: object) -> None:
         """Name the field that the core refuses."""
         if isinstance(error, InvalidInput):
-            place = pointer(_path(self.body, error.parameter) or ())
+            place = pointer(path_of(self.body, error.parameter) or ())
             raise invalid_input([ErrorItem(place, error.code, api_params(error.params))]) from error
 
 
-def _path(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:
-    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included."""
+def path_of(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included.
+
+    Parameters
+    ----------
+    body : BaseModel
+        The request.
+    parameter : str
+        Core name of the parameter.
+
+    Returns
+    -------
+    tuple of str or int, or None
+        None where the request has no such field.
+    """
     head, *rest = re.findall(r"[^.\[\]]+", parameter)
     for path, name in _fields(body):
         if core_name(name) == head:

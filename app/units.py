@@ -16,6 +16,8 @@ UNITS: dict[str, tuple[str, float]] = {
     "N": ("N", 1.0),
     "MPa": ("MPa", 1e6),
     "GPa": ("GPa", 1e9),
+    "kg_m3": ("kg/m³", 1.0),
+    "mrad": ("mrad", 1e-3),
     "deg": ("°", math.pi / 180),
 }
 """Suffix of a name: unit as shown, and its size in SI units."""

@@ -29,7 +29,7 @@ from core.arrays import (
     where,
 )
 from core.errors import InvalidInput
-from core.materials import ContactLimit, ElasticMaterial, effective_modulus
+from core.materials import ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
@@ -43,6 +43,14 @@ HERTZ_TOLERANCE = 0.01
 
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
+
+MISMATCH_TOLERANCE = 0.05
+"""Error of the conformal pressure by different materials up to which it is given: that of steel and
+bronze, not that of steel and plastic."""
+
+MISMATCH_SHARES = (0.07, 0.25)
+"""Bounds of the relative change of the conformal pressure over Dundurs' alpha and beta, at any
+width of the contact, by a series solution of disc and hole (see the tests)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +102,9 @@ class HertzContact:
         Largest pressure of the conformal contact, Pa, where it applies (see `hertz`).
     conformal_half_angle : float, array or None
         Half of the angle over which the conformal contact extends, rad; as before.
+    conformal_error : float, array or None
+        Bound of the relative error of the conformal pressure by the difference of the two
+        materials, dimensionless: 0 for identical ones; as before.
     governing_pressure : float, array or None
         The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
         where neither theory holds.
@@ -115,6 +126,7 @@ class HertzContact:
     effective_modulus: Number
     conformal_pressure: Number | None
     conformal_half_angle: Number | None
+    conformal_error: Number | None
     governing_pressure: Number | None
     safety: tuple[BodySafety, ...]
     safety_factor: Number | None
@@ -178,8 +190,10 @@ def hertz(
     Notes
     -----
     Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson,
-    Contact Mechanics, 4.2. The conformal pressure (identical materials, R - r << r) is given
-    where it differs from Hertz by more than `HERTZ_TOLERANCE`; see `conformal_pressure_ratio`.
+    Contact Mechanics, 4.2. The conformal pressure (R - r << r) is given where it differs from
+    Hertz by more than `HERTZ_TOLERANCE`; see `conformal_pressure_ratio`. It is that of identical
+    materials with twice the effective modulus; other materials change it by less than
+    `MISMATCH_SHARES` of Dundurs' constants.
 
     Examples
     --------
@@ -207,18 +221,20 @@ def hertz(
     half_width = 2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius)
     ratio = half_width / pin_radius
 
-    conformal = half_angle = None
+    conformal = half_angle = conformal_error = None
     governing, known, evaluations = max_pressure, ratio <= 1, 1
-    alike = _identical(pin_material, hole_material) & (line_load > 0)
+    mismatch_error = _mismatch_error(pin_material, hole_material)
+    alike = (mismatch_error <= MISMATCH_TOLERANCE) & (line_load > 0)
     if some(alike):
         load = where(alike, line_load, 1.0)
         factor, tangent, evaluations = conformal_pressure_ratio(
-            load_parameter=pin_material.plane_modulus * (difference / load)
+            load_parameter=2 * modulus * (difference / load)
         )
         applies = alike & (abs(factor - 1) > HERTZ_TOLERANCE)
         if some(applies):
             conformal = known_where(applies, factor * max_pressure)
             half_angle = known_where(applies, 2 * atan(tangent))
+            conformal_error = known_where(applies, mismatch_error)
             governing, known = where(applies, conformal, max_pressure), known | applies
     governing = known_where(known, governing)
     safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
@@ -233,6 +249,7 @@ def hertz(
         effective_modulus=modulus,
         conformal_pressure=conformal,
         conformal_half_angle=half_angle,
+        conformal_error=conformal_error,
         governing_pressure=governing,
         safety=safety,
         safety_factor=(
@@ -247,9 +264,13 @@ def hertz(
     )
 
 
-def _identical(first: ElasticMaterial, second: ElasticMaterial) -> Any:
-    return (first.youngs_modulus == second.youngs_modulus) & (
-        first.poissons_ratio == second.poissons_ratio
+def _mismatch_error(first: ElasticMaterial, second: ElasticMaterial) -> Any:
+    """Bound of the error of Persson's pressure by the difference of two materials."""
+    return sum(
+        share * abs(constant)
+        for share, constant in zip(
+            MISMATCH_SHARES, mismatch(first=first, second=second), strict=True
+        )
     )
 
 

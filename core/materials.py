@@ -5,10 +5,13 @@ from typing import Literal
 
 from core.arrays import Number, check_not_negative, check_positive, every, refuse
 
-Criterion = Literal["endurance", "static", "given"]
-"""What a limit of the contact pressure guards against: pitting in the long run, a permanent set
-under a load at rest, or what whoever gave it has in mind."""
+Criterion = Literal["endurance", "endurance_mean", "static", "given"]
+"""What a limit of the contact pressure guards against: pitting in the long run (judged by the mean
+pressure of a mesh: then the largest one is on the safe side), a permanent set under a load at rest,
+or what whoever gave it has in mind."""
 
+Verified = Literal["standard", "secondary"]
+"""Whether a value was read in its standard, or in two independent secondary sources."""
 
 GROUPS = {
     "steel": "Steel",
@@ -21,13 +24,22 @@ GROUPS = {
 
 LIMIT_SOURCES = {
     "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, "
-    "of the mean pressure",
-    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated",
-    "iso_6336_5": "ISO 6336-5, pitting, grade MQ",
-    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade MQ: 1.313*HV + 373",
-    "iso_76": "ISO 76, roller bearings: permanent set of 1e-4*D",
+    "of the mean pressure, so that the largest one is on the safe side; as in KISSsoft and MITCalc",
+    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated; as in Zaretsky 2010 "
+    "and bearing calculations after ISO/TR 1281-2",
+    "iso_6336_5": "ISO 6336-5, pitting, grade MQ; as in KISSsoft and Roloff/Matek",
+    "iso_6336_5_normalized": "ISO 6336-5, pitting, normalized steel: HBW + 190; as in a table of "
+    "ISO 6336-5:2016 and in Roloff/Matek",
+    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade ML: 1.313*HV + 188; as in a table of "
+    "ISO 6336-5:2016 and in Roloff/Matek",
+    "iso_6336_5_static": "ISO 6336-5 and ISO 6336-2, 1.6 times the pitting limit for few loads; as "
+    "in Autodesk Inventor and MITCalc",
+    "iso_76": "ISO 76:2006, 3.3, roller bearings: permanent set of 1e-4*D",
 }
 """Where limits of the contact pressure come from, in English, by code."""
+
+LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
+"""Sources of limits that were read in the standard itself; of the others two secondary ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +60,11 @@ class ContactLimit:
     pressure: Number
     source: str = ""
 
+    @property
+    def verified(self) -> Verified | None:
+        """How its source was seen; None where the limit is given."""
+        return LIMITS_VERIFIED.get(self.source, "secondary") if self.source else None
+
 
 @dataclass(frozen=True, slots=True)
 class ElasticMaterial:
@@ -61,15 +78,24 @@ class ElasticMaterial:
         Poisson's ratio, 0 <= v < 0.5.
     limit : ContactLimit, optional
         What its contact pressure is judged by; None where nothing is known.
+    yield_strength : float, optional
+        Yield strength Re, Pa; None where it is not known.
+    yield_governs : bool
+        Whether yield below the surface says anything: not of hardened surfaces, whose core it is
+        the strength of, nor of bronzes, whose tested limits lie above it.
     """
 
     youngs_modulus: Number
     poissons_ratio: Number
     limit: ContactLimit | None = None
+    yield_strength: float | None = None
+    yield_governs: bool = True
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)
         check_poissons_ratio(self.poissons_ratio)
+        if self.yield_strength is not None:
+            check_positive(yield_strength=self.yield_strength)
 
     @property
     def plane_modulus(self) -> Number:
@@ -127,6 +153,57 @@ def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> Num
     return 1 / (1 / first.plane_modulus + 1 / second.plane_modulus)
 
 
+def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number, Number]:
+    """Dundurs' constants of two bodies in contact: how different they are elastically.
+
+    ``alpha = (E1' - E2')/(E1' + E2')`` with ``E' = E/(1 - v^2)``, and
+    ``beta = E*/2*((1 - 2*v1)*(1 + v1)/E1 - (1 - 2*v2)*(1 + v2)/E2)``.
+
+    Parameters
+    ----------
+    first, second : ElasticMaterial
+        The two materials.
+
+    Returns
+    -------
+    alpha, beta : float or array
+        Dimensionless; both 0 for identical materials.
+
+    Notes
+    -----
+    Source: Dundurs 1969, in Johnson, Contact Mechanics, 5.1.
+    """
+    one, other = first.plane_modulus, second.plane_modulus
+    shear = [
+        (1 - 2 * each.poissons_ratio) * (1 + each.poissons_ratio) / each.youngs_modulus
+        for each in (first, second)
+    ]
+    modulus = effective_modulus(first=first, second=second)
+    return (one - other) / (one + other), modulus / 2 * (shear[0] - shear[1])
+
+
+@dataclass(frozen=True, slots=True)
+class Strength:
+    """Strength of a material, as far as it is known.
+
+    Attributes
+    ----------
+    tensile : float or None
+        Tensile strength Rm, Pa.
+    yield_strength : float or None
+        Yield strength Re or Rp0.2, Pa.
+    valid_diameter : float or None
+        Largest diameter or wall that they hold for, m; None where their source names none.
+    source : str
+        Where they come from.
+    """
+
+    tensile: float | None = None
+    yield_strength: float | None = None
+    valid_diameter: float | None = None
+    source: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class TableMaterial:
     """A material of the table.
@@ -145,6 +222,12 @@ class TableMaterial:
         Limits of its contact pressure, at most one for each criterion.
     source : str
         Where the elastic values come from.
+    strength : Strength
+        Its strength.
+    density : float or None
+        Density, kg/m^3.
+    density_source : str
+        Where that comes from.
     """
 
     name: str
@@ -153,6 +236,9 @@ class TableMaterial:
     material: ElasticMaterial
     limits: tuple[ContactLimit, ...]
     source: str
+    strength: Strength
+    density: float | None
+    density_source: str
 
 
 def _entry(
@@ -162,29 +248,67 @@ def _entry(
     moduli: tuple[float, float],
     source: str,
     *limits: ContactLimit,
+    strength: Strength = Strength(),
+    density: tuple[float, str] | None = None,
+    hardened: bool = False,
 ) -> TableMaterial:
     modulus_GPa, ratio = moduli
-    endurance = next((each for each in limits if each.criterion == "endurance"), None)
-    material = ElasticMaterial(modulus_GPa * 1e9, ratio, endurance)
-    return TableMaterial(name, title, group, material, limits, source)
+    lasting = next((each for each in limits if each.criterion != "static"), None)
+    material = ElasticMaterial(
+        modulus_GPa * 1e9,
+        ratio,
+        lasting,
+        None if hardened else strength.yield_strength,
+        yield_governs=not hardened and group != "bronze",
+    )
+    density_kg_m3, weighed = density or (None, "")
+    return TableMaterial(
+        name, title, group, material, limits, source, strength, density_kg_m3, weighed
+    )
 
 
-def _endurance(pressure_MPa: float, source: str) -> ContactLimit:
-    return ContactLimit("endurance", pressure_MPa * 1e6, source)
+def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLimit:
+    return ContactLimit(criterion, pressure_MPa * 1e6, source)
+
+
+def _strength(
+    tensile_MPa: float | None, yield_MPa: float | None, size_mm: float | None, source: str
+) -> Strength:
+    return Strength(
+        tensile=None if tensile_MPa is None else tensile_MPa * 1e6,
+        yield_strength=None if yield_MPa is None else yield_MPa * 1e6,
+        valid_diameter=None if size_mm is None else size_mm / 1e3,
+        source=source,
+    )
 
 
 _ISO_6336_2 = "ISO 6336-2, table of elasticity factors"
 _WORM = "ISO/TR 14521 (DIN 3996), worm wheel materials"
+_DATA_SHEETS = "typical of data sheets, 23 degrees C"
+_STEEL_DENSITY = (7850.0, "KISSsoft and MITCalc tables, 7830 to 7870")
 
 MATERIALS: dict[str, TableMaterial] = {
     entry.name: entry
     for entry in (
         _entry(
             "steel_structural",
-            "Structural steel (S235, S355)",
+            "Structural steel (S235JR)",
             "steel",
             (210.0, 0.3),
             "EN 1993-1-1, 3.2.6",
+            _limit("endurance", 120 + 190, "iso_6336_5_normalized"),
+            strength=_strength(360, 225, 40, "EN 10025-2; as in readle.co.uk and Five Steel Pipe"),
+            density=_STEEL_DENSITY,
+        ),
+        _entry(
+            "steel_s355",
+            "Structural steel (S355J2)",
+            "steel",
+            (210.0, 0.3),
+            "EN 1993-1-1, 3.2.6",
+            _limit("endurance", 160 + 190, "iso_6336_5_normalized"),
+            strength=_strength(470, 345, 40, "EN 10025-2; as in readle.co.uk and Five Steel Pipe"),
+            density=_STEEL_DENSITY,
         ),
         _entry(
             "steel_through_hardened",
@@ -192,7 +316,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "steel",
             (206.0, 0.3),
             _ISO_6336_2,
-            _endurance(1.313 * 300 + 373, "iso_6336_5_hardness"),
+            _limit("endurance", 1.313 * 300 + 188, "iso_6336_5_hardness"),
+            strength=_strength(900, 650, 100, "EN 10083-3; as in Saarstahl and Key to Metals"),
+            density=_STEEL_DENSITY,
         ),
         _entry(
             "steel_case_hardened",
@@ -200,7 +326,10 @@ MATERIALS: dict[str, TableMaterial] = {
             "steel",
             (206.0, 0.3),
             _ISO_6336_2,
-            _endurance(1500.0, "iso_6336_5"),
+            _limit("endurance", 1500.0, "iso_6336_5"),
+            _limit("static", 1.6 * 1500.0, "iso_6336_5_static"),
+            density=_STEEL_DENSITY,
+            hardened=True,
         ),
         _entry(
             "steel_bearing",
@@ -208,24 +337,45 @@ MATERIALS: dict[str, TableMaterial] = {
             "steel",
             (207.0, 0.3),
             "ISO/TS 16281",
-            _endurance(1500.0, "iso_281"),
-            ContactLimit("static", 4000e6, "iso_76"),
+            _limit("endurance", 1500.0, "iso_281"),
+            _limit("static", 4000.0, "iso_76"),
+            density=_STEEL_DENSITY,
+            hardened=True,
         ),
-        _entry("iron_grey", "Grey cast iron (EN-GJL-250)", "cast_iron", (118.0, 0.3), _ISO_6336_2),
+        _entry(
+            "iron_grey",
+            "Grey cast iron (EN-GJL-250)",
+            "cast_iron",
+            (118.0, 0.3),
+            _ISO_6336_2,
+            strength=_strength(195, None, 40, "EN 1561; as in modelleriazuin.it, iron-foundry.com"),
+            density=(7200.0, "two public tables, 7200 and 7250"),
+        ),
         _entry(
             "iron_nodular",
             "Nodular cast iron (EN-GJS-400-15)",
             "cast_iron",
             (173.0, 0.3),
             _ISO_6336_2,
+            strength=_strength(400, 250, 30, "EN 1563; as in iron-foundry.com and MITCalc"),
         ),
         _entry(
             "bronze_tin",
+            "Tin bronze, sand cast (CuSn12-C-GS)",
+            "bronze",
+            (88.3, 0.35),
+            _WORM,
+            density=(8700.0, "Finkelstein Metals CC483K and public tables"),
+        ),
+        _entry(
+            "bronze_tin_centrifugal",
             "Tin bronze, centrifugally cast (CuSn12-C-GZ)",
             "bronze",
             (88.3, 0.35),
             _WORM,
-            _endurance(425.0, "iso_14521"),
+            _limit("endurance_mean", 425.0, "iso_14521"),
+            strength=_strength(280, 150, None, "EN 1982; as in MITCalc and Metalurgija"),
+            density=(8700.0, "Finkelstein Metals CC483K and public tables"),
         ),
         _entry(
             "bronze_tin_nickel",
@@ -233,7 +383,8 @@ MATERIALS: dict[str, TableMaterial] = {
             "bronze",
             (98.1, 0.35),
             _WORM,
-            _endurance(520.0, "iso_14521"),
+            strength=_strength(300, 180, None, "EN 1982, table 21; as in symetal.kr and MITCalc"),
+            density=(8600.0, "Kemper, CuSn12Ni2-C; MakeItFrom, within 2 %"),
         ),
         _entry(
             "bronze_aluminium",
@@ -241,7 +392,7 @@ MATERIALS: dict[str, TableMaterial] = {
             "bronze",
             (122.6, 0.35),
             _WORM,
-            _endurance(660.0, "iso_14521"),
+            density=(7600.0, "two public tables"),
         ),
         _entry(
             "brass",
@@ -249,35 +400,42 @@ MATERIALS: dict[str, TableMaterial] = {
             "brass",
             (97.0, 0.34),
             "Copper Development Association, data sheet of CW614N",
+            strength=_strength(410, 200, 14, "R410: Aurubis and EN 12164 tables, the lower yield"),
         ),
         _entry(
             "plastic_pom",
             "Acetal (POM-C)",
             "plastic",
             (2.8, 0.35),
-            "typical of data sheets, 23 degrees C, short time",
+            f"{_DATA_SHEETS}, short time",
+            strength=_strength(None, 61, None, "TECAFORM AH and Penn Fibre, 23 degrees C"),
+            density=(1400.0, "TECAFORM AH and Delrin data sheets, 1390 to 1410"),
         ),
         _entry(
             "plastic_pa66",
             "Polyamide 66, conditioned",
             "plastic",
-            (1.7, 0.4),
-            "typical of data sheets, 23 degrees C, 50 % humidity, short time",
+            (1.4, 0.4),
+            "Zytel 103HSL, 23 degrees C, 50 % humidity, short time: one data sheet only",
+            density=(1140.0, "Academic Press Encyclopedia; public gear material tables"),
         ),
         _entry(
             "plastic_pa66_gf30",
             "Polyamide 66, 30 % glass, conditioned",
             "plastic",
             (7.0, 0.36),
-            "typical of data sheets, 23 degrees C, 50 % humidity",
+            f"{_DATA_SHEETS}, 50 % humidity",
         ),
         _entry(
             "plastic_peek",
             "PEEK, unfilled",
             "plastic",
             (3.7, 0.38),
-            "typical of data sheets, 23 degrees C",
+            _DATA_SHEETS,
+            strength=_strength(97, None, None, "Victrex 450G and MakeItFrom, 23 degrees C"),
+            density=(1300.0, "Victrex 450G and Wikipedia, 1300 to 1320"),
         ),
     )
 }
-"""The table of materials by name."""
+"""The table of materials by name. A limit or a strength stands here where its standard was read or
+two independent secondary sources give it; else it is not known."""

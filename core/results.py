@@ -21,10 +21,10 @@ NOTICES = {
     "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
     "assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where "
-    "there is none, for different materials, take it as a rough guide.",
+    "there is none, for very different materials, take it as a rough guide.",
     "hertz_impossible": "The contact is {width:.3g} times as wide as the pin's radius: wider than "
-    "the pin, so that Hertz does not apply at all, and for different materials no conformal "
-    "solution is at hand: make the hole larger or the load smaller.",
+    "the pin, so that Hertz does not apply at all, and for very different materials no "
+    "conformal solution is at hand: make the hole larger or the load smaller.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
     "them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite "

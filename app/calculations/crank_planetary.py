@@ -5,9 +5,16 @@ from typing import Any, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
 
+from app.calculations.checks import (
+    FixesFor,
+    JudgedResponse,
+    RequirementsFields,
+    codes_to_fix,
+    judgement,
+)
 from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.hertz import ContactFields, HertzResponse
+from app.calculations.hertz import ContactFields, HertzResponse, material_of
 from app.calculations.mechanism import Angle
 from app.model import (
     SIZE,
@@ -30,18 +37,22 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
+from core.checks import CrankDesign, crank_checks
+from core.fixes import crank_fixes
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, PinGeometry, pin_fit, pin_geometry
 
-Section = Literal["cyclogram", "contact_force", "hertz", "geometry"]
+Section = Literal["cyclogram", "contact_force", "hertz", "geometry", "checks", "fixes"]
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
     "contact_force": ("load",),
     "hertz": ("load", "contact"),
     "geometry": ("load", "contact"),
+    "checks": (),
+    "fixes": (),
 }
 """Which parts of the request each section of the answer needs."""
 
@@ -85,12 +96,46 @@ class PinContactFields(ContactFields):
         }
 
 
+class SatelliteBodyFields(RequestModel):
+    """The body of a satellite, as far as it is given."""
+
+    outer_radius_mm: Maybe[float] = quantity(
+        "Outer radius",
+        symbol="r_o",
+        group="satellite_body",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Outer radius of the satellite.",
+    )
+    root_radius_mm: Maybe[float] = quantity(
+        "Root radius",
+        symbol="r_f",
+        group="satellite_body",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Radius at the root of the satellite's teeth.",
+    )
+    bore_radius_mm: Maybe[float] = quantity(
+        "Bore radius",
+        symbol="r_b",
+        group="satellite_body",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Radius of the satellite's bore.",
+    )
+
+
 class CrankPlanetaryRequest(RequestModel):
     """Mechanism, load and contact, and which sections of the answer are wanted."""
 
     mechanism: CyclogramRequest
     load: Maybe[LoadFields] = None
     contact: Maybe[PinContactFields] = None
+    satellite_body: Maybe[SatelliteBodyFields] = None
+    requirements: RequirementsFields = Field(default_factory=RequirementsFields)
     crank_angle_deg: Angle = quantity(
         "Crank angle",
         symbol="φ",
@@ -106,6 +151,9 @@ class CrankPlanetaryRequest(RequestModel):
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: cyclogram, contact_force and hertz, as far as their input is given.",
+    )
+    fixes_for: FixesFor = Field(
+        default="governing", description="Which checks the section fixes is to cure."
     )
 
     model_config = ConfigDict(json_schema_extra=_sections_schema)
@@ -132,8 +180,10 @@ class CrankPlanetaryRequest(RequestModel):
         cost = 0.0
         if drawn or "cyclogram" in self.sections:
             cost += self.mechanism.cost_ms(drawn=drawn)
-        if self.load is not None and (drawn or {"contact_force", "hertz"} & {*self.sections}):
+        if self.load is not None:  # the verdict needs the force
             cost += self.load.cost_of(self.mechanism, drawn=drawn)
+        if "fixes" in self.sections:
+            cost += 60.0
         if "geometry" in self.sections:
             cost += 0.02 * self.mechanism.pairs
         return cost
@@ -168,6 +218,59 @@ class CrankPlanetaryRequest(RequestModel):
             return None
         radius = None if self.load is None else self.load.pin_circle_radius_mm
         return pin_fit(pins=self.mechanism.pins, **self.contact.sizes(radius))
+
+    @cached_property
+    def design(self) -> CrankDesign:
+        """All that the checks look at, SI units."""
+        own, contact, load, body = self.mechanism, self.contact, self.load, self.satellite_body
+        given: dict[str, Any] = {
+            "pins": own.pins,
+            "satellites": own.satellites,
+            "ratio": self.built.ratio,
+            "crank_spacing": to_si("spacing_deg", own.crank_spacing_deg),
+            "crank_angles": own.crank_angles_deg and self.built.crank_angles,
+            "initial_crank_angle": self.built.initial_crank_angle,
+            "satellite_teeth": own.satellite_teeth,
+            "pitting_safety": self.requirements.pitting_safety,
+            "min_wall": to_si("min_wall_mm", self.requirements.min_wall_mm),
+        }
+        if load is not None:
+            given |= {
+                "output_torque": load.torque(self.built),
+                "pin_circle_radius": to_si("radius_mm", load.pin_circle_radius_mm),
+                "force_exponent": load.force_exponent,
+            }
+        if contact is not None:
+            materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
+            given |= contact.sizes(given.get("pin_circle_radius") and load.pin_circle_radius_mm)  # type: ignore[union-attr]
+            given |= {name: material_of(each) for name, each in materials.items()}
+            given |= {
+                "contact_length": to_si("length_mm", contact.contact_length_mm),
+                "dynamic_factor": contact.dynamic_factor,
+                "distribution_factor": contact.distribution_factor,
+                "own_limits": tuple(
+                    name for name, each in materials.items() if not isinstance(each, str)
+                ),
+            }
+        if body is not None:
+            given |= {"has_body": True, **body.to_core()}
+        return CrankDesign(**given)
+
+    def judge(self) -> Values:
+        """Verdict, and checks and fixes where asked."""
+        found = crank_checks(self.design)
+        fixes = None
+        if "fixes" in self.sections:
+            codes = codes_to_fix(found, self.fixes_for)
+            fixes = crank_fixes(design=self.design, codes=codes, current=found)
+        values = judgement(
+            found,
+            self,
+            torque=self.design.output_torque,
+            checks="checks" in self.sections,
+            fixes=fixes,
+        )
+        return {name: value for name, value in values.items() if value is not None}
 
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
@@ -256,8 +359,8 @@ class GeometryOut(ResponseModel):
         )
 
 
-class CrankPlanetaryResponse(ResponseModel):
-    """One section for each that was asked."""
+class CrankPlanetaryResponse(JudgedResponse):
+    """One section for each that was asked, and always the verdict."""
 
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.", default=None)
     contact_force: Maybe[ContactForceResponse] = result(
@@ -315,7 +418,7 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
 def solve(body: CrankPlanetaryRequest) -> Values:
     """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked.
 
-    Warnings say how pins and holes fit, whichever sections are asked.
+    Verdict and warnings are there whichever sections are asked.
     """
     sections: Values = {}
     if "cyclogram" in body.sections:
@@ -332,7 +435,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     fit, _ = run(body, body.solve_fit)
     if fit is not None and fit.notices:
         sections["warnings"] = [warning(each) for each in fit.notices]
-    return sections
+    judged, _ = run(body, body.judge)
+    return judged | sections
 
 
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:

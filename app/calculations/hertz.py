@@ -67,6 +67,16 @@ class MaterialFields(RequestModel):
         help="Allowable contact pressure: what this body is judged by.",
     )
 
+    yield_strength_MPa: Maybe[float] = quantity(
+        "Yield strength",
+        symbol="R_e",
+        group="material",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Yield strength: judges yield below the surface.",
+    )
+
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
         own = self.to_core()
@@ -272,6 +282,11 @@ class HertzResponse(ResponseModel):
     )
     conformal_half_angle_deg: Maybe[float] = result(
         "Half of the angle of their contact.", default=None, symbol="ε", equation="Persson 1964"
+    )
+    conformal_error: Maybe[float] = result(
+        "Bound of the relative error of the conformal pressure by the difference of the materials.",
+        default=None,
+        equation="Dundurs 1969",
     )
     governing_pressure_MPa: Maybe[float] = Field(
         default=None,

@@ -41,6 +41,23 @@ class Deflection:
 
 
 @dataclass(frozen=True, slots=True)
+class Slope:
+    """Slope of a place on the shaft.
+
+    Attributes
+    ----------
+    x, y : float
+        In the two planes, rad.
+    total : float
+        ``sqrt(x^2 + y^2)``, rad.
+    """
+
+    x: float
+    y: float
+    total: float
+
+
+@dataclass(frozen=True, slots=True)
 class ShaftDeflection:
     """Reactions and deflection of the shaft.
 
@@ -50,12 +67,14 @@ class ShaftDeflection:
         Reactions (x, y) of the shaft on the satellite, N.
     deflection_B, deflection_C : Deflection
         Deflection of the shaft at B and C, in the direction of the satellite's forces on it.
+    slope_B, slope_C : Slope
+        Slope of the shaft at B and C.
     simplified_deflection_B, simplified_deflection_C : Deflection or None
-        The same with the smallest diameter everywhere; None for a shaft of one diameter.
+        The same deflections with the smallest diameter everywhere; None for a shaft of one diameter.
     simplification_error_B, simplification_error_C : float or None
         Relative error of those, dimensionless.
     accuracy : Accuracy
-        Of reactions and deflections, the simplified ones too, each as a vector over its size.
+        Of reactions, slopes and deflections, the simplified ones too, each as a vector over its size.
     notices : tuple of Notice
         Assumptions that the shaft strains.
     """
@@ -64,6 +83,8 @@ class ShaftDeflection:
     reaction_C: Plane
     deflection_B: Deflection
     deflection_C: Deflection
+    slope_B: Slope
+    slope_C: Slope
     simplified_deflection_B: Deflection | None
     simplified_deflection_C: Deflection | None
     simplification_error_B: float | None
@@ -162,11 +183,11 @@ def shaft_deflection(
             for influence in _influences(sections, bearing_distance, overhang, youngs_modulus)
         ]
 
-    (at_b, error_b), (at_c, error_c) = deflections(sections)
+    (at_b, error_b), (at_c, error_c), (turn_b, error_tb), (turn_c, error_tc) = deflections(sections)
     simplified_b, simplified_c = None, None
     smallest = min(section.diameter for section in sections)
     if any(section.diameter != smallest for section in sections):
-        (simplified_b, more_b), (simplified_c, more_c) = deflections(
+        (simplified_b, more_b), (simplified_c, more_c), *_ = deflections(
             [ShaftSection(length, smallest)]
         )
         error_b, error_c = max(error_b, more_b), max(error_c, more_c)
@@ -178,6 +199,8 @@ def shaft_deflection(
         relative_error=max(
             error_b,
             error_c,
+            error_tb,
+            error_tc,
             _relative(reaction_b_error, size_b),
             _relative(reaction_c_error, size_c),
         ),
@@ -188,6 +211,8 @@ def shaft_deflection(
         reaction_C=reaction_c,
         deflection_B=at_b,
         deflection_C=at_c,
+        slope_B=Slope(turn_b.x, turn_b.y, turn_b.total),
+        slope_C=Slope(turn_c.x, turn_c.y, turn_c.total),
         simplified_deflection_B=simplified_b,
         simplified_deflection_C=simplified_c,
         simplification_error_B=_simplification_error(simplified_b, at_b),
@@ -210,23 +235,24 @@ class _Influence(NamedTuple):
 def _influences(
     sections: Sequence[ShaftSection], a: float, b: float, youngs_modulus: float
 ) -> list[_Influence]:
-    """Influences on B and on C: Mohr's integrals, piece by piece."""
-    on_b: list[tuple[float, ...]] = []
-    on_c: list[tuple[float, ...]] = []
+    """Influences on B and on C, and on the slopes there: Mohr's integrals, piece by piece."""
+    places: tuple[list[tuple[float, ...]], ...] = ([], [], [], [])
     for piece in shaft_pieces(sections=sections, bearing_distance=a, overhang=b):
         near, far = piece.near, piece.far
         mean, square = (near + far) / 2, (near * near + near * far + far * far) / 3
         if piece.behind_b:
             b_means = (square + a * mean, mean)
             c_means = (square + 2 * a * mean + a * a, mean + a)
+            turns = (mean + a, 1.0), (mean + a, 1.0)
         else:
             b_means, c_means = (0.0, 0.0), (square, square / a)
+            turns = (0.0, 0.0), (mean, mean / a)
         stiffness = bending_stiffness(youngs_modulus=youngs_modulus, diameter=piece.diameter)
         error = ROUNDING * (12 + 6 * min(a, b) / piece.from_b)
-        for place, means in ((on_b, b_means), (on_c, c_means)):
+        for place, means in zip(places, (b_means, c_means, *turns), strict=True):
             force, moment = (piece.length / stiffness * mean for mean in means)
             place.append((force, moment, error * force, error * moment))
-    return [_Influence(*map(math.fsum, zip(*place, strict=True))) for place in (on_b, on_c)]
+    return [_Influence(*map(math.fsum, zip(*place, strict=True))) for place in places]
 
 
 def _deflection(

@@ -11,13 +11,15 @@ from hypothesis import strategies as st
 from core.errors import InvalidInput
 from core.hertz import (
     HERTZ_TOLERANCE,
+    MISMATCH_SHARES,
+    MISMATCH_TOLERANCE,
     HertzContact,
     conformal_half_angle_tangent,
     conformal_pressure,
     conformal_pressure_ratio,
     hertz,
 )
-from core.materials import MATERIALS, ContactLimit, ElasticMaterial
+from core.materials import MATERIALS, ContactLimit, ElasticMaterial, mismatch
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 
@@ -191,12 +193,29 @@ def test_conformal_pressure_only_where_it_applies(contact: dict[str, object]) ->
         assert same.conformal_pressure > same.max_pressure
         assert same.conformal_half_angle is not None
         assert 0 < same.conformal_half_angle < math.radians(86)
-    other = contact["hole_material"]
-    pin = contact["pin_material"]
-    assert isinstance(other, ElasticMaterial)
-    assert isinstance(pin, ElasticMaterial)
-    if (other.youngs_modulus, other.poissons_ratio) != (pin.youngs_modulus, pin.poissons_ratio):
-        assert calculate(contact).conformal_pressure is None
+    one = calculate(contact)
+    alpha, beta = mismatch(first=contact["pin_material"], second=contact["hole_material"])  # type: ignore[arg-type]
+    stated = MISMATCH_SHARES[0] * abs(alpha) + MISMATCH_SHARES[1] * abs(beta)
+    if stated > MISMATCH_TOLERANCE:
+        assert one.conformal_pressure is None
+    if one.conformal_pressure is None:
+        assert one.conformal_error is None
+    else:
+        assert one.conformal_error == stated
+        assert abs(one.conformal_pressure / one.max_pressure - 1) > HERTZ_TOLERANCE
+
+
+def test_bearing_steel_and_tempered_steel_have_a_conformal_pressure() -> None:
+    """207 on 206 GPa: within 0.1 % what equal materials of the mean modulus have."""
+    sizes = {"force": 5000.0, "contact_length": 0.02, "pin_radius": 0.008, "hole_radius": 0.00802}
+    bearing, tempered = ElasticMaterial(207e9, 0.3), ElasticMaterial(206e9, 0.3)
+    mean = ElasticMaterial(206.4988e9, 0.3)
+    one = hertz(**sizes, pin_material=bearing, hole_material=tempered)  # type: ignore[arg-type]
+    same = hertz(**sizes, pin_material=mean, hole_material=mean)  # type: ignore[arg-type]
+    assert one.conformal_pressure == pytest.approx(same.conformal_pressure, rel=1e-6)
+    assert one.conformal_error is not None
+    assert 0 < one.conformal_error < 1e-3
+    assert same.conformal_error == 0
 
 
 @given(contacts())
@@ -206,7 +225,7 @@ def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object])
         value = getattr(one, name)
         if isinstance(value, float):
             assert math.isfinite(value)
-            assert value > 0
+            assert value > 0 or name == "conformal_error"
     assert 0 < one.accuracy.relative_error < 1e-10
 
 
@@ -307,7 +326,7 @@ def test_materials_of_the_table_are_plausible(name: str) -> None:
         assert 10e6 <= limit.pressure <= 4.5e9
     # a limit that holds under a load at rest says nothing of the long run
     judged = entry.material.limit
-    assert judged is None or (judged.criterion == "endurance" and judged in entry.limits)
+    assert judged is None or (judged.criterion != "static" and judged in entry.limits)
 
 
 @pytest.mark.parametrize(("gap", "codes"), [(1e-12, []), (3e-15, ["hardly_known"])])

@@ -16,6 +16,7 @@ import pytest
 from mpmath import mp, mpf
 
 from core.hertz import (
+    MISMATCH_SHARES,
     HALF_WIDTH_RATIO_LIMIT,
     conformal_half_angle_tangent,
     conformal_pressure,
@@ -24,6 +25,7 @@ from core.hertz import (
     hertz,
 )
 from core.materials import ElasticMaterial
+from tests.oracles import dissimilar
 from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 
 
@@ -250,3 +252,31 @@ def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
     # the load: pressure times cosine over the arc, times the length
     carried = np.trapezoid(pressure * np.cos(arc / 0.008), arc) * 0.02
     assert carried == pytest.approx(2e4, rel=0.003)  # R - r << r, and where the arc is taken
+
+
+@pytest.mark.parametrize("degrees", [10, 20, 40, 60, 75, 83])
+def test_the_series_of_a_disc_in_a_hole_gives_persson(degrees: float) -> None:
+    half_angle = math.radians(degrees)
+    load, pressure = dissimilar.contact(half_angle, 0.0, 0.0)
+    b = math.tan(half_angle / 2)
+    expected = conformal_pressure(position=0.0, half_angle_tangent=b)
+    assert pressure / load == pytest.approx(expected, rel=2e-4)
+    # E1**dR/Q of Persson is 2*E**dR/Q
+    parameter = 4.0 / load
+    assert conformal_half_angle_tangent(load_parameter=parameter)[0] == pytest.approx(b, rel=1e-3)
+
+
+@pytest.mark.parametrize("degrees", [5, 10, 20, 30, 45, 60, 70])
+@pytest.mark.parametrize(
+    ("alpha", "beta"),
+    [(0.0024, 0.0007), (0.39, 0.1), (-0.39, -0.1), (0.39, -0.1), (0.0, 0.2), (0.7, 0.0)],
+)
+def test_other_materials_change_the_conformal_pressure_less_than_stated(
+    degrees: float, alpha: float, beta: float
+) -> None:
+    load, pressure = dissimilar.contact(math.radians(degrees), alpha, beta)
+    ratio, _, _ = conformal_pressure_ratio(load_parameter=4.0 / load)
+    same = ratio * math.sqrt(4.0 / load / (2 * math.pi)) * load
+    share_alpha, share_beta = MISMATCH_SHARES
+    stated = share_alpha * abs(alpha) + share_beta * abs(beta)
+    assert abs(pressure / same - 1) <= stated + 1e-4  # the series itself

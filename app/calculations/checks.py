@@ -1,0 +1,323 @@
+"""Verdict, checks and fixes in requests and answers."""
+
+from collections.abc import Iterable
+from typing import Any, Literal
+
+from pydantic import BaseModel, Field
+
+from app.model import Maybe, RequestModel, ResponseModel, Values, quantity, result
+from app.problems import pointer
+from app.running import path_of
+from app.units import from_si, shown_unit
+from core.checks import (
+    CHECK_SOURCES,
+    CHECKS,
+    GROUPS,
+    NOT_CONSIDERED,
+    REASONS,
+    STATUSES,
+    Check,
+    Outcome,
+    Status,
+    Verdict,
+)
+from core.fixes import Fix, FixStatus
+from core.materials import LIMIT_SOURCES, Criterion, Verified
+
+FixesFor = Literal["governing", "failed"]
+
+SAFETY: dict[str, Any] = {"ge": 0.1, "le": 100, "step": 0.1}
+
+
+class RequirementsFields(RequestModel):
+    """What a design has to keep; a demand that is not made is not checked."""
+
+    pitting_safety: float = quantity(
+        "Safety against pitting",
+        symbol="S_H",
+        group="requirements",
+        default=1.2,
+        **SAFETY,
+        help="Limit of the contact pressure over the pressure; a ratio of pressures.",
+    )
+    bending_safety: float = quantity(
+        "Safety against bending",
+        symbol="S_F",
+        group="requirements",
+        default=1.5,
+        **SAFETY,
+        help="Yield strength over bending stress.",
+    )
+    min_wall_mm: Maybe[float] = quantity(
+        "Least wall",
+        symbol="w",
+        group="requirements",
+        default=None,
+        ge=1e-12,
+        le=1e12,
+        step=0.5,
+        help="Least wall between holes, to the rim and to the bore.",
+    )
+    max_deflection_mm: Maybe[float] = quantity(
+        "Largest deflection",
+        symbol="Δ_max",
+        group="requirements",
+        default=None,
+        ge=1e-12,
+        le=1e12,
+        step=0.01,
+        help="Largest deflection of the shaft at its bearings.",
+    )
+    max_slope_mrad: Maybe[float] = quantity(
+        "Largest slope",
+        symbol="θ_max",
+        group="requirements",
+        default=None,
+        ge=1e-12,
+        le=1e12,
+        step=0.1,
+        help="Largest slope of the shaft in its bearings.",
+    )
+
+
+class ReasonOut(ResponseModel):
+    """Why a status is what it is."""
+
+    code: str = Field(description="By code.", json_schema_extra={"enum": [*REASONS]})
+    detail: str = Field(description="The same in English.")
+
+
+class PlaceOut(ResponseModel):
+    """Where a value is reached."""
+
+    satellite: Maybe[int] = result("Satellite.", default=None)
+    pin: Maybe[int] = result("Pin.", default=None)
+    crank_angle_deg: Maybe[float] = result("Crank angle.", default=None)
+
+
+class CheckOut(ResponseModel):
+    """One check: what is compared, how it went, and why."""
+
+    code: str = Field(description="Which check.", json_schema_extra={"enum": [*CHECKS]})
+    title: str = Field(description="What it is, in English.")
+    group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
+    status: Status = Field(description="How it went.")
+    impossible: Maybe[bool] = Field(
+        default=None, description="Present and true where the mechanism cannot exist or move so."
+    )
+    value: Maybe[float] = Field(default=None, description="What is compared, in `unit`.")
+    limit: Maybe[float] = Field(
+        default=None, description="Its limit, in `unit`, with the required safety in it."
+    )
+    unit: str = Field(description="Unit of both as shown; empty for plain numbers.")
+    keep: Literal["below", "above"] = Field(description="Where the value has to stay.")
+    utilisation: Maybe[float] = Field(
+        default=None, description="How much of the limit is used, 1 at the limit."
+    )
+    margin: Maybe[float] = Field(default=None, description="What is left to the limit, in `unit`.")
+    torque_reserve: Maybe[float] = Field(
+        default=None, description="Factor on the torque at which the value is at its limit."
+    )
+    formula: str = Field(description="What has to hold.")
+    why: str = Field(description="What is wrong where it does not, in English.")
+    reason: Maybe[ReasonOut] = None
+    source: str = Field(description="Where limit or formula come from, in English.")
+    source_code: str = Field(description="The same by code.")
+    criterion: Maybe[Criterion] = Field(
+        default=None, description="What a material's limit guards against."
+    )
+    verified: Maybe[Verified] = Field(default=None, description="How a material's limit was seen.")
+    at: Maybe[PlaceOut] = None
+    inputs: list[str] = Field(description="JSON pointers to what it depends on.")
+    missing: Maybe[list[str]] = Field(
+        default=None, description="JSON pointers to what would have to be given."
+    )
+
+
+class SideEffectOut(ResponseModel):
+    """What a fix does to another check."""
+
+    code: str = Field(description="Which check.")
+    status_from: Status = Field(description="Its status without the fix.")
+    status_to: Status = Field(description="With it.")
+    utilisation_from: Maybe[float] = Field(default=None, description="Its utilisation without.")
+    utilisation_to: Maybe[float] = Field(default=None, description="With it.")
+
+
+class FixOut(ResponseModel):
+    """One input changed so that a check passes."""
+
+    code: str = Field(description="The check that it cures.")
+    pointer: str = Field(description="JSON pointer to the input.")
+    title: str = Field(description="Its name in English.")
+    unit: str = Field(description="Its unit as shown.")
+    before: float = Field(alias="from", description="Its value now.")
+    to: float = Field(description="Its value with the fix, rounded to the safe side.")
+    exact: float = Field(description="The value before rounding.")
+    change: float = Field(description="Relative change.")
+    standard: Maybe[str] = Field(default=None, description="Standard that has a part of this size.")
+    sets: dict[str, float] = Field(description="All that it sets, by JSON pointer.")
+    status: FixStatus = Field(description="Whether it cures the check.")
+    verdict: Outcome = Field(description="Of the whole design with it.")
+    side_effects: list[SideEffectOut] = Field(description="Other checks that change.")
+
+
+class JudgedResponse(ResponseModel):
+    """An answer with a verdict."""
+
+    verdict: Outcome = Field(
+        description="`fail` where a check fails, else `incomplete` where one could not be made, "
+        "else `marginal`, else `pass`; says nothing of what is `not_considered`."
+    )
+    governing: Maybe[str] = Field(
+        default=None, description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
+    )
+    torque_reserve: Maybe[float] = Field(
+        default=None, description="Factor on the torque at which the first check fails."
+    )
+    largest_torque_Nm: Maybe[float] = Field(
+        default=None,
+        description="Torque at which the first check fails; absent where less torque cures "
+        "nothing, or something is not known.",
+    )
+    counts: dict[str, int] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
+    not_considered: list[str] = Field(
+        description="What the verdict does not look at: "
+        + "; ".join(f"`{code}`, {text}" for code, text in NOT_CONSIDERED.items())
+        + "."
+    )
+    checks: Maybe[list[CheckOut]] = Field(
+        default=None, description="All checks, the one that decides first, where asked."
+    )
+    fixes: Maybe[list[FixOut]] = Field(
+        default=None, description="What cures the governing check, or all that fail, where asked."
+    )
+
+
+def check_values(check: Check, body: BaseModel) -> Values:
+    """Values of a check, with its inputs as pointers into a request."""
+    kind, unit = check.kind, f"value_{check.kind.unit}"
+    source = check.limit_source or kind.source
+    at = {
+        "crank_angle_deg" if name == "crank_angle" else name: from_si("angle_deg", value)
+        if name == "crank_angle"
+        else value
+        for name, value in check.at.items()
+    }
+    values: Values = {
+        "code": check.code,
+        "title": kind.title,
+        "group": kind.group,
+        "status": check.status,
+        "impossible": True if check.impossible and check.status == "fail" else None,
+        "value": from_si(unit, check.value),
+        "limit": from_si(unit, check.limit),
+        "unit": shown_unit(unit),
+        "keep": check.keep,
+        "utilisation": check.utilisation,
+        "margin": from_si(unit, check.margin),
+        "torque_reserve": check.torque_reserve,
+        "formula": kind.formula,
+        "why": kind.why,
+        "reason": {"code": check.reason, "detail": REASONS[check.reason]} if check.reason else None,
+        "source": (LIMIT_SOURCES | CHECK_SOURCES)[source] if source else CHECK_SOURCES["user"],
+        "source_code": source or "user",
+        "criterion": check.criterion or None,
+        "verified": check.verified or None,
+        "at": at or None,
+        "inputs": pointers(body, kind.inputs, given=True),
+        "missing": pointers(body, check.missing) or None,
+    }
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def pointers(body: BaseModel, names: Iterable[str], *, given: bool = False) -> list[str]:
+    """JSON pointers to the fields of core names, or only to those that are given."""
+    found = []
+    for name in names:
+        path = path_of(body, name)
+        if path is None or (given and _value(body, path) is None):
+            continue
+        found.append(pointer(path))
+    return found
+
+
+def _value(body: Any, path: tuple[str | int, ...]) -> Any:
+    for part in path:
+        body = body[part] if isinstance(part, int) else getattr(body, part, None)
+    return body
+
+
+def fix_values(fix: Fix, body: BaseModel) -> Values:
+    """Values of a fix, with all that it sets in a request."""
+    path = path_of(body, fix.variable)
+    assert path is not None
+    name = str(path[-1])
+    before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
+    sets = {pointer(path): to}
+    hole = path_of(body, "hole_radius")
+    if fix.variable == "pin_radius" and hole is not None:
+        sets[pointer(hole)] = round(float(_value(body, hole)) + to - before, 9)
+    parent: Any = body
+    for part in path[:-1]:
+        parent = getattr(parent, str(part))
+    values: Values = {
+        "code": fix.code,
+        "pointer": pointer(path),
+        "title": type(parent).model_fields[name].title,
+        "unit": shown_unit(name),
+        "from": before,
+        "to": to,
+        "exact": exact,
+        "change": fix.change,
+        "standard": "ISO 2338" if fix.standard else None,
+        "sets": sets,
+        "status": fix.status,
+        "verdict": fix.verdict,
+        "side_effects": [
+            {
+                name: value
+                for name, value in {
+                    "code": each.code,
+                    "status_from": each.before.status,
+                    "status_to": each.after.status,
+                    "utilisation_from": each.before.utilisation,
+                    "utilisation_to": each.after.utilisation,
+                }.items()
+                if value is not None
+            }
+            for each in fix.side_effects
+        ],
+    }
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def judgement(
+    verdict: Verdict,
+    body: BaseModel,
+    *,
+    torque: float | None,
+    checks: bool,
+    fixes: Iterable[Fix] | None = None,
+) -> dict[str, Any]:
+    """The fields of `JudgedResponse`, None for what there is not."""
+    reserve = verdict.torque_reserve
+    known = verdict.largest_torque_known and reserve is not None and torque is not None
+    return {
+        "verdict": verdict.verdict,
+        "governing": verdict.governing,
+        "torque_reserve": reserve,
+        "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
+        "counts": verdict.counts,
+        "not_considered": list(verdict.not_considered),
+        "checks": [check_values(each, body) for each in verdict.checks] if checks else None,
+        "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
+    }
+
+
+def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:
+    """Checks that fixes are asked for: the governing one unless it passes, or all that fail."""
+    if which == "failed":
+        return [each.code for each in verdict.checks if each.status == "fail"]
+    first = verdict.checks[0] if verdict.checks else None
+    return [first.code] if first is not None and first.status in ("fail", "marginal") else []

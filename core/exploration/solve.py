@@ -1,0 +1,304 @@
+"""One input solved for one result: where a target is met, by sampling and bracketing.
+
+The function is any: it may jump, have several solutions, or not exist in parts of the range (NaN).
+So it is sampled first; a stretch between two samples of which one meets the target and the other
+does not is a bracket, narrowed until its ends are neighbours; around samples that come close to
+the target without meeting it the samples are made finer.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from core.errors import InvalidInput
+
+Sense = Literal["at_least", "at_most", "equals"]
+Want = Literal["smallest", "largest"]
+SolveStatus = Literal["solved", "always", "infeasible", "several"]
+
+SAMPLES = 129
+"""Places at which the range is looked at first."""
+
+FINER = 16
+"""Places within two steps around a closest approach, at each of the three refinements."""
+
+TOLERANCE = 2.0**-50
+"""Width of a bracket over its size when it is narrow enough: 4 spacings of doubles."""
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """Where a target is met.
+
+    Attributes
+    ----------
+    status : SolveStatus
+        `always` where the whole range meets it, `several` where more than one stretch does.
+    value : float or None
+        The smallest or the largest input that meets the target, as wanted.
+    bracket : tuple of float or None
+        The neighbours that the edge at `value` lies between, the lower first.
+    intervals : tuple of tuple of float
+        Stretches that meet the target, from and to.
+    best : tuple of float or None
+        Where nothing meets it, the input that comes closest and its result.
+    monotone : bool
+        Whether the result, as sampled, only grows or only falls.
+    evaluations : int
+        How often the function was evaluated.
+    """
+
+    status: SolveStatus
+    value: float | None
+    bracket: tuple[float, float] | None
+    intervals: tuple[tuple[float, float], ...]
+    best: tuple[float, float] | None
+    monotone: bool
+    evaluations: int
+
+
+def solve(
+    *,
+    function: Callable[[float], float],
+    low: float,
+    high: float,
+    target: float,
+    sense: Sense = "at_least",
+    want: Want = "smallest",
+    integer: bool = False,
+    log: bool = False,
+    samples: int = SAMPLES,
+) -> Solution:
+    """The input at which a result meets a target.
+
+    Parameters
+    ----------
+    function : callable
+        Result of an input; NaN where the design does not exist.
+    low, high : float
+        Range of the input, low < high.
+    target : float
+        What the result is to be.
+    sense : {"at_least", "at_most", "equals"}
+        How it is to be compared; `equals` finds where the result crosses the target.
+    want : {"smallest", "largest"}
+        Which input, where many meet it.
+    integer : bool
+        Whether only whole numbers are looked at, each of them.
+    log : bool
+        Whether samples are spaced by their ratio; low > 0 then.
+    samples : int
+        Places at which the range is looked at first, at least 2.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    InvalidInput
+        If the range is empty, or not positive where samples are spaced by their ratio.
+
+    Examples
+    --------
+    >>> found = solve(function=lambda x: x*x, low=0.0, high=10.0, target=2.0)
+    >>> found.value, found.monotone
+    (1.4142135623730951, True)
+    """
+    if not low < high:
+        raise InvalidInput("high", high, "larger_than", field="low")
+    if log and not low > 0:
+        raise InvalidInput("low", low, "greater_than", limit=0)
+    known: dict[float, float] = {}
+
+    def excess(x: float) -> float:
+        """How far the result is beyond the target; below 0 where it is not met."""
+        if x not in known:
+            result = function(x)
+            known[x] = result - target if sense != "at_most" else target - result
+        return known[x]
+
+    if integer:
+        places = [float(x) for x in range(math.ceil(low), math.floor(high) + 1)]
+        if not places:
+            raise InvalidInput("high", high, "larger_than", field="low")
+    else:
+        places = _spaced(low, high, samples, log)
+    for place in places:
+        excess(place)
+    values = [known[place] for place in places if not math.isnan(known[place])]
+    steps = [later - earlier for earlier, later in zip(values, values[1:], strict=False)]
+    monotone = all(step >= 0 for step in steps) or all(step <= 0 for step in steps)
+    if not integer and not monotone:
+        for _ in range(3):
+            places = _finer(places, known, excess)
+    if sense == "equals":
+        intervals, brackets = _crossings(places, excess, integer)
+    else:
+        intervals, brackets = _stretches(places, excess, integer)
+    if not intervals:
+        existing = {x: each for x, each in known.items() if not math.isnan(each)}
+        best = None
+        if existing:
+            closest = min(existing, key=lambda x: abs(existing[x]))
+            sign = -1.0 if sense == "at_most" else 1.0
+            best = (closest, target + sign * existing[closest])
+        return Solution("infeasible", None, None, (), best, monotone, len(known))
+    first = 0 if want == "smallest" else -1
+    side = 0 if want == "smallest" else 1
+    status: SolveStatus = "several" if len(intervals) > 1 else "solved"
+    if intervals == [(places[0], places[-1])]:
+        status = "always"
+    return Solution(
+        status=status,
+        value=intervals[first][side],
+        bracket=brackets[first][side],
+        intervals=tuple(intervals),
+        best=None,
+        monotone=monotone,
+        evaluations=len(known),
+    )
+
+
+def edge(*, inside: float, outside: float, excess: Callable[[float], float]) -> tuple[float, float]:
+    """The two neighbours between which a condition ends.
+
+    Parameters
+    ----------
+    inside, outside : float
+        Where ``excess >= 0``, and where it is not, or is NaN.
+    excess : callable
+        How far the condition is met.
+
+    Returns
+    -------
+    met, unmet : float
+        Closer than `TOLERANCE`, on the sides of `inside` and `outside`.
+
+    Notes
+    -----
+    Source: Chandrupatla 1997, A new hybrid quadratic/bisection algorithm; halved instead where a
+    side does not exist, and ended on both sides of the edge, so that a jump is bracketed too.
+    """
+    met, unmet = inside, outside
+    good, bad = excess(met), excess(unmet)
+    earlier, before = met, good  # the place before last, for the quadratic step
+    share = 0.5
+    for _ in range(200):
+        width = abs(unmet - met)
+        if width <= TOLERANCE * max(abs(met), abs(unmet)) or width == 0.0:
+            break
+        smallest = TOLERANCE / 4 * max(abs(met), abs(unmet)) / width
+        share = min(max(share, smallest), 1 - smallest)
+        place = met + share * (unmet - met)
+        if place in (met, unmet):
+            break
+        value = excess(place)
+        if value >= 0:
+            earlier, before, met, good = met, good, place, value
+        else:
+            earlier, before, unmet, bad = unmet, bad, place, value
+        share = _step(met, good, unmet, bad, earlier, before)
+    return met, unmet
+
+
+def _step(
+    met: float, good: float, unmet: float, bad: float, earlier: float, before: float
+) -> float:
+    """Share of the way from met to unmet: inverse quadratic where that is safe, else one half."""
+    values = (good, bad, before)
+    if any(not math.isfinite(each) for each in values) or before in (good, bad) or good == bad:
+        return 0.5
+    # Chandrupatla's criterion, from the newer end towards the other
+    xi = (met - unmet) / (earlier - unmet) if earlier != unmet else 0.5
+    phi = (good - bad) / (before - bad)
+    if not (phi * phi < xi and (1 - phi) * (1 - phi) < 1 - xi):
+        # close to a straight line the secant is as good
+        secant = good / (good - bad)
+        return secant if 0.05 < secant < 0.95 else 0.5
+    slope = good / (bad - good) * before / (bad - before)
+    return slope + (earlier - met) / (unmet - met) * good / (before - good) * bad / (before - bad)
+
+
+def _spaced(low: float, high: float, samples: int, log: bool) -> list[float]:
+    """Places from low to high, both ends included."""
+    last = samples - 1
+    if log:
+        ratio = math.log(high / low)
+        inner = [low * math.exp(ratio * i / last) for i in range(1, last)]
+    else:
+        inner = [low + (high - low) * i / last for i in range(1, last)]
+    return [low, *inner, high]
+
+
+def _finer(
+    places: list[float], known: dict[float, float], excess: Callable[[float], float]
+) -> list[float]:
+    """More places where the result comes closest to the target without crossing it."""
+    added: list[float] = []
+    for before, here, after in zip(places, places[1:], places[2:], strict=False):
+        one, two, three = known[before], known[here], known[after]
+        turns = abs(two) <= abs(one) and abs(two) <= abs(three)
+        if turns and one * three > 0 and one * two >= 0:
+            added += _spaced(before, here, FINER, False)[1:-1]
+            added += _spaced(here, after, FINER, False)[1:-1]
+    for place in added:
+        excess(place)
+    return sorted({*places, *added})
+
+
+Intervals = list[tuple[float, float]]
+Brackets = list[tuple[tuple[float, float] | None, tuple[float, float] | None]]
+
+
+def _stretches(
+    places: Sequence[float], excess: Callable[[float], float], integer: bool
+) -> tuple[Intervals, Brackets]:
+    """Stretches where the target is met, each end with the neighbours that it lies between."""
+    intervals: Intervals = []
+    brackets: Brackets = []
+    start: float | None = None
+    left: tuple[float, float] | None = None
+    for index, place in enumerate(places):
+        met = excess(place) >= 0
+        if met and start is None:
+            start, left = place, None
+            if index and not integer:
+                start, beyond = edge(inside=place, outside=places[index - 1], excess=excess)
+                left = (beyond, start)
+        if not met and start is not None:
+            end, right = places[index - 1], None
+            if not integer:
+                end, beyond = edge(inside=end, outside=place, excess=excess)
+                right = (end, beyond)
+            intervals.append((start, end))
+            brackets.append((left, right))
+            start = None
+    if start is not None:
+        intervals.append((start, places[-1]))
+        brackets.append((left, None))
+    return intervals, brackets
+
+
+def _crossings(
+    places: Sequence[float], excess: Callable[[float], float], integer: bool
+) -> tuple[Intervals, Brackets]:
+    """Places where the result equals the target, as intervals of nothing or of neighbours."""
+    intervals: Intervals = []
+    brackets: Brackets = []
+    for index, place in enumerate(places):
+        here = excess(place)
+        if here == 0:
+            intervals.append((place, place))
+            brackets.append((None, None))
+        elif index and not integer:
+            last = places[index - 1]
+            before = excess(last)
+            if before * here < 0:
+                inside, outside = (place, last) if here > 0 else (last, place)
+                met, unmet = edge(inside=inside, outside=outside, excess=excess)
+                ends = (min(met, unmet), max(met, unmet))
+                intervals.append((met, met))
+                brackets.append((ends, ends))
+    return intervals, brackets

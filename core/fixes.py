@@ -1,0 +1,405 @@
+"""Fixes of a check: each input that it depends on, solved alone, and what else that changes.
+
+A fix is found, not looked up: which way an input has to go is not obvious. It aims beyond the
+marginal band, is rounded to the safe side (pins to standard sizes), and all checks are made again
+with it.
+"""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from core.checks import CRANK, MARGIN, Check, CrankDesign, Verdict, crank_checks, crank_tables
+from core.errors import CalculationError
+from core.exploration.solve import Solution, solve
+
+FixStatus = Literal["solved", "not_enough", "not_monotone"]
+
+PIN_SIZES = (
+    *(0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0),
+    *(40.0, 50.0),
+)
+"""Diameters of parallel pins in mm that ISO 2338 (DIN 7) has; up to 20 mm ISO 8734 too."""
+
+WALL = 1e-3
+"""Wall that a fix aims at where none is asked, m."""
+
+RANGE = 20.0
+"""How many times larger or smaller than it is an input is looked at."""
+
+SAMPLES = 17
+"""Places at which that range is looked at first."""
+
+COUNTS = 20
+"""Most whole numbers that are tried."""
+
+_STRESS = (
+    "contact_length",
+    "pin_radius",
+    "pin_circle_radius",
+    "pins",
+    "satellites",
+    "output_torque",
+)
+
+VARIED: dict[str, tuple[str, ...]] = {
+    "dead_centre": ("pins", "satellites"),
+    "crank_balance": ("crank_spacing",),
+    "contact_pressure_pin": _STRESS,
+    "contact_pressure_hole": _STRESS,
+    "contact_shakedown_pin": _STRESS,
+    "contact_shakedown_hole": _STRESS,
+    "contact_yield_pin": _STRESS,
+    "contact_yield_hole": _STRESS,
+    "contact_conformity": _STRESS,
+    "interference": ("hole_radius",),
+    "clearance": ("hole_radius",),
+    "wall_holes": ("pin_circle_radius", "pin_radius", "pins"),
+    "pins_apart": ("pin_circle_radius", "pin_radius", "pins"),
+    "holes_off_centre": ("pin_circle_radius", "pin_radius"),
+    "wall_rim": ("outer_radius", "root_radius", "pin_circle_radius", "pin_radius"),
+    "wall_bore": ("bore_radius", "pin_circle_radius", "pin_radius"),
+    "roller_stress": (
+        "diameter",
+        "hole_circle_radius",
+        "rollers",
+        "position_tolerance",
+        "output_torque",
+    ),
+    "roller_sharing": ("position_tolerance", "output_torque"),
+    "roller_spacing": ("hole_circle_radius", "sphere_diameter", "rollers"),
+    "roller_room": ("hole_circle_radius", "sphere_diameter"),
+    "roller_tilt": ("cylinder_length",),
+    "line_spacing": (),
+    "shaft_in_circle": ("shaft_diameter",),
+    "shaft_deflection": ("shaft_diameter", "overhang", "bearing_distance"),
+    "shaft_slope": ("shaft_diameter", "overhang", "bearing_distance"),
+}
+"""Inputs that a fix of a check may change, by their core names."""
+
+WHOLE = {"pins", "satellites", "rollers"}
+"""Inputs that are whole numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class SideEffect:
+    """What a fix does to another check.
+
+    Attributes
+    ----------
+    code : str
+        Which.
+    before, after : Check
+        It without and with the fix.
+    """
+
+    code: str
+    before: Check
+    after: Check
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """One input changed so that a check passes.
+
+    Attributes
+    ----------
+    code : str
+        The check.
+    variable : str
+        The input's core name.
+    before, after : float
+        The input without and with the fix, SI.
+    exact : float
+        What it had to be at least, or at most.
+    standard : bool
+        Whether it is a standard size.
+    status : FixStatus
+        `not_enough` where no value in range makes the check pass: then the best; `not_monotone`
+        where there are several stretches that do: then the nearest.
+    verdict : str
+        Of the whole design with the fix.
+    side_effects : tuple of SideEffect
+        Other checks that change.
+    """
+
+    code: str
+    variable: str
+    before: float
+    after: float
+    exact: float
+    standard: bool
+    status: FixStatus
+    verdict: str
+    side_effects: tuple[SideEffect, ...]
+
+    @property
+    def change(self) -> float:
+        """Relative change of the input."""
+        return self.after / self.before - 1 if self.before else math.inf
+
+
+def beyond(check: Check) -> float:
+    """How far a check is beyond what a fix aims at; NaN where it cannot be made.
+
+    Parameters
+    ----------
+    check : Check
+        The check.
+
+    Returns
+    -------
+    float
+        >= 0 where it is met.
+    """
+    if check.value is None or check.limit is None:
+        return math.nan
+    if check.torque_reserve is not None:
+        return check.torque_reserve - (1.0 if check.warning else MARGIN)
+    if check.keep == "above":
+        if check.limit > 0:
+            return check.value / check.limit - 1
+        return check.value - WALL
+    return check.limit - check.value
+
+
+Change = Callable[[float], Check]
+
+
+def fix_of(
+    *,
+    code: str,
+    variable: str,
+    before: float,
+    change: Change,
+    whole_list: Callable[[float], Verdict],
+    current: Verdict,
+) -> Fix | None:
+    """One input solved so that a check passes.
+
+    Parameters
+    ----------
+    code : str
+        The check.
+    variable : str
+        The input's core name.
+    before : float
+        Its value, SI, > 0.
+    change : callable
+        The check with another value of the input.
+    whole_list : callable
+        All checks with it.
+    current : Verdict
+        All checks without it.
+
+    Returns
+    -------
+    Fix or None
+        None where the check cannot be made at any value.
+    """
+    whole = variable in WHOLE
+
+    def measure(value: float) -> float:
+        try:
+            return beyond(change(value))
+        except CalculationError:
+            return math.nan
+
+    if whole:
+        low, high = max(1.0, before - COUNTS // 2), max(1.0, before - COUNTS // 2) + COUNTS - 1
+    else:
+        low, high = before / RANGE, before * RANGE
+    found = solve(
+        function=measure,
+        low=low,
+        high=high,
+        target=0.0,
+        integer=whole,
+        log=not whole,
+        samples=SAMPLES,
+    )
+    if not found.intervals:
+        if found.best is None or found.best[0] == before:
+            return None
+        return _made(
+            code, variable, before, found.best[0], found, "not_enough", whole_list, current
+        )
+    ends = [end for interval in found.intervals for end in interval if end not in (low, high)]
+    ends = ends or [end for interval in found.intervals for end in interval]
+    exact = min(ends, key=lambda end: abs(math.log(end / before)))
+    status: FixStatus = "solved" if len(found.intervals) == 1 else "not_monotone"
+    return _made(code, variable, before, exact, found, status, whole_list, current)
+
+
+def _made(
+    code: str,
+    variable: str,
+    before: float,
+    exact: float,
+    found: Solution,
+    status: FixStatus,
+    whole_list: Callable[[float], Verdict],
+    current: Verdict,
+) -> Fix:
+    """A fix with its rounding and its side effects."""
+    up = exact >= before
+    after, standard = exact, False
+    if variable not in WHOLE and status != "not_enough":
+        sizes = _sizes(variable, exact, up)
+        for size, is_standard in sizes:
+            if any(start <= size <= end for start, end in found.intervals):
+                after, standard = size, is_standard
+                break
+    verdict = whole_list(after)
+    effects = tuple(
+        SideEffect(code=each.code, before=old, after=each)
+        for each in verdict.checks
+        if each.code != code
+        for old in current.checks
+        if old.code == each.code and _changed(old, each)
+    )
+    return Fix(code, variable, before, after, exact, standard, status, verdict.verdict, effects)
+
+
+def _changed(before: Check, after: Check) -> bool:
+    if before.status != after.status:
+        return True
+    one, two = before.utilisation, after.utilisation
+    return one is not None and two is not None and abs(two - one) > 1e-3 * abs(one)
+
+
+def _sizes(variable: str, exact: float, up: bool) -> list[tuple[float, bool]]:
+    """Rounded sizes on the safe side of an exact one, the best first, and whether standard ones."""
+    sizes: list[tuple[float, bool]] = []
+    if variable == "pin_radius":
+        beyond_it = [
+            size / 2000
+            for size in PIN_SIZES
+            if (size / 2000 >= exact if up else size / 2000 <= exact)
+        ]
+        if beyond_it:
+            sizes.append((beyond_it[0] if up else beyond_it[-1], True))
+    step = 10.0 ** (2 - math.floor(math.log10(exact)))
+    rounded = (math.ceil if up else math.floor)(exact * step)
+    return [*sizes, (rounded / step, False)]
+
+
+def vary(*, design: CrankDesign, variable: str, value: float) -> CrankDesign:
+    """A design with another value of an input; the hole follows pin and eccentricity.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    variable : str
+        Its attribute.
+    value : float
+        The value, SI.
+
+    Returns
+    -------
+    CrankDesign
+    """
+    if variable in WHOLE:
+        return replace(design, **{variable: round(value)})  # type: ignore[arg-type]
+    changed: dict[str, float] = {variable: value}
+    if variable in ("pin_radius", "eccentricity") and design.hole_radius is not None:
+        changed["hole_radius"] = design.hole_radius + value - (getattr(design, variable) or 0.0)
+    return replace(design, **changed)  # type: ignore[arg-type]
+
+
+def crank_fixes(
+    *, design: CrankDesign, codes: Iterable[str], current: Verdict | None = None
+) -> list[Fix]:
+    """Fixes of checks of a crank-planetary reducer, the best first.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    codes : iterable of str
+        The checks to be cured.
+    current : Verdict, optional
+        Its checks, where they were made already.
+
+    Returns
+    -------
+    list of Fix
+    """
+    current = current or crank_checks(design)
+    fixes = []
+    for code in codes:
+        for variable in VARIED.get(code, ()):
+            before = getattr(design, variable)
+            if code in ("interference", "clearance", "crank_balance"):
+                fix = _closed(design, code, variable, current)
+            elif before is None or (variable == "satellites" and not _even(design)):
+                continue
+            else:
+
+                def change(value: float, code: str = code, variable: str = variable) -> Check:
+                    return CRANK[code](vary(design=design, variable=variable, value=value))
+
+                def whole_list(value: float, variable: str = variable) -> Verdict:
+                    return crank_checks(vary(design=design, variable=variable, value=value))
+
+                fix = fix_of(
+                    code=code,
+                    variable=variable,
+                    before=float(before),
+                    change=change,
+                    whole_list=whole_list,
+                    current=current,
+                )
+            if fix is not None:
+                fixes.append(fix)
+    return in_order(fixes)
+
+
+def _even(design: CrankDesign) -> bool:
+    return design.crank_angles is None and design.crank_spacing is None
+
+
+def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fixes that are no search: the hole that fits, the even spacing."""
+    if code == "crank_balance":
+        if design.crank_spacing is None or design.satellites < 2:
+            return None
+        before, after = design.crank_spacing, 2 * math.pi / design.satellites
+    else:
+        if design.eccentricity is None or design.pin_radius is None or design.hole_radius is None:
+            return None
+        before, after = design.hole_radius, design.pin_radius + design.eccentricity
+    exact = Solution("solved", after, None, ((after, after),), None, True, 1)
+    changed = replace(design, **{variable: after})  # type: ignore[arg-type]
+    if code not in crank_tables(changed) or not before:
+        return None
+    made = _made(
+        code, variable, before, after, exact, "solved", lambda _: crank_checks(changed), current
+    )
+    return replace(made, after=after, standard=False)
+
+
+def in_order(fixes: Iterable[Fix]) -> list[Fix]:
+    """Fixes by the verdict that they lead to, then by how little they change.
+
+    Parameters
+    ----------
+    fixes : iterable of Fix
+        The fixes.
+
+    Returns
+    -------
+    list of Fix
+    """
+    verdicts = ("pass", "marginal", "incomplete", "fail")
+    ways = ("solved", "not_monotone", "not_enough")
+    return sorted(
+        fixes,
+        key=lambda each: (
+            ways.index(each.status),
+            verdicts.index(each.verdict),
+            abs(math.log(each.after / each.before)),
+        ),
+    )
