@@ -207,6 +207,7 @@ export default {
     numbers: "How exact the numbers of the model are",
     sources: "Sources",
     tradeOff: "Error against run time: how many right digits of the model's answer each method gives, and for how long it computes. Left and low is better. For a design all methods below 0.1 % are equally good.",
+    example: "In the example (five pins, cranks at 0°, 100° and 230°) sampling 64 crank angles misses the peak by 0.007 %; for two more digits it takes ten times the angles, and the time; the exact method has all digits at once.",
   },
   share: {
     title: "Take along",

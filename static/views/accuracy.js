@@ -25,7 +25,7 @@ export function createAccuracy({ calculator, about, figures }) {
         <section><h3>${message("accuracy.sources")}</h3>${list(about?.sources ?? [])}</section>
         <section><h3>${message("notes.title")}</h3>${list(calculator.notes.flatMap((id) => message(`notes.${id}`)))}</section>
       </div>
-      <p class="trade-off">${message("accuracy.tradeOff")}</p>
+      <p class="trade-off">${message("accuracy.tradeOff")} ${calculator.figures.some(({ example }) => example) && message("accuracy.example")}</p>
     </details>`);
   root.append(...figures.map((figure) => figure.root));
   const numbers = root.querySelector(".numbers-of");
