@@ -252,6 +252,12 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "calculation": "hertz",
         "requests": [{"force_N": force} | _CONTACT for force in (5000.0, 6667.0)],
     },
+    "solve": {
+        "calculation": "crank-planetary",
+        "input": _JOB,
+        "variable": {"pointer": "/contact/pin_radius_mm", "from": 2.0, "to": 20.0},
+        "target": {"pointer": "/hertz/safety_factor", "at_least": 1.5},
+    },
     "work-precision": {"calculation": "contact-force", "input": _FORCE},
 }
 """One request for each endpoint, for the API's description; its chart takes the same."""

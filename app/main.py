@@ -34,6 +34,7 @@ TAGS = [
     {"name": "crank-planetary", "description": "Pins of the output link in holes of satellites."},
     {"name": "rollers", "description": "Swinging rollers of the output mechanism."},
     {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
+    {"name": "exploration", "description": "What an input has to be for a result."},
     {"name": "accuracy", "description": "Error against run time of the methods."},
     {"name": "batch", "description": "Many requests of one calculation."},
     {"name": "service", "description": "What the service says about itself."},

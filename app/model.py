@@ -287,7 +287,7 @@ class ResponseModel(BaseModel):
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
         if plan.states_accuracy:
-            values["accuracy"] = _accuracy(result.accuracy, run_time_us or 0.0)
+            values["accuracy"] = accuracy_values(result.accuracy, run_time_us or 0.0)
         return values
 
 
@@ -394,7 +394,7 @@ class AccuracyOut(BaseModel):
     run_time_us: float = Field(description="Run time of the calculation, microseconds.")
 
 
-def _accuracy(accuracy: Accuracy, run_time_us: float) -> Values:
+def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:
     """Accuracy of a core result with its run time."""
     return {
         "method": METHODS[accuracy.method],

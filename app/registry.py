@@ -9,6 +9,7 @@ from app.calculations import (
     meshing_load,
     roller_strength,
     shaft_deflection,
+    solve,
     work_precision,
 )
 from app.model import Calculation
@@ -24,6 +25,7 @@ CALCULATIONS: dict[str, Calculation] = {
         contact_line,
         meshing_load,
         shaft_deflection,
+        solve,
         work_precision,
     )
 }

@@ -6,13 +6,13 @@ with it.
 """
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 from core.checks import CRANK, MARGIN, Check, CrankDesign, Verdict, crank_checks, crank_tables
 from core.errors import CalculationError
-from core.exploration.solve import Solution, solve
+from core.exploration.solve import Solution, solve_for
 
 FixStatus = Literal["solved", "not_enough", "not_monotone"]
 
@@ -210,7 +210,7 @@ def fix_of(
         low, high = max(1.0, before - COUNTS // 2), max(1.0, before - COUNTS // 2) + COUNTS - 1
     else:
         low, high = before / RANGE, before * RANGE
-    found = solve(
+    found = solve_for(
         function=measure,
         low=low,
         high=high,
@@ -352,6 +352,59 @@ def crank_fixes(
                     whole_list=whole_list,
                     current=current,
                 )
+            if fix is not None:
+                fixes.append(fix)
+    return in_order(fixes)
+
+
+def plain_fixes(
+    *,
+    design: Mapping[str, Any],
+    codes: Iterable[str],
+    current: Verdict,
+    checks: Callable[[dict[str, Any]], Verdict],
+) -> list[Fix]:
+    """Fixes of checks of a design whose inputs do not hang on each other, the best first.
+
+    Parameters
+    ----------
+    design : mapping
+        Inputs by their core names, SI.
+    codes : iterable of str
+        The checks to be cured.
+    current : Verdict
+        Its checks.
+    checks : callable
+        All checks of changed inputs.
+
+    Returns
+    -------
+    list of Fix
+    """
+    fixes = []
+    for code in codes:
+        for variable in VARIED.get(code, ()):
+            before = design.get(variable)
+            if not before or (variable == "rollers" and design.get("gaps") is not None):
+                continue
+
+            def whole_list(value: float, variable: str = variable) -> Verdict:
+                changed = round(value) if variable in WHOLE else value
+                return checks({**design, variable: changed})
+
+            def change(
+                value: float, code: str = code, all_of: Callable[[float], Verdict] = whole_list
+            ) -> Check:
+                return all_of(value)[code]
+
+            fix = fix_of(
+                code=code,
+                variable=variable,
+                before=float(before),
+                change=change,
+                whole_list=whole_list,
+                current=current,
+            )
             if fix is not None:
                 fixes.append(fix)
     return in_order(fixes)

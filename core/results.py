@@ -52,6 +52,7 @@ METHODS = {
     "adaptive_z": "adaptive (QUADPACK rule) in z",
     "approximation": "approximation (2018, eq. 5)",
     "bisection": "bisection",
+    "bracketing": "sampling, then brackets narrowed to neighbouring numbers",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
     "clenshaw_curtis_shaft": "Clenshaw-Curtis along the shaft",
     "clenshaw_curtis_z": "Clenshaw-Curtis in z",

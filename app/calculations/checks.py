@@ -80,6 +80,23 @@ class RequirementsFields(RequestModel):
     )
 
 
+class JudgedFields(RequestModel):
+    """What a request may ask beside the result itself."""
+
+    requirements: RequirementsFields = Field(default_factory=RequirementsFields)
+    include: list[Literal["checks", "fixes"]] = Field(
+        default=[], max_length=2, description="Optional results: what is not named is not computed."
+    )
+    fixes_for: FixesFor = Field(
+        default="governing", description="Which checks the section fixes is to cure."
+    )
+
+    def to_core(self) -> dict[str, Any]:
+        """The given fields as the core's arguments, without what is for the checks only."""
+        own = super().to_core()
+        return {name: value for name, value in own.items() if name not in JudgedFields.model_fields}
+
+
 class ReasonOut(ResponseModel):
     """Why a status is what it is."""
 

@@ -1,7 +1,7 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
 from functools import cached_property
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, get_args
 
 from pydantic import ConfigDict, Field, model_validator
 
@@ -45,6 +45,8 @@ from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, PinGeometry, pin_fit, pin_geometry
 
 Section = Literal["cyclogram", "contact_force", "hertz", "geometry", "checks", "fixes"]
+
+SECTIONS: tuple[Section, ...] = get_args(Section)
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),

@@ -211,6 +211,13 @@ class GearFields(RequestModel):
         assert self.wheel is not None
         return wheel_rollers(**self.wheel.to_core())
 
+    def wheel_or_rollers(self) -> Sequence[Roller]:
+        """All rollers of the wheel, in mesh or not; those of a list."""
+        if self.wheel is None:
+            return self.all_rollers()
+        whole = self.wheel.to_core() | {"rollers_in_mesh": self.wheel.rollers_total}
+        return wheel_rollers(**whole)
+
     def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
         """A refusal of one roller, as one of the wheel where a wheel was given."""
         if self.wheel is not None and error.parameter.startswith("rollers["):

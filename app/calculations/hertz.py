@@ -74,7 +74,7 @@ class MaterialFields(RequestModel):
         default=None,
         **SIZE,
         step=10,
-        help="Yield strength: judges yield below the surface.",
+        help="Yield strength: judges bending, or yield below the surface.",
     )
 
     def material(self) -> ElasticMaterial:

@@ -1,17 +1,16 @@
 """Swinging rollers: request, answer, figure."""
 
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
+from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
     Forms,
     Maybe,
-    RequestModel,
-    ResponseModel,
     Values,
     WarningOut,
     Whole,
@@ -24,16 +23,32 @@ from app.running import run
 from app.sources import OVSYANNIKOV_2019
 from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, note, text, vertical_line
 from app.units import from_si
+from core.checks import Verdict, roller_checks
+from core.fixes import plain_fixes
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_strength
 
 MAX_ROLLERS = 1000
 """Most rollers of one mechanism."""
 
+_JUDGED_BY = ("yield_strength", "eccentricity")
+"""What only the checks look at."""
+
+_CHECKED = (
+    "output_torque",
+    "hole_circle_radius",
+    "rollers",
+    "sphere_diameter",
+    "cylinder_length",
+    "position_tolerance",
+    "gaps",
+)
+"""What the checks look at besides the result."""
+
 Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 
-class RollerStrengthRequest(RequestModel):
+class RollerStrengthRequest(JudgedFields):
     """Rollers, their load, and how far their holes are off."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
@@ -163,6 +178,25 @@ class RollerStrengthRequest(RequestModel):
         help="Stress concentration at the step beside the middle sphere.",
     )
 
+    yield_strength_MPa: Maybe[float] = quantity(
+        "Yield strength",
+        symbol="R_e",
+        group="material",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Yield strength: judges bending, or yield below the surface.",
+    )
+    eccentricity_mm: Maybe[float] = quantity(
+        "Eccentricity",
+        symbol="e",
+        group="roller",
+        default=None,
+        **SIZE,
+        step=0.5,
+        help="Eccentricity of the crank: judges the length of the rollers.",
+    )
+
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 
     @model_validator(mode="after")
@@ -174,14 +208,43 @@ class RollerStrengthRequest(RequestModel):
 
     def solve(self) -> RollerStrength:
         """Load sharing and strength of the rollers."""
-        return roller_strength(**self.to_core())
+        return roller_strength(**self.design())
+
+    def design(self) -> dict[str, Any]:
+        """The rollers as the core's arguments, without what only the checks look at."""
+        return {name: each for name, each in self.to_core().items() if name not in _JUDGED_BY}
+
+    def judge(self, result: RollerStrength) -> dict[str, Any]:
+        """Verdict of a result, and checks and fixes where asked."""
+        own = self.to_core()
+        limits = {name: own.get(name) for name in _JUDGED_BY}
+        limits["bending_safety"] = self.requirements.bending_safety
+
+        def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
+            shared = {name: changed.get(name) for name in _CHECKED}
+            found = roller_strength(**changed) if result is None else result
+            return roller_checks(result=found, **shared, **limits)
+
+        design = self.design()
+        verdict = checks(design, result)
+        fixes = None
+        if "fixes" in self.include:
+            codes = codes_to_fix(verdict, self.fixes_for)
+            fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
+        return judgement(
+            verdict,
+            self,
+            torque=self.output_torque_Nm,
+            checks="checks" in self.include,
+            fixes=fixes,
+        )
 
     def solve_curves(self) -> RollerCurves:
         """Curves of stiffness, non-uniformity and stress through this design."""
-        return roller_curves(**self.to_core())
+        return roller_curves(**self.design())
 
 
-class RollerStrengthResponse(ResponseModel):
+class RollerStrengthResponse(JudgedResponse):
     """Stiffness, load sharing and stress of the rollers."""
 
     stiffness_N_per_mm: float = result("Stiffness of a roller.", symbol="c", equation="2019, eq. 9")
@@ -353,7 +416,9 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
 
 def solve(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing and bending stress of swinging rollers."""
-    return RollerStrengthResponse.values(*run(body, body.solve))
+    result, run_time_us = run(body, body.solve)
+    judged, _ = run(body, lambda: body.judge(result))
+    return RollerStrengthResponse.values(result, run_time_us, **judged)
 
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:

@@ -1,7 +1,8 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
+from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.model import (
     SIZE,
@@ -19,7 +20,9 @@ from app.model import (
 from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
-from app.units import from_si, to_si
+from app.units import core_name, from_si, to_si
+from core.checks import Verdict, shaft_checks
+from core.fixes import plain_fixes
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
@@ -34,7 +37,7 @@ class ShaftSectionFields(RequestModel):
     diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
 
 
-class ShaftDeflectionRequest(MeshingLoadRequest):
+class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
     """A mesh, its torque and the shaft that carries it."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
@@ -101,6 +104,45 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
         """Reactions and deflection of the shaft."""
         return self.solve_shaft(self.solve_load())
 
+    def solve_all(self) -> tuple[MeshingLoad, ShaftDeflection]:
+        """Load of the mesh, and reactions and deflection of the shaft."""
+        load = self.solve_load()
+        return load, self.solve_shaft(load)
+
+    def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
+        """Verdict of a result, and checks and fixes where asked."""
+        positions = [each.position_angle for each in self.wheel_or_rollers()]
+        required = self.requirements.to_core()
+
+        def checks(changed: dict[str, Any], result: ShaftDeflection | None = None) -> Verdict:
+            fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
+            body = self.model_copy(update=fields)
+            return shaft_checks(
+                result=body.solve_shaft(load) if result is None else result,
+                positions=positions,
+                roller_circle_radius=to_si("radius_mm", self.roller_circle_radius_mm),
+                roller_radius=to_si("radius_mm", self.roller_radius_mm),
+                diameters=[each.diameter for each in body.sections()],
+                max_deflection=required.get("max_deflection"),
+                max_slope=required.get("max_slope"),
+            )
+
+        design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
+        verdict = checks(design, result)
+        fixes = None
+        if "fixes" in self.include:
+            codes = codes_to_fix(verdict, self.fixes_for)
+            fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
+        return judgement(
+            verdict, self, torque=self.torque_Nm, checks="checks" in self.include, fixes=fixes
+        )
+
+    def _varied(self) -> tuple[str, ...]:
+        """What a fix may change: with steps in the shaft nothing, as their lengths add up."""
+        if self.shaft_diameter_mm is None:
+            return ()
+        return "shaft_diameter_mm", "overhang_mm", "bearing_distance_mm"
+
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
         """Reactions and deflection, and the course of loads and deflection along the shaft."""
         load = self.solve_load()
@@ -136,14 +178,14 @@ class ShaftDeflectionRequest(MeshingLoadRequest):
 
 
 class DeflectionOut(ResponseModel):
-    """Deflection in both planes and in all, in the unit of its name."""
+    """Deflection or slope in both planes and in all, in the unit of its name."""
 
     x: float = result("In the plane of X.")
     y: float = result("In the plane of Y.")
     total: float = result("In all.")
 
 
-class ShaftDeflectionResponse(ResponseModel):
+class ShaftDeflectionResponse(JudgedResponse):
     """Reactions and deflection of the shaft at the bearings B and C."""
 
     reaction_B_N: Plane = result(
@@ -158,6 +200,8 @@ class ShaftDeflectionResponse(ResponseModel):
     deflection_C_mm: DeflectionOut = result(
         "Deflection at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
     )
+    slope_B_mrad: DeflectionOut = result("Slope at B.", symbol="θ_B", equation="Mohr")
+    slope_C_mrad: DeflectionOut = result("Slope at C.", symbol="θ_C", equation="Mohr")
     simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
         "Deflection at B of a shaft of one diameter, where the shaft has steps.",
         default=None,
@@ -190,7 +234,14 @@ class ShaftDeflectionResponse(ResponseModel):
             )
             for value in (getattr(result, name),)
         }
-        return super().values(result, run_time_us, **deflections, **given)
+        slopes = {
+            f"{name}_mrad": {
+                axis: from_si("axis_mrad", getattr(getattr(result, name), axis))
+                for axis in ("x", "y", "total")
+            }
+            for name in ("slope_B", "slope_C")
+        }
+        return super().values(result, run_time_us, **deflections, **slopes, **given)
 
 
 def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme) -> Figure:
@@ -265,7 +316,9 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
 
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
-    return ShaftDeflectionResponse.values(*run(body, body.solve))
+    (load, result), run_time_us = run(body, body.solve_all)
+    judged, _ = run(body, lambda: body.judge(load, result))
+    return ShaftDeflectionResponse.values(result, run_time_us, **judged)
 
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:

@@ -58,7 +58,7 @@ class Solution:
     evaluations: int
 
 
-def solve(
+def solve_for(
     *,
     function: Callable[[float], float],
     low: float,
@@ -102,7 +102,7 @@ def solve(
 
     Examples
     --------
-    >>> found = solve(function=lambda x: x*x, low=0.0, high=10.0, target=2.0)
+    >>> found = solve_for(function=lambda x: x*x, low=0.0, high=10.0, target=2.0)
     >>> found.value, found.monotone
     (1.4142135623730951, True)
     """

@@ -7,13 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.exploration.solve import edge, solve
+from core.exploration.solve import edge, solve_for
 
 
 @given(st.floats(1e-3, 1e3), st.floats(0.2, 5.0), st.booleans())
 def test_a_power_is_solved_to_its_last_digits(target: float, power: float, log: bool) -> None:
     low, high = target ** (1 / power) / 37.1, target ** (1 / power) * 11.3
-    found = solve(function=lambda x: x**power, low=low, high=high, target=target, log=log)
+    found = solve_for(function=lambda x: x**power, low=low, high=high, target=target, log=log)
     assert found.status == "solved"
     assert found.value == pytest.approx(target ** (1 / power), rel=1e-14)
     assert found.monotone
@@ -29,7 +29,7 @@ def test_a_power_is_solved_to_its_last_digits(target: float, power: float, log: 
     ("sense", "want", "value"), [("at_most", "largest", 3.0), ("at_least", "smallest", 3.0)]
 )
 def test_a_jump_is_bracketed(sense, want, value):
-    found = solve(
+    found = solve_for(
         function=lambda x: 1.0 if x < math.pi else 5.0,
         low=0.0,
         high=10.0,
@@ -43,7 +43,7 @@ def test_a_jump_is_bracketed(sense, want, value):
 
 
 def test_the_end_of_existence_ends_a_stretch():
-    found = solve(
+    found = solve_for(
         function=lambda x: math.nan if x > 2.5 else x,
         low=0.0,
         high=10.0,
@@ -59,8 +59,8 @@ def test_several_stretches_are_told_and_the_wanted_one_is_given():
     def wave(x):
         return math.sin(x)
 
-    small = solve(function=wave, low=0.0, high=10.0, target=0.5)
-    large = solve(function=wave, low=0.0, high=10.0, target=0.5, want="largest")
+    small = solve_for(function=wave, low=0.0, high=10.0, target=0.5)
+    large = solve_for(function=wave, low=0.0, high=10.0, target=0.5, want="largest")
     assert small.status == large.status == "several"
     assert not small.monotone
     assert small.value == pytest.approx(math.pi / 6, rel=1e-14)
@@ -71,19 +71,19 @@ def test_several_stretches_are_told_and_the_wanted_one_is_given():
 
 @pytest.mark.parametrize("place", [1.0, math.e, 7.77])
 def test_a_tangent_root_between_samples_is_found(place):
-    found = solve(function=lambda x: 1 - (x - place) ** 2, low=0.0, high=10.0, target=1 - 1e-6)
+    found = solve_for(function=lambda x: 1 - (x - place) ** 2, low=0.0, high=10.0, target=1 - 1e-6)
     assert found.status == "solved"
     assert found.value == pytest.approx(place - 1e-3, abs=1e-9)
 
 
 def test_always_and_never():
-    always = solve(function=lambda x: x + 1, low=0.0, high=1.0, target=0.5)
+    always = solve_for(function=lambda x: x + 1, low=0.0, high=1.0, target=0.5)
     assert (always.status, always.value, always.bracket) == ("always", 0.0, None)
-    never = solve(function=lambda x: x, low=0.0, high=1.0, target=3.0)
+    never = solve_for(function=lambda x: x, low=0.0, high=1.0, target=3.0)
     assert (never.status, never.value, never.best) == ("infeasible", None, (1.0, 1.0))
-    at_most = solve(function=lambda x: x + 4, low=0.0, high=1.0, target=3.0, sense="at_most")
+    at_most = solve_for(function=lambda x: x + 4, low=0.0, high=1.0, target=3.0, sense="at_most")
     assert at_most.best == (0.0, 4.0)
-    nowhere = solve(function=lambda x: math.nan, low=0.0, high=1.0, target=3.0)
+    nowhere = solve_for(function=lambda x: math.nan, low=0.0, high=1.0, target=3.0)
     assert (nowhere.status, nowhere.best) == ("infeasible", None)
 
 
@@ -94,14 +94,14 @@ def test_whole_numbers_are_all_tried():
         seen.append(x)
         return (x - 5) ** 2
 
-    found = solve(function=function, low=2.5, high=9, target=4.0, integer=True)
+    found = solve_for(function=function, low=2.5, high=9, target=4.0, integer=True)
     assert seen == [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
     assert found.intervals == ((3.0, 3.0), (7.0, 9.0))
     assert (found.status, found.value) == ("several", 3.0)
 
 
 def test_equals_finds_crossings_from_both_sides():
-    found = solve(function=lambda x: math.cos(x), low=0.0, high=6.0, target=0.0, sense="equals")
+    found = solve_for(function=lambda x: math.cos(x), low=0.0, high=6.0, target=0.0, sense="equals")
     assert [a for a, _ in found.intervals] == pytest.approx(
         [math.pi / 2, 3 * math.pi / 2], rel=1e-15
     )
@@ -120,4 +120,4 @@ def test_the_edge_of_anything_is_between_neighbours(size: float, sign: float) ->
 )
 def test_an_empty_range_is_refused(given):
     with pytest.raises(InvalidInput):
-        solve(function=lambda x: x, target=1.0, **given)
+        solve_for(function=lambda x: x, target=1.0, **given)

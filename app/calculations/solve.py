@@ -1,0 +1,304 @@
+"""One input of a calculation solved for one of its results: request, answer."""
+
+import math
+from copy import deepcopy
+from typing import Any, ClassVar, Literal
+
+from pydantic import Field, TypeAdapter, ValidationError
+
+from app.calculations import (
+    contact_force,
+    crank_planetary,
+    hertz,
+    roller_strength,
+    shaft_deflection,
+)
+from app.model import (
+    AccuracyOut,
+    Calculation,
+    Forms,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Values,
+    accuracy_values,
+    result,
+)
+from app.problems import ErrorItem, Problem, invalid_input, wrong_fields
+from app.running import run
+from core.errors import CalculationError, InvalidInput
+from core.exploration.solve import TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
+from core.fixes import PIN_SIZES
+from core.results import Accuracy
+
+SOLVED = {
+    each.name: each
+    for each in (
+        module.CALCULATION
+        for module in (
+            hertz,
+            contact_force,
+            crank_planetary,
+            roller_strength,
+            shaft_deflection,
+        )
+    )
+}
+"""Calculations of which an input can be solved."""
+
+LINKED = ("/contact/pin_radius_mm", "/contact/eccentricity_mm")
+"""Inputs that the hole follows: its clearance stays."""
+
+HOLE = "/contact/hole_radius_mm"
+
+MAX_POINTER = 200
+
+
+class VariableFields(RequestModel):
+    """The input that is looked for."""
+
+    pointer: str = Field(max_length=MAX_POINTER, description="JSON pointer into `input`.")
+    low: float = Field(alias="from", ge=-1e12, le=1e12, description="Start of its range.")
+    to: float = Field(ge=-1e12, le=1e12, description="End of its range.")
+    integer: bool = Field(default=False, description="Whether only whole numbers are tried.")
+    log: bool = Field(default=False, description="Whether the range is sampled by ratios.")
+
+
+class TargetFields(RequestModel):
+    """What a result is to be."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("at_least",), ("at_most",), ("equals",)),)
+
+    pointer: str = Field(
+        max_length=MAX_POINTER,
+        description="JSON pointer into the answer; a check by its code: "
+        "`/checks/contact_pressure_hole/torque_reserve`.",
+    )
+    at_least: Maybe[float] = Field(default=None, description="Least value.")
+    at_most: Maybe[float] = Field(default=None, description="Largest value.")
+    equals: Maybe[float] = Field(default=None, description="The value itself.")
+
+    @property
+    def wanted(self) -> tuple[Sense, float]:
+        """How it is compared, and with what."""
+        if self.at_least is not None:
+            return "at_least", self.at_least
+        if self.at_most is not None:
+            return "at_most", self.at_most
+        assert self.equals is not None
+        return "equals", self.equals
+
+
+class SolveRequest(RequestModel):
+    """A calculation with its input, the field that may change, and the result that is wanted."""
+
+    calculation: Literal[
+        "hertz",
+        "contact-force",
+        "crank-planetary",
+        "roller-strength",
+        "precession/shaft-deflection",
+    ]
+    input: dict[str, Any] = Field(description="That calculation's request.")
+    variable: VariableFields
+    target: TargetFields
+    want: Want = Field(default="smallest", description="Which input, where many meet the target.")
+
+    def cost_ms(self, *, drawn: bool) -> float:
+        """Some 200 times what the calculation costs."""
+        return 300.0
+
+    def solve(self) -> tuple[Solution, dict[str, float], list[str]]:
+        """The solution, what it sets, and which inputs were linked."""
+        calculation = SOLVED[self.calculation]
+        adapter: TypeAdapter[RequestModel] = TypeAdapter(calculation.request)
+        parts = _parts(self.variable.pointer)
+        place = _parent(self.input, parts)
+        if place is None or not isinstance(place, dict):
+            raise _wrong("/variable/pointer")
+        target = _parts(self.target.pointer)
+        design = self._asking(target)
+        start = place.get(parts[-1])
+        hole = _parent(self.input, _parts(HOLE))
+        linked = []
+        if self.variable.pointer in LINKED and hole and _number(start) is not None:
+            linked = [HOLE] if _number(hole.get("hole_radius_mm")) is not None else []
+
+        def changed(value: float) -> dict[str, Any]:
+            given = deepcopy(design)
+            _parent(given, parts)[parts[-1]] = round(value) if self.variable.integer else value
+            if linked:
+                given["contact"]["hole_radius_mm"] += value - start
+            return given
+
+        def answer(value: float) -> float:
+            try:
+                return _at(calculation.solve(adapter.validate_python(changed(value))), target)
+            except (Problem, CalculationError, ValidationError):
+                return math.nan
+
+        try:
+            adapter.validate_python(design)
+        except ValidationError as error:
+            raise _within_input(wrong_fields(error)) from None
+        sense, wanted = self.target.wanted
+        try:
+            found = solve_for(
+                function=answer,
+                low=self.variable.low,
+                high=self.variable.to,
+                target=wanted,
+                sense=sense,
+                want=self.want,
+                integer=self.variable.integer,
+                log=self.variable.log,
+            )
+        except InvalidInput as refusal:
+            name = "to" if refusal.parameter == "high" else "from"
+            params = {"field": "from"} if refusal.code == "larger_than" else refusal.params
+            raise invalid_input([ErrorItem(f"/variable/{name}", refusal.code, params)]) from refusal
+        sets = {}
+        if found.value is not None:
+            sets[self.variable.pointer] = found.value
+            if linked:
+                sets[HOLE] = hole["hole_radius_mm"] + found.value - start
+        return found, sets, linked
+
+    def _asking(self, target: list[str]) -> dict[str, Any]:
+        """The input, with what the target needs and no more asked of the answer."""
+        design = deepcopy(self.input)
+        sections = crank_planetary.SECTIONS
+        if self.calculation == "crank-planetary":
+            design["include"] = [target[0] if target and target[0] in sections else "checks"]
+        elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
+            design["include"] = ["checks"] if target[:1] == ["checks"] else []
+        return design
+
+
+def _wrong(place: str) -> Problem:
+    return invalid_input([ErrorItem(place, "not_valid")])
+
+
+def _within_input(problem: Problem) -> Problem:
+    errors = [ErrorItem(f"/input{each.pointer}", each.code, each.params) for each in problem.errors]
+    return invalid_input(errors, problem.more)
+
+
+def _parts(pointer: str) -> list[str]:
+    """Keys of a JSON pointer."""
+    if not pointer.startswith("/"):
+        return []
+    return [part.replace("~1", "/").replace("~0", "~") for part in pointer[1:].split("/")]
+
+
+def _parent(document: Any, parts: list[str]) -> Any:
+    """What holds the last key of a path, None where there is no such thing."""
+    if not parts:
+        return None
+    for part in parts[:-1]:
+        document = _inner(document, part)
+    return document
+
+
+def _inner(document: Any, part: str) -> Any:
+    """What a key holds: of an object, of a list by index or by code."""
+    if isinstance(document, dict):
+        return document.get(part)
+    if isinstance(document, list):
+        if part.isdecimal():
+            return document[int(part)] if int(part) < len(document) else None
+        return next(
+            (each for each in document if isinstance(each, dict) and each.get("code") == part), None
+        )
+    return None
+
+
+def _number(value: Any) -> float | None:
+    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+
+
+def _at(answer: Values, target: list[str]) -> float:
+    """Number at a pointer of an answer; NaN where there is none."""
+    found: Any = answer
+    for part in target:
+        found = _inner(found, part)
+    number = _number(found)
+    return math.nan if number is None else number
+
+
+class BestOut(ResponseModel):
+    """What comes closest to a target that nothing meets."""
+
+    value: float = result("The input.")
+    target: float = result("Its result.")
+
+
+class SolveResponse(ResponseModel):
+    """Where the target is met."""
+
+    status: SolveStatus = Field(
+        description="`always` where the whole range meets it, `several` where more than one stretch "
+        "does, `infeasible` where none."
+    )
+    value: Maybe[float] = result("The input that meets the target, as wanted.", default=None)
+    sets: Maybe[dict[str, float]] = Field(
+        default=None, description="All that it sets, by JSON pointer into `input`."
+    )
+    bracket: Maybe[tuple[float, float]] = result(
+        "The neighbours that the edge lies between.", default=None
+    )
+    intervals: list[tuple[float, float]] = result("Stretches that meet the target.")
+    best: Maybe[BestOut] = None
+    monotone: bool = result("Whether the result only grows or only falls, as sampled.")
+    standard_size: Maybe[float] = result(
+        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it.",
+        default=None,
+    )
+    linked: list[str] = Field(description="JSON pointers to inputs that follow the variable.")
+    accuracy: AccuracyOut
+
+
+def solve(body: SolveRequest) -> Values:
+    """The smallest or largest value of an input with which a result is what is wanted."""
+    (found, sets, linked), run_time_us = run(body, body.solve)
+    accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
+    values = {
+        "status": found.status,
+        "value": found.value,
+        "sets": sets or None,
+        "bracket": found.bracket,
+        "intervals": found.intervals,
+        "best": found.best and {"value": found.best[0], "target": found.best[1]},
+        "monotone": found.monotone,
+        "standard_size": _standard(body, found),
+        "linked": linked,
+        "accuracy": accuracy_values(accuracy, run_time_us),
+    }
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def _standard(body: SolveRequest, found: Solution) -> float | None:
+    if not body.variable.pointer.endswith("/pin_radius_mm") or found.value is None:
+        return None
+    radii = [size / 2 for size in PIN_SIZES]
+    if body.want == "largest":
+        radii = radii[::-1]
+    return next(
+        (
+            radius
+            for radius in radii
+            if any(start <= radius <= end for start, end in found.intervals)
+        ),
+        None,
+    )
+
+
+CALCULATION = Calculation(
+    name="solve",
+    title="An input solved for a result",
+    tag="exploration",
+    request=SolveRequest,
+    answer=SolveResponse,
+    solve=solve,
+    batched=False,
+)
