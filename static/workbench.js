@@ -4,6 +4,7 @@
  * transition.
  */
 import { createAsking } from "./asking.js";
+import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
 import { stateFromInput, stepped, textIn, withLinks } from "./lib/schema_form.js";
 import { LABELS, query } from "./lib/url_state.js";
@@ -137,8 +138,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     calculator,
     on: { turned: (angle) => store.apply(next.turned, angle), selected: select },
   });
-  const pin = () => {
+  const keep = () => {
     if (!store.state.shown) return;
+    if (designs.of(calculator.id).length >= MOST) {
+      asking.compare(message("compare.full", { most: MOST }));
+      return;
+    }
     const { input, typed: { texts } } = store.state.shown;
     const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
     const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
@@ -171,7 +176,6 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     model,
     calculator,
     on: {
-      pin,
       open: ({ input, labels }) => take(stateOf(input, labels)),
       rename(design, name) {
         designs.rename(design, name);
@@ -250,7 +254,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
-    keep: pin,
+    keep,
     /** What was asked for the results on the screen, and answered; null where there are none. */
     exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
     /** Stop; what was typed last is told even where it has not been asked about yet. */

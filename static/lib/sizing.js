@@ -1,5 +1,5 @@
 /** "Size for ...": what is asked of the solver at a field, and what its answer says. No DOM. */
-import { formatNumber, formatQuantity } from "./format.js";
+import { formatNumber, formatQuantity, tidy } from "./format.js";
 import { judgedOf, pathOf, percent, titleOf } from "./checks.js";
 import { message } from "../messages/index.js";
 
@@ -37,8 +37,18 @@ export function solveBody(calculator, field, { input, filled }, target, amount, 
   };
 }
 
+const DIGITS = 4;
+
+/** A value a workshop can read: few digits, rounded to the side that still keeps the target. */
+function rounded(value, want) {
+  const step = 10 ** (Math.floor(Math.log10(Math.abs(value))) + 1 - DIGITS);
+  const near = Math.round(value / step) * step;
+  if (value === 0 || Math.abs(near - value) < 1e-9 * Math.abs(value)) return value;
+  return tidy((want === "largest" ? Math.floor(value / step) : Math.ceil(value / step)) * step);
+}
+
 /** The answer in words, `{ text, sets }`; without `sets` where there is nothing to apply. */
-export function solutionOf(field, target, want, { status, value, sets, standard_size: standard, best, variable }) {
+export function solutionOf(field, target, want, { status, value, sets, standard_size: standard, best }) {
   const shown = (number) => formatQuantity(number, field.unit, 6);
   const names = { field: field.title, target: target.title };
   if (status === "always") return { text: message("sizing.always", names) };
@@ -47,9 +57,12 @@ export function solutionOf(field, target, want, { status, value, sets, standard_
     const reached = target.percent ? percent(best.target) : formatNumber(best.target, 4);
     return { text: message("sizing.notEnough", { ...names, at: shown(best.value), value: reached }) };
   }
+  const taken = rounded(value, want);
   const text = [
-    message(`sizing.${want}`, { ...names, value: shown(value) }),
+    message(`sizing.${want}`, { ...names, value: shown(taken) }),
     standard !== undefined && message("sizing.standard", { size: shown(standard) }),
   ].filter(Boolean).join(" ");
-  return { text, sets: sets ?? { [`/${field.path.replaceAll(".", "/")}`]: value } };
+  // What follows the value by a sum, as the hole does, follows its rounding too.
+  const all = Object.entries(sets ?? { [`/${field.path.replaceAll(".", "/")}`]: value });
+  return { text, sets: Object.fromEntries(all.map(([pointer, one]) => [pointer, taken === value ? one : tidy(one + taken - value)])) };
 }

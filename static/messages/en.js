@@ -222,6 +222,7 @@ export default {
     nothing: "There are no results of these inputs.",
   },
   compare: {
+    full: "{most} designs are kept: remove one first.",
     best: "best",
     base: "compared against",
     title: "Designs side by side",

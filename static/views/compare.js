@@ -4,7 +4,6 @@ import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/schema_form.js";
-import { MOST } from "../lib/designs.js";
 import { shownUnit } from "../lib/units.js";
 import { following } from "../store.js";
 import { download } from "./files.js";
@@ -108,27 +107,25 @@ function tableRows(rows) {
 }
 
 /**
- * `on.pin()`, `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
+ * `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
  * `on.import(text)` report what the user does.
  */
 export function createCompare({ model, calculator, on }) {
   const root = element(html`
     <section class="card compare" aria-labelledby="compare-title">
       <div class="compare-head"><h2 id="compare-title">${message("compare.title")}</h2>
-        <button type="button" class="toggle" data-do="pin">${message("compare.pin")}</button>
         <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
         <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>
       </div>
       <div class="compare-table" tabindex="0" role="group" aria-labelledby="compare-title"></div>
     </section>`);
   const table = root.querySelector(".compare-table");
-  const pin = root.querySelector("[data-do=pin]");
   let designs = [];
 
   root.addEventListener("click", ({ target }) => {
     const act = target.closest("[data-do]")?.dataset.do;
     const design = designs[target.closest("[data-design]")?.dataset.design];
-    if (act === "pin" || act === "export") on[act]();
+    if (act === "export") on.export();
     else if (act) on[act](design);
   });
   root.addEventListener("change", async ({ target }) => {
@@ -146,7 +143,6 @@ export function createCompare({ model, calculator, on }) {
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
     update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
       designs = kept ?? [];
-      pin.disabled = !own || designs.length >= MOST;
       if (designs.length === 0 || !own) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;

@@ -31,6 +31,7 @@ export function createSizing({ calculator, client, titles, on }) {
       return;
     }
     const want = part("want").value;
+    result.textContent = message("state.computing");
     const { answer, problem, superseded } = await newest.ask((signal) =>
       client.post("/solve", solveBody(calculator, field, shown, target, amount, want), { signal }));
     if (superseded) return;

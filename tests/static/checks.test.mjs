@@ -81,6 +81,10 @@ test("the answer of the solver in words, with what a click applies", () => {
   const [target] = targetsOf(calculator, JUDGED, FIELD.path);
   const solved = solutionOf(FIELD, target, "smallest", { status: "solved", value: 8.03, standard_size: 8.5 });
   assert.deepEqual(solved, { text: "Pin radius: at least 8.03\u00a0mm. Next standard size: 8.5\u00a0mm.", sets: { "/contact/pin_radius_mm": 8.03 } });
+  const linked = { "/contact/pin_radius_mm": 10.8739458878, "/contact/hole_radius_mm": 12.8739458878 };
+  const rounded = solutionOf(FIELD, target, "smallest", { status: "solved", value: 10.8739458878, sets: linked });
+  assert.deepEqual(rounded.sets, { "/contact/pin_radius_mm": 10.88, "/contact/hole_radius_mm": 12.88 }, "to the safe side, the hole too");
+  assert.equal(solutionOf(FIELD, target, "largest", { status: "solved", value: 10.8739 }).sets["/contact/pin_radius_mm"], 10.87);
   const not = solutionOf(FIELD, target, "smallest", { status: "infeasible", best: { value: 20, target: 1.2 } });
   assert.deepEqual(not, { text: "Not enough: at best 1.2, at 20\u00a0mm." });
   assert.equal(solutionOf(FIELD, target, "largest", { status: "always" }).sets, undefined);
