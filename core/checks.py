@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal
 
 from core.errors import ImpossibleMechanism
@@ -1030,7 +1031,7 @@ def shaft_checks(
     """
     turn = 2 * math.pi
     places = sorted(angle % turn for angle in positions)
-    apart = [(after - before) for before, after in zip(places, places[1:], strict=False)]
+    apart = [(after - before) for before, after in pairwise(places)]
     apart = [each for each in [*apart, places[0] + turn - places[-1]] if 1e-9 < each < turn - 1e-9]
     if apart:
         pitch = 2 * roller_circle_radius * math.sin(min(min(apart), math.pi) / 2)

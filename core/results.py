@@ -32,6 +32,8 @@ NOTICES = {
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
+    "centrifugally cast CuSn12-C-GZ is a material of its own.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "

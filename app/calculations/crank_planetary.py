@@ -435,8 +435,11 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "geometry" in body.sections:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     fit, _ = run(body, body.solve_fit)
-    if fit is not None and fit.notices:
-        sections["warnings"] = [warning(each) for each in fit.notices]
+    notices = (() if fit is None else fit.notices) + (
+        () if body.contact is None else body.contact.material_notices()
+    )
+    if notices:
+        sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)
     return judged | sections
 

@@ -18,6 +18,7 @@ from app.model import (
     no_dust,
     quantity,
     result,
+    warning,
 )
 from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
@@ -32,6 +33,7 @@ from core.hertz import (
     pressure_profile,
 )
 from core.materials import LIMIT_SOURCES, MATERIALS, ContactLimit, Criterion, ElasticMaterial
+from core.results import Notice
 
 if TYPE_CHECKING:
     MaterialName = str
@@ -170,6 +172,11 @@ class ContactFields(RequestModel):
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
         limits = [(body, material_of(given).limit) for body, given in bodies]
         return [(body, float(limit.pressure)) for body, limit in limits if limit is not None]
+
+    def material_notices(self) -> tuple[Notice, ...]:
+        """What a name of a material does not say."""
+        cast = "bronze_tin" in (self.pin_material, self.hole_material)
+        return (Notice("sand_cast"),) if cast else ()
 
     def solve_for(self, force: float) -> HertzContact:
         """Contact under a force, N."""
@@ -395,7 +402,11 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
 
 def solve(body: HertzRequest) -> Values:
     """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
-    return HertzResponse.values(*run(body, body.solve))
+    answer = HertzResponse.values(*run(body, body.solve))
+    notices = body.material_notices()
+    if notices:
+        answer["warnings"] = [*answer.get("warnings", ()), *map(warning, notices)]
+    return answer
 
 
 def figure(body: HertzRequest, theme: Theme = "light") -> Figure:

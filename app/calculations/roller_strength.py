@@ -217,11 +217,11 @@ class RollerStrengthRequest(JudgedFields):
     def judge(self, result: RollerStrength) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
         own = self.to_core()
-        limits = {name: own.get(name) for name in _JUDGED_BY}
+        limits: dict[str, Any] = {name: own.get(name) for name in _JUDGED_BY}
         limits["bending_safety"] = self.requirements.bending_safety
 
         def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
-            shared = {name: changed.get(name) for name in _CHECKED}
+            shared: dict[str, Any] = {name: changed.get(name) for name in _CHECKED}
             found = roller_strength(**changed) if result is None else result
             return roller_checks(result=found, **shared, **limits)
 

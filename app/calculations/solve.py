@@ -118,7 +118,7 @@ class SolveRequest(RequestModel):
             raise _wrong("/variable/pointer")
         target = _parts(self.target.pointer)
         design = self._asking(target)
-        start = place.get(parts[-1])
+        start: Any = place.get(parts[-1])
         hole = _parent(self.input, _parts(HOLE))
         linked = []
         if self.variable.pointer in LINKED and hole and _number(start) is not None:
@@ -237,8 +237,8 @@ class SolveResponse(ResponseModel):
     """Where the target is met."""
 
     status: SolveStatus = Field(
-        description="`always` where the whole range meets it, `several` where more than one stretch "
-        "does, `infeasible` where none."
+        description="`always` where the whole range meets it, `several` where more than one "
+        "stretch does, `infeasible` where none."
     )
     value: Maybe[float] = result("The input that meets the target, as wanted.", default=None)
     sets: Maybe[dict[str, float]] = Field(

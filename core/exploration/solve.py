@@ -9,6 +9,7 @@ the target without meeting it the samples are made finer.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from core.errors import InvalidInput
@@ -128,7 +129,7 @@ def solve_for(
     for place in places:
         excess(place)
     values = [known[place] for place in places if not math.isnan(known[place])]
-    steps = [later - earlier for earlier, later in zip(values, values[1:], strict=False)]
+    steps = [later - earlier for earlier, later in pairwise(values)]
     monotone = all(step >= 0 for step in steps) or all(step <= 0 for step in steps)
     if not integer and not monotone:
         for _ in range(3):

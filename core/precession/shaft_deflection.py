@@ -70,11 +70,13 @@ class ShaftDeflection:
     slope_B, slope_C : Slope
         Slope of the shaft at B and C.
     simplified_deflection_B, simplified_deflection_C : Deflection or None
-        The same deflections with the smallest diameter everywhere; None for a shaft of one diameter.
+        The same deflections with the smallest diameter everywhere; None for a shaft of one
+        diameter.
     simplification_error_B, simplification_error_C : float or None
         Relative error of those, dimensionless.
     accuracy : Accuracy
-        Of reactions, slopes and deflections, the simplified ones too, each as a vector over its size.
+        Of reactions, slopes and deflections, the simplified ones too, each as a vector over its
+        size.
     notices : tuple of Notice
         Assumptions that the shaft strains.
     """

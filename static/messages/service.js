@@ -58,12 +58,13 @@ export default {
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
     "eccentricity_assumed": "No eccentricity is given: it is taken as hole radius minus pin radius, so that clearance or interference would not be seen.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
-    "hertz_half_width": "The contact is {width} times as wide as the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for different materials, take it as a rough guide.",
-    "hertz_impossible": "The contact is {width} times as wide as the pin's radius: wider than the pin, so that Hertz does not apply at all, and for different materials no conformal solution is at hand: make the hole larger or the load smaller.",
+    "hertz_half_width": "The contact is {width} times as wide as the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
+    "hertz_impossible": "The contact is {width} times as wide as the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
     "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is concentrated there, more than elastic rollers would let it be.",
@@ -151,6 +152,7 @@ export default {
     "adaptive_z": "adaptive (QUADPACK rule) in z",
     "approximation": "approximation (2018, eq. 5)",
     "bisection": "bisection",
+    "bracketing": "sampling, then brackets narrowed to neighbouring numbers",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",
     "clenshaw_curtis_shaft": "Clenshaw-Curtis along the shaft",
     "clenshaw_curtis_z": "Clenshaw-Curtis in z",
@@ -203,6 +205,18 @@ export default {
       "Bearing distance",
       "Distance of the satellite's bearings, from C to B."
     ],
+    "bending_safety": [
+      "Safety against bending",
+      "Yield strength over bending stress."
+    ],
+    "bore_radius_mm": [
+      "Bore radius",
+      "Radius of the satellite's bore."
+    ],
+    "contact.eccentricity_mm": [
+      "Eccentricity",
+      "Eccentricity of the cranks; hole radius − pin radius where not given."
+    ],
     "contact_length_mm": [
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
@@ -230,10 +244,6 @@ export default {
     "dynamic_factor": [
       "Dynamic factor",
       "Factor of the dynamic load."
-    ],
-    "eccentricity_mm": [
-      "Eccentricity",
-      "Eccentricity of the cranks; hole radius − pin radius where not given."
     ],
     "efficiency": [
       "Efficiency",
@@ -283,9 +293,25 @@ export default {
       "Rollers",
       "Number of rollers."
     ],
+    "max_deflection_mm": [
+      "Largest deflection",
+      "Largest deflection of the shaft at its bearings."
+    ],
+    "max_slope_mrad": [
+      "Largest slope",
+      "Largest slope of the shaft in its bearings."
+    ],
+    "min_wall_mm": [
+      "Least wall",
+      "Least wall between holes, to the rim and to the bore."
+    ],
     "nutation_angle_deg": [
       "Nutation angle",
       "Angle between the axes of the central wheel and the satellite."
+    ],
+    "outer_radius_mm": [
+      "Outer radius",
+      "Outer radius of the satellite."
     ],
     "output_torque_Nm": [
       "Output torque",
@@ -318,6 +344,10 @@ export default {
     "pins": [
       "Pins",
       "Number of pins of the output link, evenly spaced on the pin circle."
+    ],
+    "pitting_safety": [
+      "Safety against pitting",
+      "Limit of the contact pressure over the pressure; a ratio of pressures."
     ],
     "poissons_ratio": [
       "Poisson's ratio",
@@ -355,6 +385,10 @@ export default {
       "Cylinder diameter",
       "Diameter of the cylinders between the spheres."
     ],
+    "roller.eccentricity_mm": [
+      "Eccentricity",
+      "Eccentricity of the crank: judges the length of the rollers."
+    ],
     "roller_circle_radius_mm": [
       "Roller circle radius",
       "Radius of the circle of the roller axes."
@@ -374,6 +408,10 @@ export default {
     "rollers_total": [
       "Rollers of the wheel",
       "Number of rollers of the central wheel."
+    ],
+    "root_radius_mm": [
+      "Root radius",
+      "Radius at the root of the satellite's teeth."
     ],
     "samples": [
       "Samples",
@@ -427,6 +465,10 @@ export default {
       "Wheel",
       "Evenly spaced rollers with one working length, instead of a list."
     ],
+    "yield_strength_MPa": [
+      "Yield strength",
+      "Yield strength: judges bending, or yield below the surface."
+    ],
     "youngs_modulus_GPa": [
       "Young's modulus",
       ""
@@ -441,13 +483,15 @@ export default {
     ]
   },
   "materials": {
-    "steel_structural": "Structural steel (S235, S355)",
+    "steel_structural": "Structural steel (S235JR)",
+    "steel_s355": "Structural steel (S355J2)",
     "steel_through_hardened": "Through-hardened alloy steel (42CrMo4, 300 HV)",
     "steel_case_hardened": "Case-hardened steel (18CrNiMo7-6)",
     "steel_bearing": "Bearing steel (100Cr6, hardened)",
     "iron_grey": "Grey cast iron (EN-GJL-250)",
     "iron_nodular": "Nodular cast iron (EN-GJS-400-15)",
-    "bronze_tin": "Tin bronze, centrifugally cast (CuSn12-C-GZ)",
+    "bronze_tin": "Tin bronze, sand cast (CuSn12-C-GS)",
+    "bronze_tin_centrifugal": "Tin bronze, centrifugally cast (CuSn12-C-GZ)",
     "bronze_tin_nickel": "Tin-nickel bronze, centrifugally cast (CuSn12Ni2-C-GZ)",
     "bronze_aluminium": "Aluminium bronze, centrifugally cast (CuAl10Fe5Ni5-C-GZ)",
     "brass": "Brass (CuZn39Pb3)",
@@ -465,15 +509,181 @@ export default {
   },
   "criteria": {
     "endurance": "endurance",
+    "endurance_mean": "endurance, mean pressure",
     "static": "static",
     "given": "given"
   },
+  "verified": {
+    "standard": "read in the standard",
+    "secondary": "two secondary sources"
+  },
+  "checks": {
+    "dead_centre": [
+      "Dead centres",
+      "There no pair drives, and no torque is transmitted."
+    ],
+    "crank_balance": [
+      "Balance of the crank spacing",
+      "Otherwise the satellites shake the reducer with every turn of the crank."
+    ],
+    "assembly": [
+      "Satellites that differ",
+      "Otherwise they are different parts that can be exchanged by mistake."
+    ],
+    "contact_pressure_pin": [
+      "Contact pressure of the pin",
+      "Above it the surface of the pin pits in the long run."
+    ],
+    "contact_pressure_hole": [
+      "Contact pressure of the hole",
+      "Above it the surface of the hole pits in the long run."
+    ],
+    "contact_shakedown_pin": [
+      "Shakedown of the pin",
+      "Above it the surface of the pin flows on with every turn."
+    ],
+    "contact_shakedown_hole": [
+      "Shakedown of the hole",
+      "Above it the surface of the hole flows on with every turn."
+    ],
+    "contact_yield_pin": [
+      "First yield of the pin",
+      "Above it the pin yields below its surface in the first turns."
+    ],
+    "contact_yield_hole": [
+      "First yield of the hole",
+      "Above it the hole yields below its surface in the first turns."
+    ],
+    "contact_conformity": [
+      "Width of the contact",
+      "Above it the pressure by Hertz is off by more than 1 %."
+    ],
+    "interference": [
+      "Interference of pin and hole",
+      "Otherwise pin and satellite cannot be assembled."
+    ],
+    "clearance": [
+      "Clearance of pin and hole",
+      "Otherwise fewer pairs carry, each more, and the output has lost motion."
+    ],
+    "wall_holes": [
+      "Wall between holes",
+      "Otherwise the holes overlap, or the satellite is weak between them."
+    ],
+    "pins_apart": [
+      "Space between pins",
+      "Otherwise the pins overlap."
+    ],
+    "holes_off_centre": [
+      "Holes beside the centre",
+      "Otherwise the holes reach the axis."
+    ],
+    "wall_rim": [
+      "Wall to the rim",
+      "Otherwise the holes break through the rim of the satellite."
+    ],
+    "wall_bore": [
+      "Wall to the bore",
+      "Otherwise the holes break into the bore of the satellite."
+    ],
+    "roller_stress": [
+      "Bending stress of the rollers",
+      "Above it the rollers bend for good."
+    ],
+    "roller_sharing": [
+      "Rollers that carry",
+      "Otherwise few rollers carry all of the load."
+    ],
+    "roller_spacing": [
+      "Space between rollers",
+      "Otherwise the spheres overlap."
+    ],
+    "roller_room": [
+      "Rollers beside the centre",
+      "Otherwise the rollers reach the axis."
+    ],
+    "roller_tilt": [
+      "Length of the rollers",
+      "Shorter ones tilt too much against the discs."
+    ],
+    "line_spacing": [
+      "Space between rollers",
+      "Otherwise the rollers overlap."
+    ],
+    "shaft_in_circle": [
+      "Shaft within the rollers",
+      "Otherwise the shaft reaches the rollers."
+    ],
+    "shaft_deflection": [
+      "Deflection of the shaft",
+      "Above it the mesh is off its place."
+    ],
+    "shaft_slope": [
+      "Slope of the shaft in its bearings",
+      "Above it the bearings carry on their edges."
+    ]
+  },
+  "checkGroups": {
+    "mechanism": "Mechanism",
+    "contact": "Contact of pin and hole",
+    "geometry": "Pins and holes",
+    "body": "Satellite",
+    "rollers": "Rollers",
+    "shaft": "Shaft and mesh"
+  },
+  "checkReasons": {
+    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow one",
+    "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
+    "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a drawing of its own",
+    "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
+    "force_law": "With clearance fewer pairs carry at once than the forces assume",
+    "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "no_limit": "No limit was asked",
+    "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "one_only": "There is one only",
+    "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressure_error": "The limit lies within the error of the pressure",
+    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
+    "tested_limit": "The tested limit of this material counts, not its yield strength",
+    "unbalanced": "The satellites need a counterweight",
+    "uneven": "Not every roller carries",
+    "yield_unknown": "No yield strength is known: enter one"
+  },
+  "checkSources": {
+    "beam": "beam theory (Mohr)",
+    "geometry": "geometry",
+    "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
+    "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
+    "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: p = 2.31*Re (Mises)",
+    "ovsyannikov_2019": "Ovsyannikov et al. 2019",
+    "user": "the limit that was asked",
+    "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
+    "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
+    "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2"
+  },
+  "notConsidered": {
+    "bearing": "bearings",
+    "clearance": "load sharing with clearance and deviations",
+    "contact": "pins and holes",
+    "crankshaft": "crankshaft and balance of masses",
+    "fatigue": "fatigue",
+    "friction": "friction, wear and efficiency",
+    "gear": "teeth of satellite and ring",
+    "line_pressure": "pressure along the contact lines",
+    "load": "load",
+    "pin": "bending of the pins",
+    "roller_contact": "contact of spheres and holes",
+    "satellite_body": "body of the satellite",
+    "shaft_strength": "strength of the shaft"
+  },
   "limitSources": {
-    "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, of the mean pressure",
-    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated",
-    "iso_6336_5": "ISO 6336-5, pitting, grade MQ",
-    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade MQ: 1.313*HV + 373",
-    "iso_76": "ISO 76, roller bearings: permanent set of 1e-4*D"
+    "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, of the mean pressure, so that the largest one is on the safe side; as in KISSsoft and MITCalc",
+    "iso_281": "ISO 281:2007, fatigue load limit; clean and well lubricated; as in Zaretsky 2010 and bearing calculations after ISO/TR 1281-2",
+    "iso_6336_5": "ISO 6336-5, pitting, grade MQ; as in KISSsoft and Roloff/Matek",
+    "iso_6336_5_normalized": "ISO 6336-5, pitting, normalized steel: HBW + 190; as in a table of ISO 6336-5:2016 and in Roloff/Matek",
+    "iso_6336_5_hardness": "ISO 6336-5, pitting, grade ML: 1.313*HV + 188; as in a table of ISO 6336-5:2016 and in Roloff/Matek",
+    "iso_6336_5_static": "ISO 6336-5 and ISO 6336-2, 1.6 times the pitting limit for few loads; as in Autodesk Inventor and MITCalc",
+    "iso_76": "ISO 76:2006, 3.3, roller bearings: permanent set of 1e-4*D"
   },
   "examples": {
     "yanchevskiy-2021-fig-6a": "3 pins, 2 satellites at 180°: always 3 pairs (2021, fig. 6 a)",
@@ -502,6 +712,7 @@ export default {
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",
     "precession/shaft-deflection": "Shaft of the precessional gear",
+    "solve": "An input solved for a result",
     "work-precision": "Error against run time"
   }
 };

@@ -13,6 +13,8 @@ from app.main import create_app
 from app.model import NEGLECTED
 from app.problems import TEXTS
 from app.registry import CALCULATIONS
+from core.checks import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
+from core.checks import GROUPS as CHECK_GROUPS
 from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS
 from core.results import METHODS, NOTICES
 from core.work_precision.study import SETTINGS
@@ -61,7 +63,18 @@ def service_words() -> dict[str, Any]:
         "fields": fields(),
         "materials": {name: each.title for name, each in MATERIALS.items()},
         "materialGroups": GROUPS,
-        "criteria": {"endurance": "endurance", "static": "static", "given": "given"},
+        "criteria": {
+            "endurance": "endurance",
+            "endurance_mean": "endurance, mean pressure",
+            "static": "static",
+            "given": "given",
+        },
+        "verified": {"standard": "read in the standard", "secondary": "two secondary sources"},
+        "checks": {code: [each.title, each.why] for code, each in CHECKS.items()},
+        "checkGroups": CHECK_GROUPS,
+        "checkReasons": REASONS,
+        "checkSources": CHECK_SOURCES,
+        "notConsidered": NOT_CONSIDERED,
         "limitSources": LIMIT_SOURCES,
         "examples": {each["id"]: each["title"] for each in EXAMPLES},
         "calculations": {name: each.title for name, each in CALCULATIONS.items()},

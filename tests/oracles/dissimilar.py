@@ -1,9 +1,10 @@
 """Disc in a hole of another material, without friction: the pressure as a series.
 
-A pressure ``p_n*cos(n*theta)`` moves the rim of a disc by ``-p_n*R/(4*mu)*((k + 1)*n - (k - 1))/(n^2
-- 1)`` and that of a hole by ``p_n*R/(4*mu)*((k + 1)*n + (k - 1))/(n^2 - 1)`` (Kolosov, k = 3 - 4*v);
-both together, with Dundurs' constants, by ``A/4*p_n*(n - beta)/(n^2 - 1)``, a uniform pressure by
-``A/8*(1 + 2*beta - alpha)``. Their sum is the gap within the contact, up to a shift of the disc.
+A pressure ``p_n*cos(n*theta)`` moves the rim of a disc by ``-p_n*R/(4*mu)*((k + 1)*n - (k - 1))``
+and that of a hole by ``p_n*R/(4*mu)*((k + 1)*n + (k - 1))``, over ``n^2 - 1`` (Kolosov,
+``k = 3 - 4*v``); both together, with Dundurs' constants, by ``A/4*p_n*(n - beta)/(n^2 - 1)``, a
+uniform pressure by ``A/8*(1 + 2*beta - alpha)``. Their sum is the gap within the
+contact, up to a shift of the disc.
 """
 
 import numpy as np

@@ -16,8 +16,8 @@ import pytest
 from mpmath import mp, mpf
 
 from core.hertz import (
-    MISMATCH_SHARES,
     HALF_WIDTH_RATIO_LIMIT,
+    MISMATCH_SHARES,
     conformal_half_angle_tangent,
     conformal_pressure,
     conformal_pressure_ratio,

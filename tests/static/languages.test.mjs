@@ -18,7 +18,8 @@ const OWN = ["unit"];
 // Latin words that stay: keys, formats, programs, standards and their designations, US units, functions.
 const LATIN = new RegExp(String.raw`\([A-Z][\w, -]*\)|\b(${[
   "Enter", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "JSON", "curl", "Python", "psi", "lbf", "cos", "true", "false", "tanh-sinh",
-  "QUADPACK", "PEEK", "ISO", "DIN", "arcsin",
+  "QUADPACK", "PEEK", "ISO", "DIN", "arcsin", "HBW", "CuSn", "KISSsoft", "MITCalc", "Roloff/Matek", "Zaretsky", "Autodesk Inventor",
+  "Johnson, Contact Mechanics", "Wang, Luo, Su",
 ].join("|")})`, "g");
 
 /** Every text with its key; the forms of a noun are one text. */
