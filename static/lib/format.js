@@ -163,7 +163,7 @@ function superscript(exponent) {
 }
 
 const UNITS = {
-  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°",
+  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
 };
 
 /** The unit that ends an API field name, "" for a plain number. */

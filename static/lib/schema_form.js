@@ -184,7 +184,7 @@ function inOrder(items, arranged) {
 /** A field of a radius that is shown and typed as a diameter. */
 function asDiameter(item, words) {
   if (!item.path) return { ...item, options: item.options.map((option) => ({ ...option, fields: option.fields.map((field) => asDiameter(field, words)) })) };
-  if (item.kind !== "number" || !item.name.endsWith("_radius_mm")) return item;
+  if (item.kind !== "number" || !(item.name in words)) return item;
   const [title, help] = words[item.name];
   return { ...item, title, help, unit: DIAMETER, symbol: `2${item.symbol}` };
 }

@@ -62,6 +62,9 @@ export default {
   },
   // Title and help of radii that are shown as diameters.
   diameter: {
+    outer_radius_mm: ["Outer diameter", "Outer diameter of the satellite."],
+    root_radius_mm: ["Root diameter", "Diameter of the satellite at the roots of its teeth."],
+    bore_radius_mm: ["Bore diameter", "Diameter of the satellite's bore."],
     pin_radius_mm: ["Pin diameter", "Diameter of the pin, or of its sleeve."],
     hole_radius_mm: ["Hole diameter", "Diameter of the hole in the satellite: pin diameter + twice the eccentricity."],
     pin_circle_radius_mm: ["Pin circle diameter", "Diameter of the circle of pin centres."],
@@ -71,6 +74,8 @@ export default {
   },
   label: { title: "Title", date: "Date", author: "Author", revision: "Revision", note: "Note" },
   group: {
+    requirements: "Requirements",
+    satellite_body: "Body of the satellite",
     reducer: "Reducer",
     pins: "Pins and holes",
     materials: "Materials",
@@ -313,6 +318,8 @@ export default {
     reaction_C_N: ["Reaction at C: x; y", "C"],
     deflection_B_mm: ["Deflection at B"],
     deflection_C_mm: ["Deflection at C"],
+    slope_B_mrad: ["Slope at B"],
+    slope_C_mrad: ["Slope at C"],
     simplified_deflection_B_mm: ["Deflection at B, smallest diameter everywhere"],
     simplified_deflection_C_mm: ["Deflection at C, smallest diameter everywhere"],
     simplification_error_B: ["Error of that simplification at B"],

@@ -8,6 +8,8 @@ import { following, readingText, unread } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
 
+const FOLDED = ["requirements", "satellite_body", "more"]; // groups that are opened when wanted
+
 function choiceAbout(choice) {
   const own = choice.auto ? null : message(`choice.${choice.id}`);
   return {
@@ -117,7 +119,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const part = element(html`
       <fieldset class="group card" data-group="${group.id}"><legend>${message(`group.${group.id}`)}</legend></fieldset>`);
     if (group === firstRadius) addLengths(part);
-    const rare = (item) => group.id === "more" || item.advanced;
+    const rare = (item) => FOLDED.includes(group.id) || item.advanced;
     const rarely = group.items.filter(rare);
     for (const item of group.items.filter((one) => !rare(one))) {
       if (item.path) {
@@ -132,7 +134,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       part.append(view.root);
     }
     if (rarely.length > 0) {
-      const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
+      const more = element(html`<details class="more"><summary>${message(FOLDED.includes(group.id) ? `group.${group.id}` : "form.more")}</summary></details>`);
       for (const field of rarely) addField(field, more);
       part.classList.toggle("folded", rarely.length === group.items.length);
       part.append(more);

@@ -29,11 +29,13 @@ function wordMarkup({ phase, numbers }, judged) {
 }
 
 function governingMarkup(judged, titles) {
-  const check = judged?.checks?.find(({ code }) => code === judged.governing);
+  // What is not known decides as long as nothing fails.
+  const unknown = judged?.verdict === "incomplete" && judged.checks?.find(({ status }) => status === "not_checked");
+  const check = unknown || judged?.checks?.find(({ code }) => code === judged.governing);
   if (!check) return html`<p class="label">${message("checks.governing")}</p><p class="note">–</p>`;
   const { title, value, limit, used, level, reason } = checkRow(check, titles);
   return html`<p class="label">${message("checks.governing")}: <b>${title}</b></p>
-    ${used !== undefined && barMarkup(used, level)}
+    ${used !== undefined && !unknown && barMarkup(used, level)}
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 

@@ -133,15 +133,20 @@ function approximated({ pins, satellites }) {
 export default {
   id: "crank-planetary",
   path: "/crank-planetary",
-  groups: ["mechanism", "load", "contact"],
+  groups: ["mechanism", "load", "contact", "satellite_body", "requirements"],
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
     load: ["torque", "contact.dynamic_factor"],
     materials: ["contact.pin_material", "contact.hole_material"],
+    requirements: ["requirements.pitting_safety", "requirements.min_wall_mm"],
+    satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
-  hidden: ["load.include", "load.samples", "include", "fixes_for", "crank_angle_deg"],
+  hidden: [
+    "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
+    "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
+  ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
     ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
@@ -184,7 +189,11 @@ export default {
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
-      ...(sections.includes("hertz") && { contact: input.contact }),
+      ...(sections.includes("hertz") && {
+        contact: input.contact,
+        ...(input.satellite_body && { satellite_body: input.satellite_body }),
+        ...(input.requirements && { requirements: input.requirements }),
+      }),
       include: [...sections, "checks"],
     }));
   },

@@ -75,9 +75,9 @@ function same(rollers, name) {
 export default {
   id: "precession",
   path: "/precession/shaft-deflection",
-  groups: ["gear", "rollers", "load", "shaft"],
-  inline: ["wheel"],
-  hidden: ["include", "fixes_for"],
+  groups: ["gear", "rollers", "load", "shaft", "requirements"],
+  inline: ["wheel", "requirements"],
+  hidden: ["include", "fixes_for", ...["pitting_safety", "bending_safety", "min_wall_mm"].map((name) => `requirements.${name}`)],
   choices: {
     rollersBy: {
       list: ["rollers"],

@@ -31,9 +31,9 @@ function stressCell(section) {
 export default {
   id: "rollers",
   path: "/roller-strength",
-  groups: ["load", "roller", "material"],
-  inline: [],
-  hidden: ["include", "fixes_for"],
+  groups: ["load", "roller", "material", "requirements"],
+  inline: ["requirements"],
+  hidden: ["include", "fixes_for", ...["pitting_safety", "min_wall_mm", "max_deflection_mm", "max_slope_mrad"].map((name) => `requirements.${name}`)],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
