@@ -100,6 +100,12 @@ export function verdictSentence(judged, titles) {
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, torque && `${torque}.`].filter(Boolean).join(" ");
 }
 
+/** What the checks that have been judged are about. */
+export function groupsOf({ checks = [] }) {
+  const groups = new Set(checks.filter(({ status }) => JUDGED.includes(status)).map(({ group }) => group));
+  return [...groups].map((group) => said("checkGroups", group) ?? group).join(", ").toLowerCase();
+}
+
 /** What is not looked at, in words. */
 export function notConsidered({ not_considered: codes = [] }) {
   if (codes.length === 0) return "";

@@ -165,7 +165,7 @@ export default {
   },
   verdictWord: {
     pass: "Works", marginal: "Marginal", fail: "Does not work", incomplete: "Not known", impossible: "Not possible",
-    passNote: "every check of what is given is met", marginalNote: "the reserve is small, or within the model's error",
+    passNote: "looked at: {groups}", marginalNote: "the reserve is small, or within the model's error; looked at: {groups}",
     failNote: "a check is not met", incompleteNote: "something asked is not known", impossibleNote: "it cannot be built; the numbers mean nothing",
   },
   status: {

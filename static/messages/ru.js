@@ -160,7 +160,7 @@ export default {
   },
   verdictWord: {
     pass: "Пригодна", marginal: "На пределе", fail: "Непригодна", incomplete: "Неизвестно", impossible: "Невозможно",
-    passNote: "все проверки заданного выполняются", marginalNote: "запас мал или в пределах погрешности модели",
+    passNote: "рассмотрено: {groups}", marginalNote: "запас мал или в пределах погрешности модели; рассмотрено: {groups}",
     failNote: "проверка не выполняется", incompleteNote: "что-то из нужного не задано", impossibleNote: "построить нельзя; числа ничего не значат",
   },
   status: {

@@ -160,7 +160,7 @@ export default {
   },
   verdictWord: {
     pass: "Придатна", marginal: "На межі", fail: "Непридатна", incomplete: "Невідомо", impossible: "Неможливо",
-    passNote: "усі перевірки заданого виконуються", marginalNote: "запас малий або в межах похибки моделі",
+    passNote: "розглянуто: {groups}", marginalNote: "запас малий або в межах похибки моделі; розглянуто: {groups}",
     failNote: "перевірка не виконується", incompleteNote: "чогось із потрібного не задано", impossibleNote: "побудувати не можна; числа нічого не значать",
   },
   status: {

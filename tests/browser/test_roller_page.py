@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     ]
     others = CALCULATORS - {"rollers"}
     assert not [path for path in watch.paths() for other in others if f"/{other}/" in path]
-    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 14
+    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 17
     expect(page.locator("[data-figure] .js-plotly-plot")).to_have_count(1)
 
     page.locator('[data-figure="rollers"] .show-table').click()
@@ -52,7 +52,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
 def test_typing_changes_the_verdict_and_the_link_keeps_it(page: Page, service: str) -> None:
     show(page, service, "rollers")
     box(page, "position_tolerance_mm").fill("0,05")
-    expect(page.locator(".verdict")).to_contain_text("1 of 4 rollers carry")
+    expect(page.locator(".summary")).to_contain_text("1 of 4 rollers carry")
     assert result(page, "load_nonuniformity") == 4
     reopen(page)
     assert box(page, "position_tolerance_mm").input_value() == "0.05"
@@ -79,7 +79,7 @@ def test_what_is_wrong_stands_at_its_box(page: Page, service: str) -> None:
     settled(page)
     box(page, "gaps_mm").fill("0; 0.2")
     settled(page, "wrong")
-    expect(words_at(page, "gaps_mm")).to_contain_text("4 rollers")  # the service's words
+    expect(words_at(page, "gaps_mm")).to_contain_text("4 entries")  # the service's words
     assert box(page, "gaps_mm").get_attribute("aria-invalid") == "true"
     assert box(page, "gaps_mm").input_value() == "0; 0.2"
     box(page, "diameter_mm").fill("-3")
@@ -115,6 +115,7 @@ def test_error_against_run_time_is_measured_on_demand_only(page: Page, service: 
     work = "/api/v1/work-precision/chart"
     assert work not in watch.paths()
     figure = page.locator('[data-figure="workSharing"]')
+    page.locator(".accuracy-fold > summary").click()
     figure.get_by_role("button", name="Measure on these inputs").click()
     expect(figure.locator(".legendtext", has_text="Used by the calculator")).to_be_visible()
     assert watch.paths().count(work) == 1
