@@ -6,12 +6,16 @@ The unit is one call of `hertz`, plain arithmetic of a dozen operations.
 import math
 import timeit
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from benchmarks.options import options
+from core.checks import CrankDesign, crank_checks
+from core.exploration.solve import solve_for
+from core.fixes import crank_fixes
 from core.hertz import hertz
-from core.materials import ElasticMaterial
+from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_force import contact_force
 from core.output.cyclogram import cyclogram
 from core.output.mechanism import Mechanism
@@ -49,6 +53,28 @@ def _line() -> object:
     )  # fmt: skip
 
 
+REF = CrankDesign(
+    pins=6, satellites=2, ratio=20.0, output_torque=500.0, pin_circle_radius=0.05,
+    contact_length=0.02, pin_radius=0.008, hole_radius=0.01, eccentricity=0.002,
+    pin_material=MATERIALS["steel_bearing"].material,
+    hole_material=MATERIALS["steel_through_hardened"].material,
+)  # fmt: skip
+
+
+def _checks() -> object:
+    """All checks of a design: each call another one, as nothing of a design is kept."""
+    return crank_checks(replace(REF))
+
+
+def _fixes() -> object:
+    """All fixes of its governing check, six of them."""
+    return crank_fixes(design=replace(REF, output_torque=1500.0), codes=["contact_pressure_hole"])
+
+
+def _inverse() -> object:
+    return solve_for(function=lambda x: x * x, low=1.0, high=9.0, target=2.0, log=True)
+
+
 CALLS: dict[str, Callable[[], object]] = {
     "hertz": _hertz,
     "cyclogram": lambda: cyclogram(mechanism=_mechanism()),
@@ -60,6 +86,9 @@ CALLS: dict[str, Callable[[], object]] = {
     ).curves.force.max(),  # type: ignore[union-attr]
     "roller strength": _rollers,
     "contact line": _line,
+    "checks of a design": _checks,
+    "six fixes": _fixes,
+    "solve x^2": _inverse,
 }
 
 

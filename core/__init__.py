@@ -27,5 +27,8 @@ output              the output mechanism: pins in the holes of satellites on cra
 hertz               line contact of pin and hole, and where Hertz stops being valid
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
+exploration         an input solved for a result
+checks              results against limits: checks and verdict
+fixes               what cures a check
 work_precision      error against run time of the methods above
 """

@@ -385,7 +385,9 @@ def judged(
     over = part >= whole if strictly else part > whole
     doubtful = abs(value - limit) <= error * abs(value) and not strictly
     status: Status = "pass"
-    if over and not doubtful:
+    if doubtful and reserve is None:
+        status = "pass"  # sizes that are asked for are there
+    elif over and not doubtful:
         status = "marginal" if warning else "fail"
         more.setdefault("reason", warning)
     elif doubtful or (reserve is not None and reserve < MARGIN and not warning):
@@ -411,24 +413,36 @@ class CrankDesign:
 
     Attributes
     ----------
-    pins, satellites, ratio, crank_spacing, crank_angles, initial_crank_angle : as `Mechanism`
-        The mechanism; crank angles, or their spacing, or neither for an even one.
+    pins, satellites : int
+        Numbers of pins and satellites.
+    ratio : float
+        Ratio u.
+    crank_spacing : float or None
+        Angle between neighbouring cranks, rad; None for an even spacing.
+    crank_angles : tuple of float or None
+        Angle of each crank, rad, instead.
+    initial_crank_angle : float
+        Wave angle at crank angle 0, rad.
     satellite_teeth : int or None
         Teeth z2 of a satellite.
-    output_torque, pin_circle_radius, force_exponent : float
-        Load, None where there is none.
-    contact_length, pin_radius, hole_radius, eccentricity : float
-        Sizes of pin and hole, None where they are not given.
+    output_torque, pin_circle_radius : float or None
+        Torque, N*m, and radius R, m; None where there is no load.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    contact_length, pin_radius, hole_radius, eccentricity : float or None
+        Sizes of pin and hole, m; None where they are not given.
     pin_material, hole_material : ElasticMaterial or None
         Their materials.
     dynamic_factor, distribution_factor : float
         Factors of the load.
+    has_body : bool
+        Whether the section of the satellite's body is there.
     outer_radius, root_radius, bore_radius : float or None
-        The satellite; `has_body` says that its section is there.
+        Radii of the satellite, m.
     pitting_safety : float
         Required safety against pitting, of the pressure.
     min_wall : float or None
-        Least wall that is asked.
+        Least wall that is asked, m.
     own_limits : tuple of str
         Which materials (`pin_material`, `hole_material`) are given by values.
     """

@@ -1,5 +1,6 @@
 """The mesh of a precessional gear as a request gives it: geometry and rollers."""
 
+import math
 from collections.abc import Sequence
 from typing import Annotated, ClassVar
 
@@ -211,12 +212,13 @@ class GearFields(RequestModel):
         assert self.wheel is not None
         return wheel_rollers(**self.wheel.to_core())
 
-    def wheel_or_rollers(self) -> Sequence[Roller]:
-        """All rollers of the wheel, in mesh or not; those of a list."""
-        if self.wheel is None:
-            return self.all_rollers()
-        whole = self.wheel.to_core() | {"rollers_in_mesh": self.wheel.rollers_total}
-        return wheel_rollers(**whole)
+    def positions(self) -> list[float]:
+        """Position angles, rad, of all rollers of the wheel, in mesh or not; those of a list."""
+        if self.rollers is not None:
+            return [to_si("angle_deg", each.position_angle_deg) for each in self.rollers]
+        assert self.wheel is not None
+        total = self.wheel.rollers_total
+        return [2 * math.pi * index / total for index in range(total)]
 
     def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
         """A refusal of one roller, as one of the wheel where a wheel was given."""

@@ -111,7 +111,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
 
     def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        positions = [each.position_angle for each in self.wheel_or_rollers()]
+        positions = self.positions()
         required = self.requirements.to_core()
 
         def checks(changed: dict[str, Any], result: ShaftDeflection | None = None) -> Verdict:

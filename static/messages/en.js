@@ -497,6 +497,12 @@ export default {
       why: "Two pins cannot stand in one place.",
       mend: "Enlarge the pin circle, or take fewer or thinner pins.",
     },
+    sand_cast: {
+      title: "Sand-cast bronze",
+      tests: "Whether the bronze is the centrifugally cast one, whose limit is known.",
+      why: "The limit 425 MPa holds for the centrifugally cast bronze only; the sand-cast one carries less, how much is not known.",
+      mend: "Take the centrifugally cast bronze, or enter a limit of your own.",
+    },
     eccentricity_assumed: {
       title: "Eccentricity assumed",
       tests: "Whether the eccentricity is given beside pin and hole.",

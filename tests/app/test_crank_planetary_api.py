@@ -102,7 +102,9 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     finally:
         for each in patches:
             each.stop()
-    assert response.status_code == 200 and set(response.json()) == set(asked)
+    judged = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
+    assert response.status_code == 200
+    assert set(response.json()) == set(asked) | judged | {"not_considered"}
 
 
 @pytest.mark.parametrize("option", ["curves", "equal_sharing", "approximation"])
@@ -286,13 +288,14 @@ async def test_materials_have_values_and_sources(api):
 async def test_the_same_body_gives_the_same_numbers(api):
     first, second = [(await api.post("crank-planetary", json=JOB)).json() for _ in range(2)]
     for answer in (first, second):
-        for section in answer.values():
-            del section["accuracy"]["run_time_us"]
+        for section in ("cyclogram", "contact_force", "hertz"):
+            del answer[section]["accuracy"]["run_time_us"]
     assert json.dumps(first) == json.dumps(second)
 
 
 async def test_a_contact_wider_than_the_pin_gets_no_safety_factor_unless_a_theory_holds(api):
-    contact = {**CONTACT, "hole_radius_mm": 8.001, "force_N": 1e6}
+    soft = {"pin_material": "steel_bearing", "hole_material": "plastic_pom"}
+    contact = {**CONTACT, **soft, "hole_radius_mm": 8.001, "force_N": 1e6}
     answer = (await api.post("hertz", json=contact)).json()
     assert answer["half_width_ratio"] > 1 and "safety_factor" not in answer
     assert [each["code"] for each in answer["warnings"]] == ["hertz_impossible"]
@@ -310,7 +313,10 @@ async def test_a_body_is_judged_by_its_own_limit_only(api, body):
     """Every material of the table against the default other body."""
     table = {each["name"]: each for each in (await api.get("materials")).json()["materials"]}
     without = {name for name, each in table.items() if "allowable_pressure_MPa" not in each}
-    assert len(without) == 8 and {"steel_structural", "iron_grey", "brass", "plastic_pom"} < without
+    assert without == {
+        *("iron_grey", "iron_nodular", "bronze_tin", "bronze_tin_nickel", "bronze_aluminium"),
+        *("brass", "plastic_pom", "plastic_pa66", "plastic_pa66_gf30", "plastic_peek"),
+    }
     for name in table:
         chosen = DEFAULT | {f"{body}_material": name}
         answer = (await api.post("hertz", json={**CONTACT, **chosen, "force_N": 3000})).json()
@@ -323,7 +329,7 @@ async def test_a_body_is_judged_by_its_own_limit_only(api, body):
         found = {each["body"]: each for each in answer["safety"]}
         assert {each: one["limit_MPa"] for each, one in found.items()} == known
         for each, limit in known.items():
-            assert found[each]["criterion"] == "endurance" and found[each]["source"]
+            assert found[each]["criterion"].startswith("endurance") and found[each]["source"]
             assert found[each]["safety_factor"] == pytest.approx(limit / pressure)
         assert ("safety_factor" in answer) == (name not in without), name
         if name not in without:
@@ -339,9 +345,9 @@ async def test_bearing_steel_is_judged_by_endurance_and_never_at_rest(api):
     assert answer["safety_factor"] == pytest.approx(1500 / answer["max_pressure_MPa"])
 
 
-async def test_the_default_steels_are_judged_as_before(api):
+async def test_the_default_steels_are_judged_by_the_lower_grade(api):
     answer = (await api.post("hertz", json={**CONTACT, "force_N": 3000})).json()
-    assert answer["safety_factor"] == pytest.approx(766.9 / answer["max_pressure_MPa"])
+    assert answer["safety_factor"] == pytest.approx(581.9 / answer["max_pressure_MPa"])
     assert min(answer["safety"], key=lambda each: each["safety_factor"])["body"] == "hole"
 
 

@@ -46,13 +46,15 @@ ORDERED = {
     "core.arrays.where",
     "core.arrays.known_where",
     "core.arrays.refuse",
+    "core.checks.judged",
+    "core.checks.verdict",
     "core.output.force_laws.depressed_cubic_roots",
     "core.output.force_bounds.least_total",
     "core.output.force_bounds.most_summits",
     "core.output.force_bounds.next_place",
 }
 """Functions whose arguments have an order of their own: a polynomial's coefficients, the ends of a
-stretch, what NumPy's `where` takes."""
+stretch, what NumPy's `where` takes, a check's value and limit."""
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
