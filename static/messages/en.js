@@ -292,6 +292,7 @@ export default {
     reduced_radius_mm: ["Reduced radius", "ρ"],
     effective_modulus_GPa: ["Effective modulus", "E*"],
     conformal_pressure_MPa: ["Peak pressure, conformal contact", "p₀"],
+    conformal_error: ["Error of the conformal pressure, at most"],
     conformal_half_angle_deg: ["Half-angle of the conformal contact", "ε"],
     stiffness_N_per_mm: ["Stiffness of a roller", "c"],
     relative_stiffness: ["Relative stiffness", "c/(b·E)"],

@@ -286,6 +286,7 @@ export default {
     reduced_radius_mm: ["Приведённый радиус кривизны", "ρ"],
     effective_modulus_GPa: ["Приведённый модуль упругости", "E*"],
     conformal_pressure_MPa: ["Максимальное давление, конформный контакт", "p₀"],
+    conformal_error: ["Погрешность конформного давления, не более"],
     conformal_half_angle_deg: ["Полуугол конформного контакта", "ε"],
     stiffness_N_per_mm: ["Жёсткость ролика", "c"],
     relative_stiffness: ["Относительная жёсткость", "c/(b·E)"],

@@ -286,6 +286,7 @@ export default {
     reduced_radius_mm: ["Зведений радіус кривизни", "ρ"],
     effective_modulus_GPa: ["Зведений модуль пружності", "E*"],
     conformal_pressure_MPa: ["Максимальний тиск, конформний контакт", "p₀"],
+    conformal_error: ["Похибка конформного тиску, не більше"],
     conformal_half_angle_deg: ["Півкут конформного контакту", "ε"],
     stiffness_N_per_mm: ["Жорсткість ролика", "c"],
     relative_stiffness: ["Відносна жорсткість", "c/(b·E)"],

@@ -54,7 +54,7 @@ for (const [i, one] of cases.entries()) {
       const { steps } = groups.find((group) => group.section === section);
       const worked = new Set(steps.map(({ name }) => name));
       const aside = ["accuracy", "warnings", "lines", "forces_N", "peak_pair", "dead_centres_deg", "assembly", "crank_angle_deg",
-        "slope_B_mrad", "slope_C_mrad", ...judged];
+        "slope_B_mrad", "slope_C_mrad", "conformal_error", ...judged];
       const again = section === "meshing_load" ? ["total_length_mm"] : []; // worked with the lines
       const bodies = (values.safety ?? []).map(({ body }) => `safety_${body}`);
       for (const name of [...Object.keys(values).filter((one) => one !== "safety"), ...bodies]) {
