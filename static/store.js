@@ -185,10 +185,10 @@ function warningLine({ titles }, { answer }) {
 /** The verdict in one sentence, for those who hear it. */
 function announced({ cells, answer }, { calculator, titles }) {
   const judged = judgedOf(calculator, answer);
-  if (judged) return verdictSentence(judged, titles);
   const words = cells.filter(({ note }) => note !== undefined)
     .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
-  return message("verdict.announce", { cells: `${words.join(". ")}.` });
+  return [judged && verdictSentence(judged, titles), message("verdict.announce", { cells: `${words.join(". ")}.` })]
+    .filter(Boolean).join(" ");
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */

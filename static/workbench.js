@@ -239,6 +239,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     {
       update(state) {
         host.dataset.state = state.phase;
+        host.dataset.begun = String(state.shown !== null || state.phase !== "computing");
         host.dataset.stale = String(next.stale(state));
         host.dataset.impossible = String(next.standing(state).phase === "refused");
       },

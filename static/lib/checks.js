@@ -89,14 +89,20 @@ export function fixRow(fix, titleAt, checks) {
   };
 }
 
+/** The check that decides: what is not known as long as nothing fails, else the one that governs. */
+export function decisive({ verdict, governing, checks = [] }) {
+  const unknown = verdict === "incomplete" && checks.find(({ status }) => status === "not_checked");
+  return unknown || checks.find(({ code }) => code === governing);
+}
+
 /** The verdict in a sentence. */
 export function verdictSentence(judged, titles) {
   const word = wordOf(judged);
-  const check = (judged.checks ?? []).find(({ code }) => code === judged.governing);
+  const check = decisive(judged);
   const row = check && checkRow(check, titles);
   const torque = judged.largest_torque_Nm === undefined ? ""
     : message("checks.largestTorque", { torque: formatQuantity(judged.largest_torque_Nm, "N·m", shownDigits(0, 4)) });
-  const governs = row?.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : row?.reason || row?.title || "";
+  const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, torque && `${torque}.`].filter(Boolean).join(" ");
 }
 

@@ -71,6 +71,7 @@ export function createChecks({ calculator, titles, titleAt, on }) {
       more.hidden = others.length === 0;
       more.querySelector("summary").textContent = message("checks.more", { count: others.length });
       fill(rest, html`${others.map((row) => rowMarkup(row, titleAt))}`);
+      fixes.dataset.open = String(Boolean(calculator.mend) && ["fail", "marginal"].includes(judged.verdict));
       list = found?.of === shown ? found.list.slice(0, FIXES) : [];
       fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
         <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);

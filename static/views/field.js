@@ -28,9 +28,9 @@ export function createField(field, { suggestion, sizable, on }) {
       <label for="${id}" title="${field.help}">${titleOf(field)}</label>
       <span class="entry">
         ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
+        ${box(field, id)}
         ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
           title="${message("sizing.at", { field: field.title })}">◎</button>`}
-        ${box(field, id)}
       </span>
       <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
       <p class="field-message" id="${id}-message"><span></span></p>

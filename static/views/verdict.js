@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, groupsOf, judgedOf, levelOfWord, notConsidered, wordOf } from "../lib/checks.js";
+import { checkRow, decisive, groupsOf, judgedOf, levelOfWord, notConsidered, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -29,13 +29,11 @@ function wordMarkup({ phase, numbers }, judged) {
 }
 
 function governingMarkup(judged, titles) {
-  // What is not known decides as long as nothing fails.
-  const unknown = judged?.verdict === "incomplete" && judged.checks?.find(({ status }) => status === "not_checked");
-  const check = unknown || judged?.checks?.find(({ code }) => code === judged.governing);
+  const check = judged && decisive(judged);
   if (!check) return html`<p class="label">${message("checks.governing")}</p><p class="note">–</p>`;
-  const { title, value, limit, used, level, reason } = checkRow(check, titles);
+  const { title, value, limit, used, level, reason, judged: known } = checkRow(check, titles);
   return html`<p class="label">${message("checks.governing")}: <b>${title}</b></p>
-    ${used !== undefined && !unknown && barMarkup(used, level)}
+    ${used !== undefined && known && barMarkup(used, level)}
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
