@@ -157,7 +157,7 @@ def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number
     """Dundurs' constants of two bodies in contact: how different they are elastically.
 
     ``alpha = (E1' - E2')/(E1' + E2')`` with ``E' = E/(1 - v^2)``, and
-    ``beta = E*/2*((1 - 2*v1)*(1 + v1)/E1 - (1 - 2*v2)*(1 + v2)/E2)``.
+    ``beta = E*/2*((1 - 2*v2)*(1 + v2)/E2 - (1 - 2*v1)*(1 + v1)/E1)``.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number
         for each in (first, second)
     ]
     modulus = effective_modulus(first=first, second=second)
-    return (one - other) / (one + other), modulus / 2 * (shear[0] - shear[1])
+    return (one - other) / (one + other), modulus / 2 * (shear[1] - shear[0])
 
 
 @dataclass(frozen=True, slots=True)

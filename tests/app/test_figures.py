@@ -90,9 +90,9 @@ async def test_the_peak_marker_stands_on_the_highest_curve(api):
 @pytest.mark.parametrize(
     ("materials", "limits"),
     [
-        ({}, {"Limit of the pin": 1500, "Limit of the hole": 766.9}),
-        ({"hole_material": "steel_structural"}, {"Limit of the pin": 1500}),
-        ({"pin_material": "brass"}, {"Limit of the hole": 766.9}),
+        ({}, {"Limit of the pin": 1500, "Limit of the hole": 581.9}),
+        ({"hole_material": "iron_grey"}, {"Limit of the pin": 1500}),
+        ({"pin_material": "brass"}, {"Limit of the hole": 581.9}),
         ({"pin_material": "brass", "hole_material": "plastic_pom"}, {}),
     ],
 )

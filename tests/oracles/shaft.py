@@ -14,8 +14,10 @@ def exact_deflection(
     load_b: mpf,
     load_c: mpf,
     place: mpf,
+    slope: bool = False,
 ) -> mpf:
-    """Mohr's integral over x from C, with quadrature that is exact for its cubics.
+    """Mohr's integral over x from C, with quadrature that is exact for its cubics: the deflection
+    of a place, or its slope.
 
     Sections are (length, diameter), from C; the last reaches to the clamp, a + b.
     """
@@ -28,7 +30,8 @@ def exact_deflection(
             values = []
             for x in (p, (p + q) / 2, q):
                 moment = load_c * x + load_b * max(x - mpf(a), mpf(0))
-                values.append(moment * max(x - place, mpf(0)))
+                arm = mpf(p >= place) if slope else max(x - place, mpf(0))
+                values.append(moment * arm)
             total += (q - p) * (values[0] + 4 * values[1] + values[2]) / (6 * rigidity)
         start = end
     return total

@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.materials import MATERIALS, ElasticMaterial, effective_modulus
+from core.materials import MATERIALS, ElasticMaterial, effective_modulus, mismatch
 
 WORM = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 
@@ -17,3 +17,12 @@ def test_reduced_modulus_of_a_worm_wheel_is_the_printed_one(name: str, reduced: 
     """
     found = 2 * effective_modulus(first=WORM, second=MATERIALS[name].material)
     assert found / 1e6 == pytest.approx(reduced, abs=1.0)
+
+
+def test_dundurs_constants_of_a_rigid_and_a_soft_body() -> None:
+    """On a rigid body alpha is 1 and beta (1 - 2v)/(2*(1 - v)); alike, both are 0."""
+    soft = ElasticMaterial(youngs_modulus=1e9, poissons_ratio=0.3)
+    rigid = ElasticMaterial(youngs_modulus=1e15, poissons_ratio=0.3)
+    assert mismatch(first=rigid, second=soft) == pytest.approx((1, 0.4 / 1.4), rel=1e-5)
+    assert mismatch(first=soft, second=rigid) == pytest.approx((-1, -0.4 / 1.4), rel=1e-5)
+    assert mismatch(first=soft, second=soft) == (0, 0)

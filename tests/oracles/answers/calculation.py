@@ -17,6 +17,9 @@ from mpmath import mpf
 Body = dict[str, Any]
 
 GIVEN = "a count, or as given"
+
+ELSEWHERE = ("/accuracy/", "/warnings/", "/counts/", "/torque_reserve", "/largest_torque_Nm")
+"""Numbers that other tests hold (tests/core/test_checks.py), by the start of a pointer."""
 """What there is to know of a number that nothing can be wrong with but the whole."""
 
 
@@ -111,7 +114,7 @@ class Calculation:
         """Numbers of the answer that nothing is said of, as patterns."""
         known = {pattern(pointer) for pointer in numbers} | set(self.unbounded or ())
         found = {pattern(pointer) for pointer in pointers(answer)} - known
-        return {each for each in found if not each.startswith(("/accuracy/", "/warnings/"))}
+        return {each for each in found if not each.startswith(ELSEWHERE)}
 
 
 def pointers(answer: Any, place: str = "") -> Iterator[str]:

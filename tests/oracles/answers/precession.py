@@ -280,16 +280,23 @@ def _shaft_numbers(body: Body, answer: Any, exact: Mesh) -> Numbers:
         for axis in (0, 1):
             found[f"/{name}/{axis}"] = Number(answer[name][axis], value[axis], mp.hypot(*value))
 
-    def deflection(stretches: list[tuple[mpf, mpf]], place: mpf) -> tuple[mpf, mpf, mpf]:
+    def deflection(
+        stretches: list[tuple[mpf, mpf]], place: mpf, slope: bool = False
+    ) -> tuple[mpf, mpf, mpf]:
+        size = 1000 if slope else 1  # mrad
         x, y = (
-            exact_deflection(stretches, a, b, modulus, -at_b[axis], -at_c[axis], place)
+            size
+            * exact_deflection(stretches, a, b, modulus, -at_b[axis], -at_c[axis], place, slope)
             for axis in (0, 1)
         )
         return x, y, mp.hypot(x, y)
 
     for name, place in (("B", a), ("C", mpf(0))):
         true = deflection(sections, place)
-        shapes = {f"deflection_{name}_mm": true}
+        shapes = {
+            f"deflection_{name}_mm": true,
+            f"slope_{name}_mrad": deflection(sections, place, slope=True),
+        }
         if f"simplified_deflection_{name}_mm" in answer:
             simple = shapes[f"simplified_deflection_{name}_mm"] = deflection(plain, place)
             error = simple[2] / true[2] - 1
