@@ -44,12 +44,13 @@ function fixMarkup({ applies, text, standard, then, level, effects }, i) {
 export function createChecks({ calculator, titles, titleAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
-      <div class="fixes"></div><ul class="rows"></ul>
+      <ul class="rows"></ul><div class="fixes"></div>
       <details class="more"><summary></summary><ul class="rows"></ul></details></section>`);
   const [first, rest] = root.querySelectorAll(".rows");
   const more = root.querySelector(".more");
   const fixes = root.querySelector(".fixes");
   let list = [];
+  let room = { width: 0, height: 0 };
 
   root.addEventListener("click", ({ target }) => {
     const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
@@ -61,7 +62,7 @@ export function createChecks({ calculator, titles, titleAt, on }) {
     root,
     update: following(({ shown, fixes: found }) => [shown, found], ({ shown, fixes: found }) => {
       const judged = judgedOf(calculator, shown?.answer);
-      root.hidden = Boolean(shown) && !judged?.checks;
+      root.style.visibility = shown && !judged?.checks ? "hidden" : "";
       if (!judged?.checks) return;
       const rows = judged.checks.map((check) => checkRow(check, titles));
       // What is asked for stands in sight wherever it comes.
@@ -75,6 +76,11 @@ export function createChecks({ calculator, titles, titleAt, on }) {
       list = found?.of === shown ? found.list.slice(0, FIXES) : [];
       fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
         <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);
+      // It keeps the room that it has had, so that nothing under it moves while one types.
+      if (room.width !== innerWidth) room = { width: innerWidth, height: 0 };
+      root.style.minHeight = "";
+      room.height = Math.max(room.height, more.open ? 0 : root.offsetHeight);
+      root.style.minHeight = `${room.height}px`;
     }),
   };
 }
