@@ -243,7 +243,9 @@ def test_other_options_start_from_the_same_design(page: Page, service: str) -> N
     change(page, own.check)
     assert result(page, "peak_force_N") == pytest.approx(888.231, abs=5e-4)
     assert result(page, "max_pressure_MPa") == pressure
-    assert page.locator('[data-section="cyclogram"] table.data').first.text_content().count("yes") >= 1
+    assert (
+        page.locator('[data-section="cyclogram"] table.data').first.text_content().count("yes") >= 1
+    )
 
 
 def test_spacing_and_hole_follow_until_typed(page: Page, service: str) -> None:
