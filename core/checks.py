@@ -149,7 +149,7 @@ _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sec
 
 CHECKS = {
     "dead_centre": Kind(
-        "Dead centres", "mechanism", "", "gaps of phases < 180°",
+        "Dead centres", "mechanism", "", "Δθ < 180°",
         "There no pair drives, and no torque is transmitted.",
         ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
     ),
@@ -234,7 +234,7 @@ CHECKS = {
         "ovsyannikov_2019",
     ),
     "roller_sharing": Kind(
-        "Rollers that carry", "rollers", "", "all carry",
+        "Rollers that carry", "rollers", "", "n_c = n",
         "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
     ),
     "roller_spacing": Kind(

@@ -327,6 +327,7 @@ export default {
     simplification_error_C: ["Error of that simplification at C"],
     x: ["x"],
     y: ["y"],
+    z: ["z"],
     total: ["total"],
     governing_pressure_MPa: ["Governing pressure", "p_g"],
     safety: ["Safety of each body whose limit is known"],

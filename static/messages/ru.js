@@ -321,6 +321,7 @@ export default {
     simplification_error_C: ["Погрешность этого упрощения в C"],
     x: ["x"],
     y: ["y"],
+    z: ["z"],
     total: ["всего"],
     governing_pressure_MPa: ["Определяющее давление", "p_g"],
     safety: ["Запас каждой детали с известным пределом"],

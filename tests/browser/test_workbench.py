@@ -32,7 +32,7 @@ TORQUE = "load.output_torque_Nm"
 
 def leading_number(text: str) -> float:
     """The number that a cell begins with."""
-    found = re.match(r"[\d.\u202f]+", text)
+    found = re.match(r"[\d.\u202f]+", text.removeprefix("★"))
     assert found, text
     return number(found[0])
 
