@@ -40,8 +40,8 @@ export function createFigure({ figure: about, client, titles, on }) {
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
-        ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}
-        ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}
+        ${figure.onDemand && html`<p class="measures"><button type="button" class="measure">${message("figure.measure")}</button>
+          ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}</p>`}
       </div>
       ${figure.enveloped && html`<p class="figure-note"></p>`}
     </figure>`);

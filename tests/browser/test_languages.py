@@ -15,14 +15,16 @@ CALCULATORS = {
 # What is the same in all languages: names of programs, files, units, keys, standards.
 COMMON = re.compile(
     r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
-    r"|arctan|doi|ISO/TR|Johnson, Contact Mechanics|Zaretsky|Wang, Luo, Su|Roloff/Matek|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
+    r"|arctan|doi|ISO/TR|Johnson, Contact Mechanics|Zaretsky|Wang, Luo, Su|Roloff/Matek"
+    r"|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
 )
 TEXTS = """() => {
+  const same = "script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog";
   const seen = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walk.nextNode()) {
     const holder = walk.currentNode.parentElement;
-    if (!holder.closest("script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog, option"))
+    if (!holder.closest(`${same}, option`))
       seen.push(walk.currentNode.data);
   }
   for (const each of document.querySelectorAll("[aria-label], [title]"))
