@@ -10,7 +10,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from core.checks import CRANK, MARGIN, Check, CrankDesign, Verdict, crank_checks, crank_tables
+from core.checks.check import MARGIN, Check, Verdict
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
 from core.errors import CalculationError
 from core.exploration.solve import Solution, solve_for
 

@@ -9,18 +9,8 @@ from app.model import Maybe, RequestModel, ResponseModel, Values, quantity, resu
 from app.problems import pointer
 from app.running import path_of
 from app.units import from_si, shown_unit
-from core.checks import (
-    CHECK_SOURCES,
-    CHECKS,
-    GROUPS,
-    NOT_CONSIDERED,
-    REASONS,
-    STATUSES,
-    Check,
-    Outcome,
-    Status,
-    Verdict,
-)
+from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
+from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED, REASONS
 from core.fixes import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 

@@ -23,7 +23,8 @@ from app.running import run
 from app.sources import OVSYANNIKOV_2019
 from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, note, text, vertical_line
 from app.units import from_si
-from core.checks import Verdict, roller_checks
+from core.checks.check import Verdict
+from core.checks.rollers import roller_checks
 from core.fixes import plain_fixes
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_strength

@@ -567,21 +567,21 @@ export default {
       "Contact pressure of the pin",
       "Above it the surface of the pin pits in the long run."
     ],
-    "contact_pressure_hole": [
-      "Contact pressure of the hole",
-      "Above it the surface of the hole pits in the long run."
-    ],
     "contact_shakedown_pin": [
       "Shakedown of the pin",
       "Above it the surface of the pin flows on with every turn."
     ],
-    "contact_shakedown_hole": [
-      "Shakedown of the hole",
-      "Above it the surface of the hole flows on with every turn."
-    ],
     "contact_yield_pin": [
       "First yield of the pin",
       "Above it the pin yields below its surface in the first turns."
+    ],
+    "contact_pressure_hole": [
+      "Contact pressure of the hole",
+      "Above it the surface of the hole pits in the long run."
+    ],
+    "contact_shakedown_hole": [
+      "Shakedown of the hole",
+      "Above it the surface of the hole flows on with every turn."
     ],
     "contact_yield_hole": [
       "First yield of the hole",

@@ -11,7 +11,7 @@ from copy import deepcopy
 import pytest
 
 from app.examples import EXAMPLES, REQUESTS
-from core.checks import CHECK_SOURCES, CHECKS, GROUPS, REASONS
+from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, REASONS
 from core.materials import LIMIT_SOURCES
 
 pytestmark = pytest.mark.anyio

@@ -7,18 +7,12 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from core.checks import (
-    CHECKS,
-    CRANK,
-    MARGIN,
-    SHAKEDOWN,
-    Check,
-    CrankDesign,
-    crank_checks,
-    judged,
-    roller_checks,
-    verdict,
-)
+from core.checks.check import MARGIN, Check, judged, verdict
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.kinds import CHECKS
+from core.checks.pin_contact import SHAKEDOWN
+from core.checks.rollers import roller_checks
 from core.fixes import PIN_SIZES, VARIED, crank_fixes, vary
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
