@@ -84,7 +84,10 @@ class JudgedFields(RequestModel):
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, without what is for the checks only."""
         own = super().to_core()
-        return {name: value for name, value in own.items() if name not in JudgedFields.model_fields}
+        return {name: value for name, value in own.items() if name not in _JUDGING}
+
+
+_JUDGING = frozenset(JudgedFields.model_fields)
 
 
 class ReasonOut(ResponseModel):

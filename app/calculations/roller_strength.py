@@ -217,8 +217,8 @@ class RollerStrengthRequest(JudgedFields):
 
     def judge(self, result: RollerStrength) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        own = self.to_core()
-        limits: dict[str, Any] = {name: own.get(name) for name in _JUDGED_BY}
+        design = self.to_core()
+        limits: dict[str, Any] = {name: design.pop(name, None) for name in _JUDGED_BY}
         limits["bending_safety"] = self.requirements.bending_safety
 
         def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
@@ -226,7 +226,6 @@ class RollerStrengthRequest(JudgedFields):
             found = roller_strength(**changed) if result is None else result
             return roller_checks(result=found, **shared, **limits)
 
-        design = self.design()
         verdict = checks(design, result)
         fixes = None
         if "fixes" in self.include:

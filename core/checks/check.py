@@ -249,7 +249,8 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
     ('incomplete', 'contact_pressure_pin', 4.0)
     """
     ranked = tuple(sorted(checks, key=_rank))
-    counts = {str(status): sum(each.status == status for each in ranked) for status in STATUSES}
+    statuses = [each.status for each in ranked]
+    counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
     outcome: Outcome = "pass"
     if counts["fail"]:
         outcome = "fail"
