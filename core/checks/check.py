@@ -37,7 +37,7 @@ class Check:
         positive.
     torque_reserve : float or None
         Factor on the torque at which the value is at its limit; None where it does not depend on
-        it.
+        it, or is not known.
     impossible : bool
         Whether the mechanism cannot exist or move so.
     warning : bool

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
@@ -40,7 +41,7 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
     if contact is None or pressure is None:
         reason = "dead_centre" if contact is None else "no_pressure"
         return Check(code=code, status="not_checked", limit=limit, reason=reason, **more)
-    return judged(
+    found = judged(
         code,
         pressure,
         limit,
@@ -50,6 +51,19 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
         at=design.peak,
         **more,
     )
+    return _unless_clearance(design, found)
+
+
+def _unless_clearance(design: CrankDesign, found: Check) -> Check:
+    """A check under the forces without clearance: with it fewer pairs carry, each more, so that
+    only what fails is known, and not by how much.
+    """
+    if not (design.clearance or 0.0) > 0:
+        return found
+    if found.status == "fail":
+        return replace(found, torque_reserve=None)
+    unknown: dict[str, Any] = dict.fromkeys(("value", "utilisation", "torque_reserve"))
+    return replace(found, status="not_checked", reason="force_law", at={}, **unknown)
 
 
 def _reserve(design: CrankDesign, contact: HertzContact, pressure: float, limit: float) -> float:
@@ -129,7 +143,8 @@ def _conformity(design: CrankDesign) -> Check:
     if contact.conformal_pressure is not None:
         why = "conformal_solution"
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
-    return judged(code, ratio, limit, reserve=(limit / ratio) ** 2, warning="rough_guide")
+    found = judged(code, ratio, limit, reserve=(limit / ratio) ** 2, warning="rough_guide")
+    return _unless_clearance(design, found)
 
 
 CONTACT: dict[str, Callable[[CrankDesign], Check]] = {
