@@ -41,6 +41,7 @@ _CHECKED = (
     "rollers",
     "sphere_diameter",
     "cylinder_length",
+    "sphere_width",
     "position_tolerance",
     "gaps",
 )

@@ -53,6 +53,8 @@ CHECK_SOURCES = {
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
     "p = 2.31*Re (Mises)",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
+    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: rollers are usually at least "
+    "ten times as long as the centre distance, tilted by about 12°",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
@@ -77,6 +79,8 @@ REASONS = {
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
+    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
+    "to the axis",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "yield_unknown": "No yield strength is known: enter one",
@@ -213,9 +217,9 @@ CHECKS = {
         "Otherwise the rollers reach the axis.", ("hole_circle_radius", "sphere_diameter"),
     ),
     "roller_tilt": Kind(
-        "Length of the rollers", "rollers", "mm", "l ≥ 10·e",
-        "Shorter ones tilt too much against the discs.", ("cylinder_length", "eccentricity"),
-        "ovsyannikov_2019",
+        "Length of the rollers", "rollers", "mm", "2·l + 3·b ≥ 10·e",
+        "Shorter ones tilt too much against the discs.",
+        ("cylinder_length", "sphere_width", "eccentricity"), "ovsyannikov_2019_length",
     ),
     "line_spacing": Kind(
         "Space between rollers", "room", "mm", "2·R_C·sin(Δφ/2) − 2·ρ > 0",

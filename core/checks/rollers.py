@@ -7,7 +7,7 @@ from core.checks.check import Check, Verdict, judged, verdict, wall
 from core.rollers.roller_strength import RollerStrength, roller_gaps
 
 ROLLER_LENGTH = 10.0
-"""Least length of a swinging roller's cylinder over the eccentricity."""
+"""Usual least length of a swinging roller, from end to end, over the eccentricity."""
 
 
 def roller_checks(
@@ -18,6 +18,7 @@ def roller_checks(
     rollers: int,
     sphere_diameter: float,
     cylinder_length: float,
+    sphere_width: float,
     position_tolerance: float | None = None,
     gaps: Sequence[float] | None = None,
     yield_strength: float | None = None,
@@ -30,8 +31,10 @@ def roller_checks(
     ----------
     result : RollerStrength
         Their load sharing and strength.
-    output_torque, hole_circle_radius, rollers, sphere_diameter, cylinder_length : as there
+    output_torque, hole_circle_radius, rollers : as there
         What they were calculated for.
+    sphere_diameter, cylinder_length, sphere_width : as there
+        Sizes of a roller.
     position_tolerance, gaps : as there
         One of them.
     yield_strength : float, optional
@@ -44,6 +47,12 @@ def roller_checks(
     Returns
     -------
     Verdict
+
+    Notes
+    -----
+    Source of the length: Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually
+    exceeds the centre distance at least 10 times", a tilt of about 12°. That is the whole length, two
+    cylinders and three spheres: over half of it, 5*e, the centre moves by e, atan(1/5) = 11.3°.
     """
     stress = float(result.bending_stress)
     if yield_strength is None:
@@ -84,12 +93,12 @@ def roller_checks(
     else:
         spacing = Check(code="roller_spacing", status="not_applicable", reason="one_only")
     room = hole_circle_radius - sphere_diameter / 2
+    code, length = "roller_tilt", 2 * cylinder_length + 3 * sphere_width
     if eccentricity is None:
-        tilt = Check(
-            code="roller_tilt", status="not_asked", value=cylinder_length, missing=("eccentricity",)
-        )
+        tilt = Check(code=code, status="not_asked", value=length, missing=("eccentricity",))
     else:
-        tilt = judged("roller_tilt", cylinder_length, ROLLER_LENGTH * eccentricity, keep="above")
+        least = ROLLER_LENGTH * eccentricity
+        tilt = judged(code, length, least, keep="above", warning="tilted")
     return verdict(
         [strength, sharing, spacing, wall("roller_room", width=room, size=sphere_diameter), tilt],
         ("roller_contact", "fatigue", "friction"),

@@ -345,8 +345,10 @@ async def test_rollers_by_hand(api):
         ({"yield_strength_MPa": 900.0}, "pass", "roller_stress"),
         ({"yield_strength_MPa": 800.0}, "marginal", "roller_stress"),
         ({"yield_strength_MPa": 760.0}, "fail", "roller_stress"),
-        ({"yield_strength_MPa": 900.0, "eccentricity_mm": 2.0}, "pass", "roller_stress"),
-        ({"yield_strength_MPa": 900.0, "eccentricity_mm": 2.1}, "fail", "roller_tilt"),
+        # 2*20 + 3*8 = 64 mm from end to end: ten times 6.4 mm
+        ({"yield_strength_MPa": 900.0, "eccentricity_mm": 6.4}, "pass", "roller_stress"),
+        ({"yield_strength_MPa": 900.0, "eccentricity_mm": 6.41}, "marginal", "roller_tilt"),
+        ({"yield_strength_MPa": 900.0, "eccentricity_mm": 64.0}, "marginal", "roller_tilt"),
         ({"yield_strength_MPa": 900.0, "rollers": 13}, "fail", "roller_spacing"),
         (
             {"yield_strength_MPa": 9000.0, "position_tolerance_mm": 0.05},

@@ -194,10 +194,10 @@ def test_the_reserve_of_rollers(torque: float, tolerance: float, rollers: int, s
         "rollers": rollers,
         "sphere_diameter": 0.015,
         "cylinder_length": 0.02,
+        "sphere_width": 0.008,
         "position_tolerance": tolerance,
     }
     more = {
-        "sphere_width": 0.008,
         "diameter": 0.01,
         "friction_coefficient": 0.16,
         "youngs_modulus": 210e9,
