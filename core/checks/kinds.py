@@ -53,8 +53,8 @@ CHECK_SOURCES = {
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
     "p = 2.31*Re (Mises)",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
-    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: rollers are usually at least "
-    "ten times as long as the centre distance, tilted by about 12°",
+    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
+    "least ten times as long as the centre distance, tilted by about 12°",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",

@@ -51,8 +51,8 @@ def roller_checks(
     Notes
     -----
     Source of the length: Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually
-    exceeds the centre distance at least 10 times", a tilt of about 12°. That is the whole length, two
-    cylinders and three spheres: over half of it, 5*e, the centre moves by e, atan(1/5) = 11.3°.
+    exceeds the centre distance at least 10 times", a tilt of about 12°. That is the whole length,
+    two cylinders and three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
     """
     stress = float(result.bending_stress)
     if yield_strength is None:
