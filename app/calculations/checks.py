@@ -176,8 +176,9 @@ class JudgedResponse(ResponseModel):
     """An answer with a verdict."""
 
     verdict: Outcome = Field(
-        description="`fail` where a check fails, else `incomplete` where one could not be made, "
-        "else `marginal`, else `pass`; says nothing of what is `not_considered`."
+        description="`fail` where a check fails, else `incomplete` where one could not be made, or "
+        "none is of what the load could break, else `marginal`, else `pass`; says nothing of what "
+        "is `not_considered`."
     )
     governing: Maybe[str] = Field(
         default=None, description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}

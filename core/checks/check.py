@@ -181,8 +181,8 @@ class Verdict:
     Attributes
     ----------
     verdict : Outcome
-        `fail` where a check fails, else `incomplete` where one could not be made, else `marginal`
-        where one is, else `pass`.
+        `fail` where a check fails, else `incomplete` where one could not be made, or none is of
+        what the load could break, else `marginal` where one is, else `pass`.
     governing : str or None
         Code of the check that decides: the worst failing one, else the one next to its limit.
     torque_reserve : float or None
@@ -251,19 +251,19 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
     ranked = tuple(sorted(checks, key=_rank))
     statuses = [each.status for each in ranked]
     counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
-    outcome: Outcome = "pass"
-    if counts["fail"]:
-        outcome = "fail"
-    elif counts["not_checked"]:
-        outcome = "incomplete"
-    elif counts["marginal"]:
-        outcome = "marginal"
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
     reserves = [
         each.torque_reserve
         for each in decided
         if each.torque_reserve is not None and not each.warning
     ]
+    outcome: Outcome = "pass"
+    if counts["fail"]:
+        outcome = "fail"
+    elif counts["not_checked"] or not reserves:  # room alone: nothing that the load could break
+        outcome = "incomplete"
+    elif counts["marginal"]:
+        outcome = "marginal"
     stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
     return Verdict(
         verdict=outcome,

@@ -92,6 +92,7 @@ NOT_CONSIDERED = {
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
     "crankshaft": "crankshaft and balance of masses",
+    "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",
     "friction": "friction, wear and efficiency",
     "gear": "teeth of satellite and ring",
@@ -101,6 +102,7 @@ NOT_CONSIDERED = {
     "roller_contact": "contact of spheres and holes",
     "satellite_body": "body of the satellite",
     "shaft_strength": "strength of the shaft",
+    "slope": "slope of the shaft, of which no limit is asked",
 }
 """What a verdict does not consider, in English, by code."""
 

@@ -50,6 +50,8 @@ def shaft_checks(
     deflection = max(result.deflection_B.total, result.deflection_C.total)
     slope = max(result.slope_B.total, result.slope_C.total)
     error = float(result.accuracy.relative_error)
+    limits = {"deflection": max_deflection, "slope": max_slope}
+    unasked = [name for name, limit in limits.items() if limit is None]
     return verdict(
         [
             spacing,
@@ -57,7 +59,7 @@ def shaft_checks(
             _asked("shaft_deflection", deflection, max_deflection, "max_deflection", error),
             _asked("shaft_slope", slope, max_slope, "max_slope", error),
         ],
-        ("line_pressure", "shaft_strength", "bearing", "friction"),
+        (*unasked, "line_pressure", "shaft_strength", "bearing", "friction"),
     )
 
 

@@ -702,6 +702,7 @@ export default {
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
     "crankshaft": "crankshaft and balance of masses",
+    "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",
     "friction": "friction, wear and efficiency",
     "gear": "teeth of satellite and ring",
@@ -710,7 +711,8 @@ export default {
     "pin": "bending of the pins",
     "roller_contact": "contact of spheres and holes",
     "satellite_body": "body of the satellite",
-    "shaft_strength": "strength of the shaft"
+    "shaft_strength": "strength of the shaft",
+    "slope": "slope of the shaft, of which no limit is asked"
   },
   "limitSources": {
     "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, of the mean pressure, so that the largest one is on the safe side; as in KISSsoft and MITCalc",

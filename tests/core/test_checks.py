@@ -167,7 +167,13 @@ def test_order_and_verdict() -> None:
     assert verdict([five, seven, eight]).verdict == "incomplete"
     assert not verdict([five, eight]).largest_torque_known
     assert verdict([five, six, seven]).verdict == "marginal"
-    assert verdict([seven]).verdict == "pass"
+    assert verdict([seven]).verdict == "incomplete"
+    room = judged("line_spacing", 2.0, 0.0, keep="above")
+    warned = judged("contact_conformity", 0.1, 0.159, reserve=2.5, warning="rough_guide")
+    assert verdict([room]).verdict == "incomplete"  # nothing that the load could break
+    assert verdict([room, warned]).verdict == "incomplete"
+    assert verdict([room, judged("shaft_slope", 1.0, 2.0, reserve=2.0)]).verdict == "pass"
+    assert verdict([replace(room, status="fail")]).verdict == "fail"
     assert verdict([seven]).governing is None
 
 
