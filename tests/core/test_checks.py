@@ -109,7 +109,7 @@ def test_more_torque_is_never_better(design: CrankDesign, times: float) -> None:
     for check in one.checks:
         other = more[check.code]
         if check.torque_reserve is not None and other.torque_reserve is not None:
-            assert other.torque_reserve * times == pytest.approx(check.torque_reserve, rel=0.03)
+            assert other.torque_reserve * times == pytest.approx(check.torque_reserve, rel=1e-9)
 
 
 @given(
