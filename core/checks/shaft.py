@@ -42,7 +42,7 @@ def shaft_checks(
     apart = [after - before for before, after in pairwise([*places, places[0] + turn])]
     apart = [each for each in apart if 1e-9 < each < turn - 1e-9]
     if apart:
-        pitch = 2 * roller_circle_radius * math.sin(min(min(apart), math.pi) / 2)
+        pitch = 2 * roller_circle_radius * math.sin(min(apart) / 2)
         spacing = wall("line_spacing", width=pitch - 2 * roller_radius, size=roller_radius)
     else:
         spacing = Check(code="line_spacing", status="not_applicable", reason="one_only")
