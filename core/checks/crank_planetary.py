@@ -42,9 +42,7 @@ def _interference(design: CrankDesign) -> Check:
         return _no_eccentricity(code)
     assert design.hole_radius is not None
     needed = design.hole_radius - clearance
-    return judged(
-        code, design.hole_radius, needed, keep="above", error=0.0, impossible=clearance < 0
-    )
+    return judged(code, design.hole_radius, needed, keep="above", impossible=clearance < 0)
 
 
 def _clearance(design: CrankDesign) -> Check:

@@ -85,7 +85,6 @@ def roller_checks(
         float(rollers),
         keep="above",
         warning="uneven",
-        error=0.0,
     )
     if rollers > 1:
         pitch = 2 * hole_circle_radius * math.sin(math.pi / rollers)

@@ -146,11 +146,40 @@ def test_width_of_the_contact() -> None:
         unknown = CRANK[code](none)
         assert (unknown.status, unknown.reason) == ("not_checked", "no_pressure")
         assert unknown.limit is not None and unknown.value is None
+    # the pressure of Hertz, up to a limit within his reach
+    for limit in (60e6, 20e6):
+        hertz = replace(soft, pin_material=replace(SOFT, limit=ContactLimit("given", limit)))
+        reserve = CRANK["contact_pressure_pin"](hertz).torque_reserve
+        assert soft.contact is not None and soft.contact.half_width_ratio > 0.2
+        expected = (limit / 1.2 / float(soft.contact.max_pressure)) ** 2
+        assert reserve == pytest.approx(expected, rel=1e-12) and expected < 2
     # of steel it may end before the pressure reaches a limit: there the width is the pin's radius
     strong = replace(SOFT, limit=ContactLimit("given", 1e12))
     ended = CRANK["contact_pressure_pin"](replace(soft, pin_material=strong))
     assert soft.contact is not None
     assert ended.torque_reserve == pytest.approx(soft.contact.half_width_ratio**-2, rel=1e-12)
+
+
+@pytest.mark.parametrize("limit", [450e6, 600e6, 1200e6, 2400e6])
+def test_the_reserve_of_a_conformal_contact_is_where_its_pressure_reaches_the_limit(
+    limit: float,
+) -> None:
+    material = replace(HOLE, limit=ContactLimit("given", limit))
+    design = replace(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=material)
+    reserve = CRANK["contact_pressure_hole"](design).torque_reserve
+    assert reserve is not None
+    assert CRANK["contact_conformity"](design).status == "not_applicable"
+    there = replace(design, output_torque=500.0 * reserve)
+    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-12)
+
+
+def test_a_pressure_within_rounding_of_its_limit_is_marginal() -> None:
+    assert REF.contact is not None
+    pressure, error = float(REF.contact.max_pressure), REF.contact.accuracy.relative_error
+    for part, status in ((7, "marginal"), (9, "fail")):
+        limit = ContactLimit("given", 1.2 * pressure * (1 - part * float(error)))
+        design = replace(REF, hole_material=replace(HOLE, limit=limit))
+        assert CRANK["contact_pressure_hole"](design).status == status
 
 
 def test_within_the_error_of_different_materials_the_pressure_is_marginal() -> None:
@@ -190,6 +219,7 @@ def test_fit(clearance: float) -> None:
         found = CRANK[code](design)
         assert (found.status == "not_checked") == (real > 0), code
         assert (found.reason == "force_law") == (real > 0), code
+        assert bool(found.at) == (real <= 0 and code != "contact_conformity"), code
 
 
 @pytest.mark.parametrize("code", ["interference", "clearance"])
@@ -329,6 +359,8 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
     assert crank_checks(no_body).not_considered == ("satellite_body", *later)
     assert crank_checks(no_load).not_considered == ("load", *later)
     bare = replace(no_contact, output_torque=None, has_body=False)
+    assert no_load.force is None and no_load.contact is None
+    assert not CrankDesign(pins=3, satellites=1, ratio=20.0).has_body
     assert crank_checks(bare).not_considered == ("load", "contact", "satellite_body", *later)
 
 
@@ -352,6 +384,30 @@ def rollers(count: int = 4, **changes: Any) -> Verdict:
         stress_concentration=2.0,
     )
     return roller_checks(result=result, **sizes, **changes)
+
+
+def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
+    """Two alike carry, one is far behind: the stress is proportional to the torque."""
+    sizes: dict[str, Any] = {
+        "output_torque": 210.0,
+        "hole_circle_radius": 0.03,
+        "rollers": 3,
+        "sphere_diameter": 0.015,
+        "cylinder_length": 0.02,
+        "sphere_width": 0.008,
+        "gaps": (1e-3, 3e-4, 3e-4),
+    }
+    more = {"diameter": 0.01, "friction_coefficient": 0.16, "youngs_modulus": 210e9}
+    result = roller_strength(**sizes, **more, poissons_ratio=0.3)
+    assert result.loaded_rollers == 2
+    stress = float(result.bending_stress)
+    found = roller_checks(result=result, **sizes, yield_strength=1.8 * stress)["roller_stress"]
+    assert found.torque_reserve == pytest.approx(1.2, rel=1e-12)
+    # a stress known to 0.1 %: within four times that of its limit it is marginal
+    doubtful = replace(result, accuracy=replace(result.accuracy, relative_error=1e-3))
+    for part, status in ((0.9965, "marginal"), (0.9955, "fail")):
+        limit = {"yield_strength": 1.5 * part * stress}
+        assert roller_checks(result=doubtful, **sizes, **limit)["roller_stress"].status == status
 
 
 STRESS = 0.0024213655009 * 210e9  # sigma/E of fig. 6 at l/d = 2, chi/d = 2e-4
@@ -433,7 +489,7 @@ def shaft(
     """Checks of a shaft with these deflections and slopes at B and C."""
     totals = [SimpleNamespace(total=each) for each in (*deflections, *slopes)]
     names = ("deflection_B", "deflection_C", "slope_B", "slope_C")
-    accuracy = SimpleNamespace(relative_error=1e-12)
+    accuracy = SimpleNamespace(relative_error=changes.pop("error", 1e-12))
     result: Any = SimpleNamespace(**dict(zip(names, totals, strict=True)), accuracy=accuracy)
     sizes = {"roller_circle_radius": 0.05, "roller_radius": 0.004, "diameters": [0.02, 0.03]}
     return shaft_checks(result=result, positions=positions, **(sizes | changes))  # type: ignore[arg-type]
@@ -450,6 +506,7 @@ def shaft(
         ((1.0, 1.0 + 2 * math.pi, 2.5), 1.5),
         ((1.0, 1.0 + 1e-10, 2.5), 1.5),
         ((-0.1, 0.1), 0.2),
+        ((0.1, 3.0, 6.2), 0.1 - 6.2 + 2 * math.pi),
     ],
 )
 def test_space_between_rollers_of_a_wheel(positions: tuple[float, ...], apart: float) -> None:
@@ -496,6 +553,13 @@ def test_bending_of_a_shaft(which: str, limit: float | None, status: str, order:
     assert found.not_considered == (other, *considered)
     assert found.verdict == status
     assert found.torque_reserve == check.torque_reserve
+
+
+def test_a_deflection_that_is_hardly_known_and_one_that_is_none() -> None:
+    for limit, status in ((1.9931e-5, "marginal"), (1.9911e-5, "fail")):  # off by 0.35, 0.45 %
+        assert shaft(error=1e-3, max_deflection=limit)["shaft_deflection"].status == status
+    still = shaft(deflections=(0.0, 0.0), max_deflection=1e-5)["shaft_deflection"]
+    says(still, status="pass", value=0.0, limit=1e-5, utilisation=0.0)
 
 
 @pytest.mark.parametrize(
