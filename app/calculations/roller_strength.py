@@ -225,7 +225,7 @@ class RollerStrengthRequest(JudgedFields):
             found = roller_strength(**changed) if result is None else result
             return roller_checks(result=found, **shared, **limits)
 
-        design = self.design()
+        design = {name: each for name, each in own.items() if name not in _JUDGED_BY}
         verdict = checks(design, result)
         fixes = None
         if "fixes" in self.include:
