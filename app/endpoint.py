@@ -111,7 +111,7 @@ class CalculationRoute(APIRoute):
             zipped = takes_gzip(request)
             body = None
             if len(sent) <= LIGHT_BYTES:
-                body = _read(CALCULATIONS[name], sent, record.settings)
+                body = read_body(CALCULATIONS[name], sent, record.settings)
             if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
                 content = _content(CALCULATIONS[name], body, theme, zipped)
             else:
@@ -199,7 +199,7 @@ def _answer(
 ) -> Iterator[bytes]:
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
-    yield _content(calculation, _read(calculation, sent, settings), theme, zipped)
+    yield _content(calculation, read_body(calculation, sent, settings), theme, zipped)
 
 
 async def received(request: Request, limit: int) -> bytes:
@@ -239,7 +239,7 @@ def _reader(name: str) -> TypeAdapter[RequestModel]:
     return TypeAdapter(CALCULATIONS[name].request)
 
 
-def _read(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
+def read_body(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
     """The body of a request.
 
     Raises

@@ -205,7 +205,7 @@ async def test_a_large_body_is_read_in_a_process(monkeypatch):
     def unused(*_):
         raise AssertionError("read in the event loop")
 
-    monkeypatch.setattr(endpoint, "_read", unused)
+    monkeypatch.setattr(endpoint, "read_body", unused)
     async with service() as api:
         for body in ({"pins": 3, "ratio": 20}, {"pins": 3}, {"pins": 3, "ratio": 20, "a": 1}):
             sent = json.dumps(body) + " " * LIGHT_BYTES

@@ -96,18 +96,17 @@ def test_headers_without_end_are_refused_by_their_size(service):
         assert connection.recv(1000).startswith(b"HTTP/1.1 431 ")
 
 
-def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(serve):
-    with serve() as service:
-        with connect(service) as connection:
-            connection.sendall(POST % 1000 + b'{"pins": ')
-            time.sleep(0.3)
+def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(service):
+    with connect(service) as connection:
+        head = (POST % 1000).replace(b"host: x", b"host: x\r\nx-request-id: gone")
+        connection.sendall(head + b'{"pins": ')
+        time.sleep(0.3)
 
-        def logged():
-            return [line for line in service.log() if line.get("route") == "/api/v1/cyclogram"]
+    def logged():
+        return [line for line in service.log() if line.get("id") == "gone"]
 
-        assert eventually(logged)
-        assert [(line["status"], line["level"]) for line in logged()] == [(499, "info")]
-        assert logged()[0]["total_ms"] > 200
+    assert eventually(logged)
+    assert [(line["status"], line["level"]) for line in logged()] == [(499, "info")]
 
 
 def test_an_answer_that_nobody_takes_is_dropped(service):
