@@ -143,14 +143,8 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     leaves the event loop.
 
     Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve.
-
-    Parameters
-    ----------
-    body : RequestModel
-        The request.
-    drawn : bool
-        Whether its figure is asked.
+    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, those of its
+    figure.
     """
     stated = dict(_stated(body))
     asked = stated.get("include", ())
@@ -267,12 +261,7 @@ def _theme(request: Request) -> str:
 
 
 def encoded(values: Any) -> bytes:
-    """Values of an answer as JSON.
-
-    Parameters
-    ----------
-    values : object
-        Dictionaries, lists, texts, arrays and numbers; what is not there is left out, not None.
+    """Values of an answer as JSON: what is not there is left out, not None.
 
     Raises
     ------

@@ -109,17 +109,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """The service as an ASGI application.
-
-    Parameters
-    ----------
-    settings : Settings, optional
-        Limits; from the environment where not given.
-
-    Returns
-    -------
-    FastAPI
-    """
+    """The service as an ASGI application; settings from the environment where none are given."""
     settings = settings or current()
     app = FastAPI(
         title="KHV Calc",

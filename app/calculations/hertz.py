@@ -368,13 +368,6 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
         Hertz, and the conformal contact where it applies.
     limits_MPa : dict of str to float
         Limit of the pressure by the name of the body, where it is known.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     data = [
         curve(

@@ -311,13 +311,6 @@ def loss_figure(
         Loss and efficiency over the turn.
     switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     angles = from_si("crank_angle_deg", curves.crank_angle)
     end = float(angles[-1])
