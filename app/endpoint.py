@@ -143,8 +143,8 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     leaves the event loop.
 
     Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, those of its
-    figure.
+    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, of
+    its figure.
     """
     stated = dict(_stated(body))
     asked = stated.get("include", ())
