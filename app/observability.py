@@ -92,8 +92,8 @@ class Output(logging.Handler):
         if self.taken - self.written >= MOST_LINES:
             DROPPED.inc()
             return
-        self.taken += 1
         self.lines.put(self.format(record).encode() + b"\n")
+        self.taken += 1
 
     def flush(self) -> None:
         """Wait for what is to be written, a second at most."""
