@@ -97,7 +97,8 @@ def running(serve):
 
 
 def post(client, path, content):
-    return client.post(path, content=content, headers={"content-type": "application/json"})
+    headers = {"content-type": "application/json"}
+    return client.post(path, content=content, headers=headers, timeout=240)
 
 
 @pytest.mark.parametrize("flood", FLOODS)
@@ -223,6 +224,8 @@ def test_clients_that_leave_leave_nothing_behind(serve):
         url = f"{service.url}/api/v1/work-precision"
         assert eventually(lambda: all(len(calculators(pid)) == 2 for pid in asked))
         assert post(httpx, url, STUDY).status_code == 200
+        for _ in range(40):  # each worker opens its last file with its first answer
+            assert httpx.get(f"{service.url}/livez").status_code == 200
         before = started()
         leaving = [threading.Thread(target=leave_soon, args=(seed,)) for seed in range(3)]
         for each in leaving:
