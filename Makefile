@@ -79,6 +79,7 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
 	PYTHONPATH=. $(BIN)/python -m benchmarks.service
+	PYTHONPATH=. $(BIN)/python -m benchmarks.batches
 
 bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
 	PYTHONPATH=. $(BIN)/python -m benchmarks.page

@@ -13,7 +13,15 @@ from fastapi.responses import Response, StreamingResponse
 from pydantic import FailFast, Field, StringConstraints, ValidationError
 from pydantic_core import from_json, to_json
 
-from app.endpoint import COMPRESS_LEVEL, JSON, RESPONSES, encoded, received, takes_gzip
+from app.endpoint import (
+    COMPRESS_LEVEL,
+    JSON,
+    RESPONSES,
+    encoded,
+    read_body,
+    received,
+    takes_gzip,
+)
 from app.examples import REQUESTS
 from app.jobs import Jobs, TooLong, Unfinished
 from app.model import Calculation, Maybe, RequestModel, ResponseModel
@@ -246,32 +254,15 @@ def _line(
     calculation: Calculation, request: bytes, settings: Settings, errors: int
 ) -> tuple[bytes, int]:
     try:
-        body = _body(calculation.request, request, settings)
+        if len(request) > settings.max_body_bytes:
+            raise too_large(settings.max_body_bytes)
+        body = read_body(calculation, request, settings)
         return b'{"result":' + encoded(calculation.solve(body)) + b"}", 0
     except ImpossibleMechanism as error:
         problem = impossible(error)
     except Problem as refusal:
         problem = refusal.naming_at_most(errors)
     return _problem(problem), len(problem.errors)
-
-
-def _body(model: type[RequestModel], request: bytes, settings: Settings) -> RequestModel:
-    """A request as its model.
-
-    Raises
-    ------
-    Problem
-        If it is none.
-    """
-    if len(request) > settings.max_body_bytes:
-        raise too_large(settings.max_body_bytes)
-    try:
-        body = model.model_validate_json(request)
-    except ValidationError as error:
-        raise wrong_fields(error) from None
-    with refusals_named(body):
-        body.refuse_beyond(settings)
-    return body
 
 
 def _problem(problem: Problem) -> bytes:

@@ -108,14 +108,15 @@ class CalculationRoute(APIRoute):
             sent = await received(request, record.settings.max_body_bytes)
             record.received = time.perf_counter()
             theme = _theme(request) if drawn else None
-            asked = name, sent, theme, takes_gzip(request), record.settings
+            zipped = takes_gzip(request)
             body = None
             if len(sent) <= LIGHT_BYTES:
-                body = _read(CALCULATIONS[name], sent, record.settings)
+                body = read_body(CALCULATIONS[name], sent, record.settings)
             if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
-                content = _content(CALCULATIONS[name], body, theme, takes_gzip(request))
+                content = _content(CALCULATIONS[name], body, theme, zipped)
             else:
                 jobs = request.app.state.jobs
+                asked = name, sent, theme, zipped, record.settings
                 content = await processes.in_process(jobs, _answer, *asked, record=record)
             return _json_response(content)
 
@@ -142,39 +143,34 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     leaves the event loop.
 
     Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve.
-
-    Parameters
-    ----------
-    body : RequestModel
-        The request.
-    drawn : bool
-        Whether its figure is asked.
+    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, of
+    its figure.
     """
-    stated = {name: value for name, value in _stated(body) if value is not None}
-    asked = {*stated.get("include", ())}
+    stated = dict(_stated(body))
+    asked = stated.get("include", ())
     if body.LONG or "fixes" in asked:
         return math.inf
     size = 1.0
     for name in COUNTS:
-        count = stated.get(name, 1)
-        size *= max(1, len(count) if isinstance(count, list) else count)
-    if {*ROLLERS} & {*stated}:
+        if name in stated:
+            count = stated[name]
+            size *= max(1, len(count) if isinstance(count, list) else count)
+    if any(name in stated for name in ROLLERS):
         size *= ELEMENT_POINTS  # nodes of its contact line
     teeth = stated.get("ring_teeth", 1) / stated.get("satellite_teeth", 1)
     size *= max(1.0, 1 / stated.get("ratio", 1.0), teeth)  # turns of the output link
     each = DRAWN_POINTS if drawn else ELEMENT_POINTS
-    if {"curves", "points"} & asked:
+    if "curves" in asked or "points" in asked:
         each = max(each, stated["samples"])
     return float(size * each)
 
 
 def _stated(body: BaseModel) -> Iterator[tuple[str, Any]]:
-    """Fields of a request and of the models within it; of lists just that they are there."""
-    for name, value in body:
+    """What is given of a request and of the models within it; of lists just that they are there."""
+    for name, value in vars(body).items():
         if isinstance(value, BaseModel):
             yield from _stated(value)
-        else:
+        elif value is not None:
             yield name, value
 
 
@@ -197,7 +193,7 @@ def _answer(
 ) -> Iterator[bytes]:
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
-    yield _content(calculation, _read(calculation, sent, settings), theme, zipped)
+    yield _content(calculation, read_body(calculation, sent, settings), theme, zipped)
 
 
 async def received(request: Request, limit: int) -> bytes:
@@ -237,7 +233,7 @@ def _reader(name: str) -> TypeAdapter[RequestModel]:
     return TypeAdapter(CALCULATIONS[name].request)
 
 
-def _read(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
+def read_body(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
     """The body of a request.
 
     Raises
@@ -265,12 +261,7 @@ def _theme(request: Request) -> str:
 
 
 def encoded(values: Any) -> bytes:
-    """Values of an answer as JSON.
-
-    Parameters
-    ----------
-    values : object
-        Dictionaries, lists, texts, arrays and numbers; what is not there is left out, not None.
+    """Values of an answer as JSON: what is not there is left out, not None.
 
     Raises
     ------
@@ -329,7 +320,7 @@ class Answer(Response):
 
 def takes_gzip(request: Request) -> bool:
     """Whether a client takes compressed answers."""
-    return "gzip" in request.headers.get("accept-encoding", "")
+    return any(n == b"accept-encoding" and b"gzip" in v for n, v in request.scope["headers"])
 
 
 def _json_response(content: bytes) -> Response:

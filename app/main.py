@@ -24,6 +24,7 @@ from app.endpoint import JSON, RESPONSES, CalculationRoute, FigureOut, answering
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
+from app.model import Calculation
 from app.problems import REFUSED, refused, unavailable
 from app.registry import CALCULATIONS
 from app.settings import Settings, current
@@ -53,9 +54,14 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def example(body: dict[str, Any]) -> dict[str, Any]:
-    """A request's example for its description."""
-    return {"requestBody": {"content": {"application/json": {"example": body}}}}
+def described(calculation: Calculation) -> dict[str, Any]:
+    """What the description says of a calculation and of its figure alike."""
+    request = {"content": {JSON: {"example": REQUESTS[calculation.name]}}}
+    return {
+        "tags": [calculation.tag],
+        "responses": RESPONSES,
+        "openapi_extra": {"requestBody": request},
+    }
 
 
 def etag_of(content: bytes) -> str:
@@ -103,17 +109,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """The service as an ASGI application.
-
-    Parameters
-    ----------
-    settings : Settings, optional
-        Limits; from the environment where not given.
-
-    Returns
-    -------
-    FastAPI
-    """
+    """The service as an ASGI application; settings from the environment where none are given."""
     settings = settings or current()
     app = FastAPI(
         title="KHV Calc",
@@ -138,22 +134,21 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.add_exception_handler(kind, refused)
     app.router.route_class = CalculationRoute
     for each in CALCULATIONS.values():
-        shared: dict[str, Any] = {
-            "tags": [each.tag],
-            "responses": RESPONSES,
-            "openapi_extra": example(REQUESTS[each.name]),
-        }
-        path, name = f"{API}/{each.name}", each.name.replace("/", "-").replace("-", "_")
-        app.post(path, operation_id=name, summary=each.title, response_model=each.answer, **shared)(
-            answering(each)
-        )
+        app.post(
+            f"{API}/{each.name}",
+            operation_id=each.name.replace("/", "_").replace("-", "_"),
+            summary=each.title,
+            response_model=each.answer,
+            **described(each),
+        )(answering(each))
+    for each in CALCULATIONS.values():  # behind those above, as paths are compared in this order
         if each.figure is not None:
             app.post(
-                f"{path}/chart",
-                operation_id=f"{name}_chart",
+                f"{API}/{each.name}/chart",
+                operation_id=f"{each.name}/chart".replace("/", "_").replace("-", "_"),
                 summary=f"{each.title}: figure",
                 response_model=FigureOut,
-                **shared,
+                **described(each),
             )(drawing(each))
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)

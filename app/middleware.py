@@ -4,6 +4,7 @@ import asyncio
 import random
 import re
 import time
+from collections.abc import Iterator
 
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import ClientDisconnect
@@ -60,8 +61,12 @@ class Requests:
             nonlocal status, answered
             if message["type"] == "http.response.start":
                 status, answered = message["status"], time.perf_counter()
-                given = [*message.get("headers", []), *self.headers]
-                message["headers"] = _completed(given, scope, record, answered)
+                message["headers"] = [
+                    *message.get("headers", ()),
+                    *self.headers,
+                    (b"x-request-id", record.request_id.encode()),
+                    *_timing(scope, record, answered),
+                ]
             elif asked["method"] == "HEAD":
                 message["body"] = b""
             await send(message)
@@ -109,14 +114,10 @@ def _request_id(scope: Scope) -> str:
     return f"{random.getrandbits(96):024x}"
 
 
-def _completed(
-    given: list[tuple[bytes, bytes]], scope: Scope, record: Record, now: float
-) -> list[tuple[bytes, bytes]]:
-    """Headers of an answer with those of every answer."""
-    headers = [*given, (b"x-request-id", record.request_id.encode())]
+def _timing(scope: Scope, record: Record, now: float) -> Iterator[tuple[bytes, bytes]]:
+    """Header of where the time of a request went."""
     if scope["path"].startswith("/api/"):
         timing = b"total;dur=%.3f" % ((now - record.started) * 1e3)
         if record.calculations_us:
             timing = b"calculation;dur=%.3f, %b" % (sum(record.calculations_us) / 1e3, timing)
-        headers.append((b"server-timing", timing))
-    return headers
+        yield b"server-timing", timing

@@ -149,27 +149,31 @@ class RequestModel(BaseModel):
 
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:
-        for forms in _alternatives(type(self)):
-            given = [
-                form for form in forms if any(getattr(self, name) is not None for name in form)
-            ]
+        alternatives = _alternatives(type(self))
+        if not alternatives:
+            return self
+        absent = {name for name, value in vars(self).items() if value is None}
+        for forms in alternatives:
+            given = [form for form in forms if not absent.issuperset(form)]
             if len(given) > 1:
-                first, second = (
-                    [n for n in form if getattr(self, n) is not None] for form in given[:2]
-                )
+                first, second = ([n for n in form if n not in absent] for form in given[:2])
                 raise field_error(second[0], "only_one", field=first[0])
             if not given and () not in forms:
                 raise field_error(forms[0][0], "needed", field=forms[1][0])
             for form in given:
                 for name in form:
-                    if getattr(self, name) is None:
+                    if name in absent:
                         other = next(each for each in form if each != name)
                         raise field_error(name, "needed_beside", field=other)
         return self
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
-        return {core_name(name): to_si(name, value) for name, value in self if value is not None}
+        return {
+            core_name(name): to_si(name, value)
+            for name, value in vars(self).items()
+            if value is not None
+        }
 
     LONG: ClassVar[bool] = False
     """Whether it takes long whatever its counts are."""

@@ -40,6 +40,13 @@ from app.settings import current
 MOST_LINES = 1000
 """Lines of the log that wait to be read; more are dropped and counted."""
 
+PAUSE_S = 0.01
+"""How long lines are gathered, seconds."""
+
+TOGETHER_BYTES = 2048
+"""Size from which lines are written: together within the 4096 bytes up to which those of other
+workers do not come between."""
+
 LOG = logging.getLogger("khv.request")
 
 # What no line shows need not be found out for each (the logging module's own advice).
@@ -75,30 +82,36 @@ class Output(logging.Handler):
 
     def __init__(self) -> None:
         super().__init__()
-        self.lines: queue.Queue[bytes] = queue.Queue(MOST_LINES)
+        self.lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+        self.taken = self.written = 0
         threading.Thread(target=self._write, daemon=True).start()
         atexit.register(self.flush)
 
     def emit(self, record: logging.LogRecord) -> None:
         """Hand a line over."""
-        try:
-            self.lines.put_nowait(self.format(record).encode() + b"\n")
-        except queue.Full:
+        if self.taken - self.written >= MOST_LINES:
             DROPPED.inc()
+            return
+        self.lines.put(self.format(record).encode() + b"\n")
+        self.taken += 1
 
     def flush(self) -> None:
         """Wait for what is to be written, a second at most."""
         end = time.monotonic() + 1
-        while self.lines.unfinished_tasks and time.monotonic() < end:
+        while self.written < self.taken and time.monotonic() < end:
             time.sleep(0.005)
 
     def _write(self) -> None:
         while True:
-            line = self.lines.get()
+            text, lines = self.lines.get(), 1
+            while len(text) < TOGETHER_BYTES and not self.lines.empty():
+                text, lines = text + self.lines.get(), lines + 1
             with suppress(OSError):  # nobody is there any more
-                while line:
-                    line = line[os.write(1, line) :]
-            self.lines.task_done()
+                while text:
+                    text = text[os.write(1, text) :]
+            self.written += lines
+            if self.lines.empty():
+                time.sleep(PAUSE_S)  # to be woken for each line costs more than to write it
 
 
 class JsonLines(logging.Formatter):
@@ -117,20 +130,6 @@ class JsonLines(logging.Formatter):
         if record.exc_info:
             line["traceback"] = self.formatException(record.exc_info)
         return orjson.dumps(line, option=orjson.OPT_UTC_Z).decode()
-
-
-class _Line(logging.LogRecord):
-    """Record of a request: finding out where in the code it was made costs more than the rest."""
-
-    def __init__(self, level: int, line: dict[str, Any], error: Exception | None) -> None:
-        self.name = LOG.name
-        self.levelno = level
-        self.levelname = logging.getLevelName(level)
-        self.created = time.time()
-        self.msg = line
-        self.args = ()
-        self.exc_info = (type(error), error, error.__traceback__) if error else None
-        self.exc_text = self.stack_info = None
 
 
 def begin() -> None:
@@ -185,7 +184,9 @@ def end(
         line["calculation_ms"] = round(calculation_s * 1e3, 3)
     if 0 < record.calculated <= answered:  # not so of batches that are sent as they are done
         line["encode_ms"] = round((answered - record.calculated) * 1e3, 3)
-    LOG.handle(_Line(level, line, error))
+    raised = (type(error), error, error.__traceback__) if error else None
+    # Made here: to find out where in the code it is made costs more than the rest.
+    LOG.handle(logging.LogRecord(LOG.name, level, __file__, 0, line, (), raised))
 
 
 METHODS = frozenset(("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"))

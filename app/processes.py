@@ -52,17 +52,6 @@ async def in_process(
 
     If something stops the process from outside, another one tries it once more.
 
-    Parameters
-    ----------
-    jobs : Jobs
-        The processes.
-    job : callable
-        What to run: a generator function of a module.
-    *args
-        Its arguments; they are pickled.
-    record : Record
-        The request.
-
     Raises
     ------
     Problem
@@ -91,16 +80,7 @@ async def in_parts(
     limit_s: float,
     admitted: bool,
 ) -> list[Any]:
-    """All that a job yields, in a process, as long as someone waits for it.
-
-    Parameters
-    ----------
-    jobs, job, *args, record
-        As `in_process` takes them.
-    limit_s : float
-        Longest time of the job, seconds.
-    admitted : bool
-        Whether it is a part of work that has been admitted, and waits however many do.
+    """All that a job yields, in a process, as long as someone waits for it; see `Jobs.run`.
 
     Raises
     ------

@@ -17,27 +17,7 @@ Result = TypeVar("Result")
 
 
 def run(body: BaseModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
-    """Result of a calculation and its run time.
-
-    Parameters
-    ----------
-    body : BaseModel
-        The request, whose fields a refusal is to name.
-    calculation : callable
-        What to run.
-
-    Returns
-    -------
-    result : object
-        What the calculation returned.
-    run_time_us : float
-        Its run time, microseconds.
-
-    Raises
-    ------
-    Problem
-        If the calculation refuses.
-    """
+    """Result of a calculation and its run time, microseconds; a refusal names the body's fields."""
     start = time.perf_counter_ns()
     with refusals_named(body):
         result = calculation()
@@ -49,13 +29,7 @@ def run(body: BaseModel, calculation: Callable[[], Result]) -> tuple[Result, flo
 
 
 class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three times as much)
-    """Say a refusal of the core in the names of a request's fields.
-
-    Parameters
-    ----------
-    body : BaseModel
-        The request.
-    """
+    """Say a refusal of the core in the names of a request's fields."""
 
     __slots__ = ("body",)
 
@@ -73,19 +47,8 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
 
 
 def path_of(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:
-    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included.
-
-    Parameters
-    ----------
-    body : BaseModel
-        The request.
-    parameter : str
-        Core name of the parameter.
-
-    Returns
-    -------
-    tuple of str or int, or None
-        None where the request has no such field.
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
+    it has none.
     """
     head, *rest = re.findall(r"[^.\[\]]+", parameter)
     for path, name in _fields(body):

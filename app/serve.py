@@ -22,6 +22,10 @@ OPTIONS = ("host", "port", "workers", "unix_socket", "root_path")
 OTHER_FILES = 200
 """Descriptors of a worker besides its connections: modules, logs, processes, pages being sent."""
 
+WORKER_ANSWERS_S = 30
+"""How long a worker may take to answer its parent, which else replaces it: on a busy machine also
+the time of its start, which would otherwise begin again and again."""
+
 LOG = logging.getLogger("khv.serve")
 
 
@@ -87,6 +91,7 @@ def main() -> None:
             access_log=False,
             server_header=False,
             forwarded_allow_ips="*" if settings.unix_socket else [*settings.trusted_proxies],
+            timeout_worker_healthcheck=WORKER_ANSWERS_S,
             timeout_keep_alive=settings.keep_alive_seconds,
             timeout_graceful_shutdown=settings.stop_seconds,
         )

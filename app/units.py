@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+DEGREE = math.pi / 180
+
 UNITS: dict[str, tuple[str, float]] = {
     "MPa_m_per_s": ("MPa·m/s", 1e6),
     "m_per_s": ("m/s", 1.0),
@@ -21,7 +23,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "GPa": ("GPa", 1e9),
     "kg_m3": ("kg/m³", 1.0),
     "mrad": ("mrad", 1e-3),
-    "deg": ("°", math.pi / 180),
+    "deg": ("°", DEGREE),
     "rpm": ("rpm", math.pi / 30),
     "W": ("W", 1.0),
     "h": ("h", 3600.0),
@@ -61,13 +63,12 @@ def to_si(field: str, value: Any) -> Any:
 
     Dividing by the inverse keeps decimal inputs at the nearest double: 8 mm is 0.008 m.
     """
-    unit = suffix(field)
-    if unit is None or value is None:
+    size = unit_size(field)
+    if size is None or value is None:
         return value
     if isinstance(value, (list, tuple)):
         return [to_si(field, each) for each in value]
-    size = UNITS[unit][1]
-    return value * size if size >= 1 or unit == "deg" else value / (1 / size)
+    return value * size if size >= 1 or size == DEGREE else value / (1 / size)
 
 
 def from_si(field: str, value: Any) -> Any:
@@ -82,10 +83,10 @@ TRIFLE = 2.0**-51
 
 def in_units(size: float, value: Any) -> Any:
     """Value in SI units in units of a size; lists and arrays element by element."""
-    if isinstance(value, (list, tuple)):
-        return [in_units(size, each) for each in value]
     if size == 1:
         return value
+    if isinstance(value, (list, tuple)):
+        return [in_units(size, each) for each in value]
     exact = value / size if size > 1 else value * (1 / size)
     if isinstance(exact, np.ndarray):
         rounded_off = np.rint(exact * 1e9) / 1e9

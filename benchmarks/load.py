@@ -2,7 +2,8 @@
 
 Starts the service with two workers on this machine and asks from 1,000 connections at once, each
 sending its next request when the last is answered. Counts what was answered, what was not, and
-what was refused: in quiet, with one worker killed (SIGKILL), while all is stopped (SIGTERM).
+what was refused: in quiet, with one worker killed (SIGKILL), with ten processes for long
+calculations killed one after the other, while all is stopped (SIGTERM).
 The rate is a ratio to an empty FastAPI endpoint in the same run. `make load`; the number of
 connections may be given: `python -m benchmarks.load 200`.
 """
@@ -11,6 +12,7 @@ import asyncio
 import contextlib
 import json
 import os
+import random
 import resource
 import signal
 import socket
@@ -18,7 +20,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import cast
@@ -53,6 +55,13 @@ HERTZ = _post(
     {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10},
 )
 CRANK_PLANETARY = _post("/api/v1/crank-planetary", EXAMPLES[0]["input"])
+LONG = _post("/api/v1/cyclogram", {"pins": 100, "satellites": 12, "ratio": 20})
+"""A calculation that leaves the event loop."""
+
+ASKING_LONG = 40
+"""Connections that ask for it: what a worker lets wait of one client, and less."""
+
+KILLED = 10
 
 
 @dataclass(slots=True)
@@ -142,7 +151,7 @@ async def load(
     request: bytes,
     connections: int,
     seconds: float,
-    after: tuple[float, Callable[[], None]] | None = None,
+    after: Sequence[tuple[float, Callable[[], None]]] = (),
 ) -> tuple[Count, float]:
     """Ask from many connections for some seconds; closed ones are opened anew.
 
@@ -150,8 +159,8 @@ async def load(
     ----------
     port, request, connections, seconds
         Whom to ask, what, from how many connections, for how long.
-    after : (float, callable), optional
-        What to do meanwhile, and after how many seconds.
+    after : sequence of (float, callable)
+        What to do meanwhile, each after how many seconds.
 
     Returns
     -------
@@ -178,8 +187,8 @@ async def load(
             else:
                 await protocol.closed
 
-    if after is not None:
-        loop.call_later(*after)
+    for delay, act in after:
+        loop.call_later(delay, act)
     await asyncio.wait_for(asyncio.gather(*(client() for _ in range(connections))), seconds + 60)
     return count, count.statuses.total() / (time.perf_counter() - start)
 
@@ -193,13 +202,31 @@ class Service:
 
     def workers(self) -> list[int]:
         """Process ids of the workers."""
-        parent = self.process.pid
-        children = Path(f"/proc/{parent}/task/{parent}/children").read_text().split()
-        return [
-            int(child)
-            for child in children
-            if b"spawn_main" in Path(f"/proc/{child}/cmdline").read_bytes()
-        ]
+        return _children(self.process.pid, b"spawn_main")
+
+    def calculators(self) -> list[int]:
+        """Process ids of what calculates for the workers: what their fork servers have started."""
+        servers = [each for worker in self.workers() for each in _children(worker, b"forkserver")]
+        return [each for server in servers for each in _children(server)]
+
+    def kill_calculator(self) -> None:
+        """Kill one of them."""
+        if calculators := self.calculators():
+            os.kill(random.choice(calculators), signal.SIGKILL)
+
+
+def _children(pid: int, called: bytes = b"") -> list[int]:
+    """Processes that another one has started, by a part of their command."""
+    started = []
+    with contextlib.suppress(FileNotFoundError):
+        for listed in Path(f"/proc/{pid}/task").glob("*/children"):
+            started += [*map(int, listed.read_text().split())]
+    found = []
+    for child in started:
+        with contextlib.suppress(FileNotFoundError):
+            if called in Path(f"/proc/{child}/cmdline").read_bytes():
+                found.append(child)
+    return found
 
 
 @contextlib.contextmanager
@@ -257,7 +284,7 @@ def main(connections: int, seconds: float = SECONDS) -> int:
         before = running.workers()
         count, rate = run(
             running, HERTZ, seconds=3 * seconds,
-            after=(seconds, lambda: os.kill(before[0], signal.SIGKILL)),
+            after=[(seconds, lambda: os.kill(before[0], signal.SIGKILL))],
         )  # fmt: skip
         print(f"a worker killed: {rate:.0f}/s; {count}")
         deadline = time.monotonic() + 30
@@ -268,7 +295,14 @@ def main(connections: int, seconds: float = SECONDS) -> int:
         if count.unanswered + count.cut > connections or count.refused:
             faults.append("more was lost than the killed worker held")
 
-        count, rate = run(running, HERTZ, after=(seconds / 2, running.process.terminate))
+        kills = [(seconds * (1 + each) / KILLED, running.kill_calculator) for each in range(KILLED)]
+        asking = min(connections, ASKING_LONG)
+        count, rate = run(running, LONG, connections=asking, seconds=2 * seconds, after=kills)
+        print(f"{KILLED} processes for calculations killed, {asking} asking: {rate:.0f}/s; {count}")
+        if count.unanswered or count.cut or not {*count.statuses} <= {200, 503}:
+            faults.append("a killed process for calculations cost more than its own requests")
+
+        count, rate = run(running, HERTZ, after=[(seconds / 2, running.process.terminate)])
         code = running.process.wait(60)
         print(f"stopped (SIGTERM): {count}; exit status {code}")
         if count.unanswered > count.not_taken or count.cut:

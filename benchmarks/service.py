@@ -1,9 +1,12 @@
 """What the service adds to what its framework costs, as ratios in one run; and its start.
 
-Each request is sent to the service and to an empty FastAPI endpoint with the same models, one
-after the other on one connection, in rounds; what counts is the processor time of the server.
+Each request is sent to the service and to an empty FastAPI endpoint with the same models, which
+answers the same values without calculating them, one after the other in rounds. What counts is the
+processor time: of the applications alone in this process, neither with its line of a log, and of
+the servers over a connection, where the service writes its line and both pay for HTTP.
 """
 
+import gc
 import json
 import os
 import socket
@@ -12,15 +15,17 @@ import subprocess
 import sys
 import time
 import timeit
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import uvloop
 from fastapi import FastAPI, Response
 from pydantic import TypeAdapter
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.about import API
 from app.calculations.contact_force import (
     ContactForceRequest,
     ContactForceResponse,
@@ -31,6 +36,7 @@ from app.calculations.hertz import HertzRequest, HertzResponse
 from app.calculations.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 from app.endpoint import encoded
 from app.examples import REQUESTS
+from app.main import create_app
 from app.model import RequestModel, ResponseModel
 from app.registry import CALCULATIONS
 from benchmarks.options import options
@@ -60,8 +66,7 @@ def empty() -> FastAPI:
     application = FastAPI()
 
     def add(name: str, given: Any, answered: Any) -> None:
-        values = CALCULATIONS[name].solve(given(**BODIES[name]))
-        answer = answered.model_validate_json(encoded(values))
+        answer = CALCULATIONS[name].solve(given(**BODIES[name]))
 
         async def endpoint(body: given) -> answered:
             return answer
@@ -145,6 +150,58 @@ class Server:
         return (self.processor_time() - before) / REPEATS * 1e6
 
 
+async def asked(application: ASGIApp, path: str, content: bytes) -> None:
+    """Send a request to an application in this process."""
+    received = iter([{"type": "http.request", "body": content}])
+    status = 0
+
+    async def receive() -> Message:
+        return next(received)
+
+    async def send(message: Message) -> None:
+        nonlocal status
+        status = message.get("status", status)
+
+    headers = {"content-type": "application/json", "content-length": str(len(content))}
+    scope: Scope = {
+        "type": "http",
+        "method": "POST",
+        "path": path,
+        "query_string": b"",
+        "headers": [(name.encode(), value.encode()) for name, value in headers.items()],
+    }
+    await application(scope, receive, send)
+    if status != 200:
+        raise RuntimeError(f"{path} answers {status}")
+
+
+async def in_process(rounds: int) -> None:
+    """Print the table of the applications alone."""
+    applications = empty(), create_app()
+    gc.freeze()  # as the service does
+    print(f"{'in process':16s} {'empty us':>9s} {'service us':>10s} {'ratio':>10s}")
+    for name in MODELS:
+        content = json.dumps(BODIES[name]).encode()
+        costs: list[list[float]] = []
+        for _ in range(rounds + 1):
+            costs.append([])
+            for application, path in zip(applications, (f"/{name}", f"{API}/{name}"), strict=True):
+                started = time.thread_time()
+                for _ in range(REPEATS):
+                    await asked(application, path, content)
+                costs[-1].append((time.thread_time() - started) / REPEATS * 1e6)
+        print_compared(name, costs[1:])
+
+
+def print_compared(name: str, costs: Sequence[Sequence[float]]) -> None:
+    """Print processor times of rounds, microseconds, and their ratio, second over first: each the
+    median of the rounds.
+    """
+    first, second = (statistics.median(each) for each in zip(*costs, strict=True))
+    ratio = statistics.median(second / first for first, second in costs)
+    print(f"{name:16s} {first:9.0f} {second:10.0f} {ratio:10.2f}")
+
+
 @contextmanager
 def running(*command: str) -> Iterator[Server]:
     """Start a server; stop it at the end."""
@@ -165,14 +222,9 @@ def post(path: str, body: object) -> bytes:
 
 def compared(
     first: Server, one: bytes, second: Server, other: bytes, rounds: int
-) -> tuple[float, float, float]:
-    """Processor times of two requests, microseconds, and their ratio, second over first: each the
-    median of rounds.
-    """
-    costs = [(first.cost(one), second.cost(other)) for _ in range(rounds + 1)][1:]
-    ones, others = zip(*costs, strict=True)
-    ratios = [other / one for one, other in costs]
-    return statistics.median(ones), statistics.median(others), statistics.median(ratios)
+) -> list[tuple[float, float]]:
+    """Processor times of two requests in rounds, microseconds."""
+    return [(first.cost(one), second.cost(other)) for _ in range(rounds + 1)][1:]
 
 
 def start_up() -> float:
@@ -185,6 +237,7 @@ def start_up() -> float:
 def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
     """Print the table, the times of the parts, and how long the service takes to start."""
     os.sched_setaffinity(0, {CLIENT})
+    uvloop.run(in_process(rounds))
     warm = [start_up() for _ in range(starts + 1)][1:]
     with (
         running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
@@ -192,20 +245,18 @@ def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
         running("app.serve") as service,
     ):
         time.sleep(2)  # the process for long calculations, which the service starts
-        print(f"{'request':16s} {'empty us':>9s} {'service us':>10s} {'own share':>10s}")
-        asked = [(name, name, name, BODIES[name]) for name in MODELS]
-        asked += [
+        print(f"{'over HTTP':16s} {'empty us':>9s} {'service us':>10s} {'ratio':>10s}")
+        requests = [(name, name, name, BODIES[name]) for name in MODELS]
+        requests += [
             ("curves", "contact-force/curves", "contact-force", CURVES),
             ("chart", "contact-force/chart", "contact-force/chart", FORCE),
         ]
-        for name, path, own_path, body in asked:
-            other, own = post(f"/{path}", body), post(f"/api/v1/{own_path}", body)
-            empty_us, us, ratio = compared(empty_one, other, service, own, rounds)
-            print(f"{name:16s} {empty_us:9.0f} {us:10.0f} {ratio - 1:10.2f}")
-        bare_us, us, ratio = compared(
-            bare_one, post("/", {}), service, post("/api/v1/contact-force", CURVES), rounds
-        )
-        print(f"curves: {1 / ratio:.3f} of the rate of a bare ASGI answer ({bare_us:.0f} us)")
+        for name, path, own_path, body in requests:
+            other, own = post(f"/{path}", body), post(f"{API}/{own_path}", body)
+            print_compared(name, compared(empty_one, other, service, own, rounds))
+        curves = post(f"{API}/contact-force", CURVES)
+        print("beside the least that an ASGI application can answer:")
+        print_compared("curves", compared(bare_one, post("/", {}), service, curves, rounds))
     print(f"from start to first answer: {min(warm):.2f} s")
     print("\nparts of a request, microseconds")
     print(f"{'request':24s} {'read':>6s} {'answer':>6s} {'encode':>6s}")

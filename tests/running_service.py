@@ -2,7 +2,7 @@
 
 import json
 import os
-import socket
+import re
 import subprocess
 import sys
 import threading
@@ -17,11 +17,8 @@ class Service:
     """A running service, its address and its log."""
 
     def __init__(self, limits, workers, descriptors):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.port = free.getsockname()[1]
-        self.url = f"http://127.0.0.1:{self.port}"
-        arguments = ["--port", str(self.port), "--workers", str(workers)]
+        self.workers = workers
+        arguments = ["--port", "0", "--workers", str(workers)]
         environment = {name: text for name, text in os.environ.items() if name[:4] != "KHV_"}
         environment |= {f"KHV_{name.upper()}": str(value) for name, value in limits.items()}
         before = ["sh", "-c", f'ulimit -n {descriptors}; exec "$@"', "sh"] if descriptors else []
@@ -56,19 +53,28 @@ class Service:
         """The log so far: every line of it is JSON."""
         return [json.loads(line) for line in self.lines]
 
-    def wait_until_ready(self):
-        while self.uds and not _accepts(self.uds):
-            assert self.process.poll() is None, "".join(self.lines)
-            time.sleep(0.1)
-        for _ in range(300):
-            try:
-                with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds)) as client:
-                    if client.get(f"{self.url}/readyz").status_code == 200:
-                        return
-            except httpx.TransportError:
-                assert self.process.poll() is None, "".join(self.lines)
-            time.sleep(0.1)
-        raise AssertionError("not ready in 30 s: " + "".join(self.lines))
+    def wait_until_ready(self, starts=None):
+        """Wait until it listens, all workers have started, as often as is said, and one is ready
+        to calculate.
+        """
+        starts = starts or self.workers
+        assert eventually(
+            lambda: self._address() and self.said("Application startup complete.") >= starts
+        ), "".join(self.lines)
+        self.url = self._address()
+        self.port = int(self.url.rpartition(":")[2]) if not self.uds else None
+        with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds), timeout=60) as client:
+            assert eventually(lambda: client.get(f"{self.url}/readyz").status_code == 200)
+
+    def said(self, message):
+        """How often the log says it."""
+        return sum(message in line for line in [*self.lines])
+
+    def _address(self):
+        """Where it listens, as its log says."""
+        assert self.process.poll() is None, "".join(self.lines)
+        found = re.search(r"running on (?:(http://[\d.:]+)|unix)", "".join(self.lines))
+        return found and (found[1] or "http://service")
 
     def stop(self):
         self.go_on()
@@ -76,11 +82,6 @@ class Service:
         self.process.wait(30)
         self.reader.join()
         self.process.stdout.close()
-
-
-def _accepts(path: str) -> bool:
-    with socket.socket(socket.AF_UNIX) as connection:
-        return connection.connect_ex(path) == 0
 
 
 def family(pid: int) -> list[int]:
@@ -115,8 +116,8 @@ def calculators(pid: int) -> set[int]:
 
 
 def eventually(holds: Callable[[], bool]) -> bool:
-    """Whether it holds within 10 s."""
-    for _ in range(100):
+    """Whether it holds within a minute."""
+    for _ in range(600):
         if holds():
             return True
         time.sleep(0.1)

@@ -299,13 +299,6 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         The forces with their curves, as `/contact-force` answers.
     switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     curves, peak_pair = answer["curves"], answer["peak_pair"]
     angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once

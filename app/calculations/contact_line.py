@@ -157,13 +157,6 @@ def contact_line_figure(
         The lines with their points, in mm and degrees.
     roller_circle_radius_mm, roller_radius_mm : float
         R_C and rho.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     data, lines = [], answer["lines"]
     for index, line in enumerate(lines):

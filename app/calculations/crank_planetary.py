@@ -14,7 +14,7 @@ from app.calculations.checks import (
 )
 from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.hertz import ContactFields, HertzResponse, material_of
+from app.calculations.hertz import ContactFields, HertzResponse, eccentricity, material_of
 from app.calculations.mechanism import Angle
 from app.model import (
     SIZE,
@@ -79,15 +79,7 @@ def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
 class PinContactFields(ContactFields):
     """Pin, hole and crank."""
 
-    eccentricity_mm: Maybe[float] = quantity(
-        "Eccentricity",
-        symbol="e",
-        group="contact",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
-    )
+    eccentricity_mm: Maybe[float] = eccentricity(default=None)
 
     def sizes(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""

@@ -182,20 +182,7 @@ class CyclogramResponse(ResponseModel):
 
 
 def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
-    """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite.
-
-    Parameters
-    ----------
-    answer : dict
-        The cyclogram, as `/cyclogram` answers.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite."""
     end = answer["driving_count"][-1]["to_deg"]
     satellites = max(pair["satellite"] for pair in answer["pairs"])
     data = [_bars(answer, satellite, theme) for satellite in range(1, satellites + 1)]

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import Annotated, ClassVar
 
 from pydantic import Field, field_validator
@@ -16,6 +17,33 @@ MAX_ROLLERS = 500
 
 Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 
+_position = partial(
+    quantity,
+    "Position angle",
+    symbol="φ₁",
+    group="rollers",
+    ge=-3600,
+    le=3600,
+    help="Position of the roller on the central wheel; of a wheel's first.",
+)
+_from = partial(
+    quantity,
+    "Working length from",
+    symbol="z_min",
+    group="rollers",
+    step=1,
+    help="Start of the working length, along the axis from the precession centre.",
+)
+_to = partial(
+    quantity,
+    "Working length to",
+    symbol="z_max",
+    group="rollers",
+    step=1,
+    help="End of the working length.",
+)
+"""Fields that a roller and a wheel both have."""
+
 
 class RollerFields(RequestModel):
     """One roller: its place on the wheel and the limits of its contact line."""
@@ -24,31 +52,9 @@ class RollerFields(RequestModel):
         (("z_min_mm", "z_max_mm"), ("phi_min_deg", "phi_max_deg")),
     )
 
-    position_angle_deg: float = quantity(
-        "Position angle",
-        symbol="φ₁",
-        group="rollers",
-        ge=-3600,
-        le=3600,
-        step=15,
-        help="Position of the roller on the central wheel; of a wheel's first.",
-    )
-    z_min_mm: Maybe[Coordinate] = quantity(
-        "Working length from",
-        symbol="z_min",
-        group="rollers",
-        default=None,
-        step=1,
-        help="Start of the working length, along the axis from the precession centre.",
-    )
-    z_max_mm: Maybe[Coordinate] = quantity(
-        "Working length to",
-        symbol="z_max",
-        group="rollers",
-        default=None,
-        step=1,
-        help="End of the working length.",
-    )
+    position_angle_deg: float = _position(step=15)
+    z_min_mm: Maybe[Coordinate] = _from(default=None)
+    z_max_mm: Maybe[Coordinate] = _to(default=None)
     phi_min_deg: Maybe[float] = quantity(
         "Contact from",
         symbol="φ_min",
@@ -101,29 +107,9 @@ class WheelFields(RequestModel):
         step=1,
         help="How many of them touch the satellite, from the first on; all where not given.",
     )
-    position_angle_deg: float = quantity(
-        "Position angle",
-        symbol="φ₁",
-        group="rollers",
-        ge=-3600,
-        le=3600,
-        step=5,
-        help="Position of the roller on the central wheel; of a wheel's first.",
-    )
-    z_min_mm: Coordinate = quantity(
-        "Working length from",
-        symbol="z_min",
-        group="rollers",
-        step=1,
-        help="Start of the working length, along the axis from the precession centre.",
-    )
-    z_max_mm: Coordinate = quantity(
-        "Working length to",
-        symbol="z_max",
-        group="rollers",
-        step=1,
-        help="End of the working length.",
-    )
+    position_angle_deg: float = _position(step=5)
+    z_min_mm: Coordinate = _from()
+    z_max_mm: Coordinate = _to()
 
     _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
 
@@ -183,14 +169,6 @@ class GearFields(RequestModel):
         default=None,
         help="Evenly spaced rollers with one working length, instead of a list.",
     )
-
-    @property
-    def roller_count(self) -> int:
-        """Number of rollers in mesh."""
-        if self.rollers is not None:
-            return len(self.rollers)
-        assert self.wheel is not None
-        return self.wheel.rollers_in_mesh or self.wheel.rollers_total
 
     def gear(self) -> dict[str, float]:
         """Geometry in SI units, as the core's arguments."""

@@ -1,6 +1,7 @@
 """Hertz contact of pin and hole: request, answer, figure."""
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
@@ -107,6 +108,27 @@ Material = Annotated[
 UNION_TAGS.update(("name", "values"))
 
 
+hole_radius = partial(
+    quantity,
+    "Hole radius",
+    symbol="r_out",
+    group="contact",
+    **SIZE,
+    step=0.5,
+    help="Radius of the hole in the satellite: pin radius + eccentricity.",
+)
+eccentricity = partial(
+    quantity,
+    "Eccentricity",
+    symbol="e",
+    group="contact",
+    **SIZE,
+    step=0.5,
+    help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
+)
+"""Fields that may be left out in some requests, and not in others."""
+
+
 class PinFields(RequestModel):
     """What touches the hole."""
 
@@ -131,14 +153,7 @@ class PinFields(RequestModel):
 class ContactFields(PinFields):
     """Pin and hole: sizes, materials, load factors."""
 
-    hole_radius_mm: float = quantity(
-        "Hole radius",
-        symbol="r_out",
-        group="contact",
-        **SIZE,
-        step=0.5,
-        help="Radius of the hole in the satellite: pin radius + eccentricity.",
-    )
+    hole_radius_mm: float = hole_radius()
     pin_material: Material = quantity(
         "Pin material",
         symbol="",
@@ -353,13 +368,6 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
         Hertz, and the conformal contact where it applies.
     limits_MPa : dict of str to float
         Limit of the pressure by the name of the body, where it is known.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     data = [
         curve(

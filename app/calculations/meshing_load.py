@@ -99,13 +99,6 @@ def meshing_load_figure(
     ----------
     curves : sequence of (float, array, array)
         Position angle, rad, places, m, and load there, N/m, of each roller.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     data = []
     for index, (angle, z, load) in enumerate(curves):

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import ConfigDict, Field, field_validator, model_validator
 
 from app.calculations.contact_force import CurveFields, TorqueFields
-from app.calculations.hertz import PinFields
+from app.calculations.hertz import PinFields, eccentricity, hole_radius
 from app.calculations.mechanism import MechanismFields
 from app.model import (
     NO_DUST,
@@ -65,23 +65,8 @@ class DrivenLoadFields(TorqueFields):
 class SlidingContactFields(PinFields):
     """Sizes of pin and hole, and the crank's."""
 
-    hole_radius_mm: Maybe[float] = quantity(
-        "Hole radius",
-        symbol="r_out",
-        group="contact",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Radius of the hole in the satellite: pin radius + eccentricity.",
-    )
-    eccentricity_mm: float = quantity(
-        "Eccentricity",
-        symbol="e",
-        group="contact",
-        **SIZE,
-        step=0.5,
-        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
-    )
+    hole_radius_mm: Maybe[float] = hole_radius(default=None)
+    eccentricity_mm: float = eccentricity()
 
 
 class SleevedPinFields(RequestModel):
@@ -326,13 +311,6 @@ def loss_figure(
         Loss and efficiency over the turn.
     switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     angles = from_si("crank_angle_deg", curves.crank_angle)
     end = float(angles[-1])

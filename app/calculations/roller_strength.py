@@ -279,20 +279,7 @@ class RollerStrengthResponse(JudgedResponse):
 
 
 def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
-    """Three panels, each with the user's own design marked.
-
-    Parameters
-    ----------
-    curves : RollerCurves
-        The curves, in SI units.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Three panels, each with the user's own design marked."""
     design = curves.design
     lengths, errors = curves.length_ratio, curves.position_error
     stress = from_si("bending_stress_MPa", design.bending_stress)

@@ -254,13 +254,6 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
         Their course from C to the clamp, in SI units.
     bearing_distance_mm : float
         Distance a of B from C.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     place = from_si("position_mm", diagram.position)
     panels = (

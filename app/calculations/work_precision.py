@@ -212,20 +212,7 @@ SYMBOLS = ("circle", "square", "triangle-up")
 
 
 def work_precision_figure(answer: Values, theme: Theme) -> Figure:
-    """Every method's errors over its run times, the default marked.
-
-    Parameters
-    ----------
-    answer : dict
-        The study, as `/work-precision` answers.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Every method's errors over its run times, the default marked."""
     methods: dict[str, list[Values]] = {}
     for point in answer["points"]:
         methods.setdefault(point["method_code"], []).append(point)

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import logging
 import os
 import re
 import shutil
@@ -10,7 +11,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from app import VERSION, main
+from app import VERSION, main, observability
 from app.main import create_app
 from app.problems import KINDS
 from app.settings import Settings
@@ -287,3 +288,25 @@ async def test_large_answers_travel_compressed(api):
     assert plotly.headers["content-encoding"] == "gzip" and plotly.headers["etag"]
     small = await api.get("health")
     assert "content-encoding" not in small.headers
+
+
+async def test_the_line_of_a_request_suits_every_formatter(api):
+    """Its record has all that `logging` promises, not only what our own lines show."""
+    lines = []
+
+    class Lines(logging.Handler):
+        def emit(self, record):
+            lines.append(self.format(record))
+
+    handler = Lines()
+    handler.setFormatter(logging.Formatter("%(pathname)s %(lineno)d %(msecs)d %(levelname)s"))
+    log = logging.getLogger("khv.request")
+    log.addHandler(handler)
+    log.setLevel(logging.INFO)
+    try:
+        await api.get("health")
+    finally:
+        log.removeHandler(handler)
+        log.setLevel(logging.NOTSET)
+    (line,) = lines
+    assert line.startswith(observability.__file__) and line.endswith("INFO")

@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {
+    "batches": "more than",
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",
     "honesty": "\nhonest",

@@ -6,6 +6,7 @@ What is measured are bytes, memory and processor time of the worker, not how lon
 import json
 import os
 import random
+import re
 import socket
 import threading
 import time
@@ -71,6 +72,16 @@ def loop_s(pid):
     return int(Path(f"/proc/{pid}/task/{pid}/schedstat").read_text().split()[0]) / 1e9
 
 
+def cheaply(pid, ask):
+    """An answer that costs a worker's loop little, the first of three times at last."""
+    for _ in range(3):
+        before = loop_s(pid)
+        answer = ask()
+        if (spent := loop_s(pid) - before) <= MOST_LOOP_S:
+            return answer
+    raise AssertionError(f"{spent:.3f} s of the loop")
+
+
 def peak_mb(pid):
     (line,) = [
         line for line in Path(f"/proc/{pid}/status").read_text().splitlines() if "VmHWM" in line
@@ -86,7 +97,8 @@ def running(serve):
 
 
 def post(client, path, content):
-    return client.post(path, content=content, headers={"content-type": "application/json"})
+    headers = {"content-type": "application/json"}
+    return client.post(path, content=content, headers=headers, timeout=240)
 
 
 @pytest.mark.parametrize("flood", FLOODS)
@@ -94,33 +106,32 @@ def test_a_flood_is_refused_in_few_words_and_costs_the_worker_little(running, fl
     pid, client = running
     path, content = FLOODS[flood]
     assert len(content) <= (BATCH if path == "batch" else BODY)
-    spent = []
-    for _ in range(3):
-        before = loop_s(pid)
-        answer = post(client, path, content)
-        spent.append(loop_s(pid) - before)
-        assert len(answer.content) <= MOST_BYTES
+    answer = cheaply(pid, lambda: post(client, path, content))
+    assert len(answer.content) <= MOST_BYTES
     assert answer.status_code == 422 or "problem" in answer.json()["results"][0]
-    assert min(spent) <= MOST_LOOP_S
     assert peak_mb(pid) <= MOST_MB
 
 
 def test_a_small_request_for_a_large_answer_costs_the_loop_little(running):
     pid, client = running
     body = {"pins": 50, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
-    spent = []
-    for _ in range(3):
-        before = loop_s(pid)
-        answer = client.post("contact-force", json=body | {"include": ["curves"], "samples": 10000})
-        spent.append(loop_s(pid) - before)
+    asked = body | {"include": ["curves"], "samples": 10000}
+    answer = cheaply(pid, lambda: client.post("contact-force", json=asked))
     assert answer.headers["content-encoding"] == "gzip"
     assert len(answer.content) > 8_000_000
-    assert min(spent) <= MOST_LOOP_S
 
 
 def test_answers_that_nobody_takes_are_bounded(running):
     """60 clients ask for 9 MB each and read nothing; whoever reads is answered."""
     pid, client = running
+    metric = r'(?m)^khv_requests_total{method="POST",route="/api/v1/contact-force",.*} (\S+)$'
+
+    def ended():
+        metrics = client.get(client.base_url.join("/metrics")).text
+        return sum(map(float, re.findall(metric, metrics))) - before
+
+    before = 0
+    before = ended()
     body = {"pins": 50, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
     large = json.dumps(body | {"include": ["curves"], "samples": 10000}).encode()
     head = (
@@ -133,9 +144,9 @@ def test_answers_that_nobody_takes_are_bounded(running):
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
             connection.connect((client.base_url.host, client.base_url.port))
             idle.enter_context(connection).sendall(head + large)
-        for _ in range(60):
+        while ended() < 60:
             assert client.post("hertz", json=HERTZ).status_code == 200
-            time.sleep(0.5)
+            time.sleep(0.1)
     assert peak_mb(pid) <= MOST_MB
 
 
@@ -191,8 +202,7 @@ STUDY = json.dumps(
 """Some tenths of a second."""
 
 
-@pytest.mark.parametrize("workers", [1, 2])
-def test_clients_that_leave_leave_nothing_behind(serve, workers):
+def test_clients_that_leave_leave_nothing_behind(serve):
     """300 times, within 0 to 200 ms."""
     head = b"POST /api/v1/work-precision HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
     request = head + b"content-length: %d\r\n\r\n" % len(STUDY) + STUDY
@@ -204,11 +214,9 @@ def test_clients_that_leave_leave_nothing_behind(serve, workers):
                 connection.sendall(request)
                 time.sleep(r.uniform(0, 0.2))
 
-    with serve(workers=workers, processes=2) as service:
+    with serve(workers=2, processes=2) as service:
         first = service.process.pid
-        asked = [
-            pid for pid in family(first) if pid == first or b"spawn_main" in command_line(pid)
-        ][1 if workers > 1 else 0 :]
+        asked = [pid for pid in family(first) if b"spawn_main" in command_line(pid)]
 
         def started():
             return len(family(first)), sum(len(os.listdir(f"/proc/{pid}/fd")) for pid in asked)
@@ -216,6 +224,8 @@ def test_clients_that_leave_leave_nothing_behind(serve, workers):
         url = f"{service.url}/api/v1/work-precision"
         assert eventually(lambda: all(len(calculators(pid)) == 2 for pid in asked))
         assert post(httpx, url, STUDY).status_code == 200
+        for _ in range(40):  # each worker opens its last file with its first answer
+            assert httpx.get(f"{service.url}/livez").status_code == 200
         before = started()
         leaving = [threading.Thread(target=leave_soon, args=(seed,)) for seed in range(3)]
         for each in leaving:

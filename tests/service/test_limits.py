@@ -96,18 +96,17 @@ def test_headers_without_end_are_refused_by_their_size(service):
         assert connection.recv(1000).startswith(b"HTTP/1.1 431 ")
 
 
-def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(serve):
-    with serve() as service:
-        with connect(service) as connection:
-            connection.sendall(POST % 1000 + b'{"pins": ')
-            time.sleep(0.3)
+def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(service):
+    with connect(service) as connection:
+        head = (POST % 1000).replace(b"host: x", b"host: x\r\nx-request-id: gone")
+        connection.sendall(head + b'{"pins": ')
+        time.sleep(0.3)
 
-        def logged():
-            return [line for line in service.log() if line.get("route") == "/api/v1/cyclogram"]
+    def logged():
+        return [line for line in service.log() if line.get("id") == "gone"]
 
-        assert eventually(logged)
-        assert [(line["status"], line["level"]) for line in logged()] == [(499, "info")]
-        assert logged()[0]["total_ms"] > 200
+    assert eventually(logged)
+    assert [(line["status"], line["level"]) for line in logged()] == [(499, "info")]
 
 
 def test_an_answer_that_nobody_takes_is_dropped(service):
@@ -129,15 +128,21 @@ def test_an_answer_that_nobody_takes_is_dropped(service):
 
 
 def test_too_many_connections_are_told_when_to_come_again(service):
-    with ExitStack() as stack:
-        for _ in range(41):
-            stack.enter_context(connect(service))
-        assert eventually(lambda: httpx.get(f"{service.url}/readyz").status_code == 503)
-        response = httpx.get(f"{service.url}/api/v1/health")
-        assert response.status_code == 503
-        assert response.headers["content-type"] == "application/problem+json"
-        assert int(response.headers["retry-after"]) > 0
-        assert response.headers["connection"] == "close"
-        assert httpx.get(f"{service.url}/livez").status_code == 200
+    answers = []
+
+    def full():
+        """Idle connections are closed after a while, which a slow test may come too late for."""
+        with ExitStack() as idle:
+            for _ in range(41):
+                idle.enter_context(connect(service))
+            paths = ("readyz", "api/v1/health", "livez")
+            answers[:] = (httpx.get(f"{service.url}/{path}") for path in paths)
+        return [each.status_code for each in answers] == [503, 503, 200]
+
+    assert eventually(full)
+    refused = answers[1]
+    assert refused.headers["content-type"] == "application/problem+json"
+    assert int(refused.headers["retry-after"]) > 0
+    assert refused.headers["connection"] == "close"
     assert eventually(lambda: httpx.get(f"{service.url}/readyz").status_code == 200)
     assert httpx.get(f"{service.url}/api/v1/health").status_code == 200
