@@ -19,7 +19,7 @@
 import { judgedOf, pathOf, verdictSentence, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
 import { begun, recorded, redone, undone } from "./lib/history.js";
-import { readState, shownFields, textIn, withLinks } from "./lib/schema_form.js";
+import { readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";

@@ -6,7 +6,7 @@
 import { createAsking } from "./asking.js";
 import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped, textIn, withLinks } from "./lib/schema_form.js";
+import { stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { LABELS, query } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";

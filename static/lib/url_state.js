@@ -5,7 +5,7 @@
  * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
  * kept as typed, so that a reload loses nothing.
  */
-import { readField, shownFields, textIn, textInLink, textOfLink } from "./schema_form.js";
+import { readField, shownFields, textIn, textInLink, textOfLink } from "./form_state.js";
 
 const VERSION = "1";
 

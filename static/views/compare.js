@@ -3,7 +3,7 @@ import { ASIDE, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/c
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
-import { readState, shownFields, stateFromInput, textIn } from "../lib/schema_form.js";
+import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { following } from "../store.js";
 import { download } from "./files.js";

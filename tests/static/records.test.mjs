@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fieldAtPointer, formModel, readState, stateFromInput } from "../../static/lib/schema_form.js";
+import { fieldAtPointer, readState, stateFromInput } from "../../static/lib/form_state.js";
+import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 
 const number = (title, more = {}) => ({ type: "number", title, "x-group": "rollers", ...more });

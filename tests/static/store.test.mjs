@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Problem } from "../../static/lib/api.js";
-import { stateFromInput } from "../../static/lib/schema_form.js";
+import { stateFromInput } from "../../static/lib/form_state.js";
 import * as next from "../../static/store.js";
 import { INPUT, MODEL } from "./model.mjs";
 

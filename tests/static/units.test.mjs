@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { formatQuantity, quantityParts } from "../../static/lib/format.js";
-import { readField, readState, stateFromInput, stepped, textIn } from "../../static/lib/schema_form.js";
+import { readField, readState, stateFromInput, stepped, textIn } from "../../static/lib/form_state.js";
 import { canonicalValue, setUnits, shownStep, shownUnit, shownValue, spell } from "../../static/lib/units.js";
 import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";

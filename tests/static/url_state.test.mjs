@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { readState, stateFromInput } from "../../static/lib/schema_form.js";
+import { readState, stateFromInput } from "../../static/lib/form_state.js";
 import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";
 
