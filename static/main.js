@@ -83,7 +83,7 @@ async function partsOf(id) {
 
 function build(id, { modelOf, ...parts }) {
   const model = modelOf();
-  const { unknown, ...typed } = decodeState(model, new URLSearchParams(kept[id]))
+  const { claim, ...typed } = decodeState(model, new URLSearchParams(kept[id]))
     ?? stateFromInput(model, parts.examples[0]?.input ?? {});
   bench = openWorkbench({
     ...parts,
@@ -93,7 +93,7 @@ function build(id, { modelOf, ...parts }) {
     client,
     designs,
     typed,
-    unknown,
+    claim,
     on: {
       say,
       address(query) {

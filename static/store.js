@@ -14,9 +14,10 @@
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
  * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
+ * `claim`    what the link or the store said of the design that was opened: `{ typed, unknown?, older?, verdict? }`
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
-import { judgedOf, pathOf, verdictSentence, wordOf } from "./lib/checks.js";
+import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
 import { begun, recorded, redone, undone } from "./lib/history.js";
 import { readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
@@ -58,11 +59,12 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, design, theme) {
+export function opened(about, design, theme, claim = {}) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
     kept: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
+    claim: { ...claim, typed },
   }, begun(typed));
   return { ...state, pending: state.reading.filled };
 }
@@ -111,11 +113,17 @@ export function labelled(state, label, text, time) {
   return { ...state, history, typed, shown };
 }
 
-/** A whole design taken over at once. */
-export function taken(state, typed, time) {
-  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false } };
-  return read(untouched, recorded(state.history, withLinks(state.about.model, typed), undefined, time));
+/** A whole design taken over at once, with what is said of it besides. */
+export function taken(state, design, claim, time) {
+  const typed = withLinks(state.about.model, design);
+  const untouched = {
+    ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false }, claim: { ...claim, typed },
+  };
+  return read(untouched, recorded(state.history, typed, undefined, time));
 }
+
+/** What was said of the design has been read. */
+export const unclaimed = (state) => ({ ...state, claim: {} });
 
 function moved(state, history) {
   return history === state.history ? state : read({ ...state, refusal: null }, history);
@@ -241,6 +249,12 @@ export function standing(state) {
   if (phase !== "fresh") return { phase, numbers: "part" };
   const judged = judgedOf(state.about.calculator, shown.answer);
   return { phase: judged && wordOf(judged) === "impossible" ? "refused" : phase, numbers: "fresh" };
+}
+
+/** The verdict's word of these inputs; none while it is to come. */
+export function verdictOf(state) {
+  const { about: { calculator }, shown, phase } = state;
+  return phase === "fresh" && !stale(state) ? wordIn(calculator, shown.answer) : undefined;
 }
 
 /** What the drawing shows: results with the curves it needs; null while these are to come. */

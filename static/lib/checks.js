@@ -21,6 +21,12 @@ export function wordOf({ verdict, checks = [] }) {
   return checks.some(({ impossible }) => impossible) ? "impossible" : verdict;
 }
 
+/** The verdict's word of an answer; none where nothing is judged. */
+export function wordIn(calculator, answer) {
+  const judged = judgedOf(calculator, answer);
+  return judged ? wordOf(judged) : undefined;
+}
+
 export const levelOfWord = (word) => (word === "impossible" ? "bad" : LEVELS[word]);
 
 export function titleOf({ code, title }) {

@@ -192,3 +192,15 @@ function asDiameter(item, words) {
 export function fieldsOf(item) {
   return item.path ? [item] : item.options.flatMap(({ fields }) => fields);
 }
+
+/** Where what a check misses is entered: the field itself; of an entry of a table, the first of its own values that may be empty. */
+export function entryOf({ choices }, path) {
+  const own = choices.find(({ id, auto }) => auto && id === path)?.options.find(({ id }) => id === "own");
+  return own?.fields.find(({ required }) => !required)?.path ?? path;
+}
+
+/** The options that show a field, `{ choice: option }`. */
+export function optionsOf({ choices }, path) {
+  const option = ({ options }) => options.find(({ fields }) => fields.some((field) => field.path === path))?.id;
+  return Object.fromEntries(choices.map((choice) => [choice.id, option(choice)]).filter(([, id]) => id));
+}

@@ -16,6 +16,10 @@ export default {
     unknown: "This link has something that this version does not know, or that contradicts the rest; it is left out: {names}. Check the inputs.",
     failed: "The page could not be started: {detail}",
   },
+  notice: {
+    older: "This link was made by an earlier version. Limits and checks have changed since: the verdict may be another one than it was then.",
+    moved: "When this link or design was made, the verdict was “{was}”; it is now “{now}”. Limits or checks have changed since, or the inputs have been edited.",
+  },
   // What a refusal says that is about no field, by its kind.
   refused: {
     "too-large": "The request is too large.",
@@ -229,6 +233,7 @@ export default {
   compare: {
     full: "{most} designs are kept: remove one first.",
     best: "best",
+    was: "when kept: {verdict}",
     base: "compared against",
     title: "Designs side by side",
     pin: "Keep this design",

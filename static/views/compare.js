@@ -67,6 +67,15 @@ function numberRow(title, unit, values, base, better) {
   };
 }
 
+/** The verdict, and the one at which the design was kept where that was another. */
+function verdictCell(word, was) {
+  const moved = message("verdictWord")[was] && was !== word;
+  return {
+    level: levelOfWord(word), text: message(`verdictWord.${word}`),
+    ...(moved && { change: message("compare.was", { verdict: message(`verdictWord.${was}`) }) }),
+  };
+}
+
 /** The rows that decide: the verdict, the check that governs, the largest torque. */
 function decisiveRows(calculator, designs, base) {
   const all = designs.map(({ answer }) => judgedOf(calculator, answer));
@@ -74,7 +83,7 @@ function decisiveRows(calculator, designs, base) {
   const text = (of) => all.map((judged) => (judged ? of(judged) : { text: "–" }));
   const governing = (judged) => judged.checks?.find(({ code }) => code === judged.governing);
   return [
-    { title: message("verdict.label"), cells: text((judged) => ({ level: levelOfWord(wordOf(judged)), text: message(`verdictWord.${wordOf(judged)}`) })) },
+    { title: message("verdict.label"), cells: all.map((judged, i) => (judged ? verdictCell(wordOf(judged), designs[i].verdict) : { text: "–" })) },
     {
       title: message("checks.governing"),
       cells: text((judged) => {

@@ -201,7 +201,11 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   });
   return {
     root,
-    focus: (path) => fields.get(path).focus(),
+    focus(path) {
+      const view = fields.get(path);
+      view.root.closest("details")?.setAttribute("open", "");
+      view.focus();
+    },
     update(state) {
       boxes(state);
       sizes(state);

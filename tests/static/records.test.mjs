@@ -60,7 +60,7 @@ test("records become text and the same records again", () => {
 
 test("a link carries records", () => {
   const state = stateFromInput(model, INPUT);
-  const parameters = new URLSearchParams({ v: "1", ...Object.fromEntries(encodeState(model, state)) });
+  const parameters = new URLSearchParams({ v: "2", ...Object.fromEntries(encodeState(model, state)) });
   assert.equal(parameters.get("rollers"), "30;15|60.5;");
   assert.deepEqual(readState(model, decodeState(model, parameters)).input, INPUT);
 });
@@ -78,7 +78,7 @@ test("a cell that cannot be read is named by row and column, and kept as typed",
     assert.ok(!("rollers" in input));
     const reading = readings.rollers;
     assert.deepEqual([reading.problem, reading.row, reading.column.name], [problem, row, column]);
-    const parameters = new URLSearchParams({ v: "1", ...Object.fromEntries(encodeState(model, state)) });
+    const parameters = new URLSearchParams({ v: "2", ...Object.fromEntries(encodeState(model, state)) });
     assert.deepEqual(readState(model, decodeState(model, parameters)).readings.rollers.problem, problem);
   }
 });

@@ -56,7 +56,7 @@ test("links are the same in all units, and open in any", () => {
   assert.equal(query("job", MODEL, state), metric);
   const back = decodeState(MODEL, new URLSearchParams(metric));
   assert.deepEqual(readState(MODEL, back).input, readState(MODEL, state).input);
-  const unreadable = new URLSearchParams({ v: "1", "contact.pin_radius_mm": "5 mm?" });
+  const unreadable = new URLSearchParams({ v: "2", "contact.pin_radius_mm": "5 mm?" });
   assert.equal(decodeState(MODEL, unreadable).texts["contact.pin_radius_mm"], "5 mm?");
   assert.equal(encodeState(MODEL, decodeState(MODEL, unreadable)).get("contact.pin_radius_mm"), "5 mm?");
 });
