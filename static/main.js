@@ -190,7 +190,7 @@ const settings = createSettings({
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
 const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
-document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys().button);
+document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys({ about: () => bench?.help() ?? null }).button);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);

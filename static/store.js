@@ -19,7 +19,7 @@
  */
 import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
-import { begun, recorded, redone, undone } from "./lib/history.js";
+import { begun, paused, recorded, redone, undone } from "./lib/history.js";
 import { readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
@@ -141,7 +141,7 @@ export function left(state, path) {
 
 /** The user wants an answer of what there is. */
 export function insisted(state) {
-  const next = { ...state, insisted: true };
+  const next = { ...state, insisted: true, history: paused(state.history) };
   return state.reading.wrong.length > 0 ? checked(next) : next;
 }
 
@@ -166,11 +166,16 @@ export function answered(state, { answer, refusal, requests }) {
     typed, input, filled, answer, requests,
     cells: calculator.verdict(answer, context),
   };
-  const angle = !state.turn.own && answer && calculator.drawing.start?.(answer);
-  const turn = Number.isFinite(angle) ? { ...state.turn, angle } : state.turn;
+  const turn = state.turn.own || !answer ? state.turn : startedAt(state, answer);
   return refusal
     ? refused({ ...state, shown, turn }, refusal)
     : { ...state, shown, turn, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown, state.about) };
+}
+
+/** The drawing turned to where it starts: the peak. */
+function startedAt({ about: { calculator }, turn }, answer) {
+  const angle = calculator.drawing.start?.(answer);
+  return Number.isFinite(angle) ? { ...turn, angle, own: false } : turn;
 }
 
 function refused(state, refusal) {
@@ -222,6 +227,7 @@ export const compared = (state, kept, said = state.said) => ({ ...state, kept, s
 export const announcing = (state, said) => ({ ...state, said });
 export const themed = (state, theme) => ({ ...state, theme });
 export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle, own: true } });
+export const returned = (state) => (state.shown ? { ...state, turn: startedAt(state, state.shown.answer) } : state);
 export const selected = (state, pair) => ({ ...state, turn: { ...state.turn, pair } });
 
 export function tabled(state, id, on) {

@@ -7,19 +7,20 @@ import { createAsking } from "./asking.js";
 import { wordIn } from "./lib/checks.js";
 import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
+import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
 import * as next from "./store.js";
-import { createAccuracy } from "./views/accuracy.js";
+import { createAccuracy, neglectedIn } from "./views/accuracy.js";
 import { createChecks } from "./views/checks.js";
 import { createCompare } from "./views/compare.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
+import { nameFiles } from "./views/files.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { loadPlotly } from "./views/plot.js";
@@ -90,7 +91,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       picked: ({ input }) => take(stateOf(input)),
       cleared() {
         take(stateOf({}));
-        form.focus(model.fields.keys().next().value);
+        form.focus(shownFields(model, store.state.typed)[0].path);
       },
       labelled: (label, text) => {
         store.apply(next.labelled, label, text, Date.now());
@@ -139,7 +140,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
   const drawing = createDrawingView({
     calculator,
-    on: { turned: (angle) => store.apply(next.turned, angle), selected: select },
+    on: { turned: (angle) => store.apply(next.turned, angle), returned: () => store.apply(next.returned), selected: select },
   });
   const keep = () => {
     if (!store.state.shown) return;
@@ -250,6 +251,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
+    following(({ typed }) => [typed.texts.title ?? ""], (title) => {
+      nameFiles(title);
+      document.title = [title, message(`calculator.${calculator.id}`), "KHV Calc"].filter(Boolean).join(" · ");
+    }),
     following(({ said }) => [said], on.say),
     following((state) => [state.address, next.verdictOf(state)], (address, verdict) => address && on.address(withVerdict(address, verdict))),
   ]);
@@ -261,6 +266,17 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
     keep,
+    /** What helps to read the page: its symbols, each once, and what the model leaves out. */
+    help() {
+      const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
+        .map(({ symbol, title, help }) => [symbol, title, help]);
+      const results = Object.values(store.state.shown?.answer ?? {}).flatMap(Object.keys)
+        .map((name) => message("quantity")[name] ?? []).map(([title, symbol]) => [symbol, title, ""]);
+      return {
+        symbols: [...inputs, ...results].filter(([symbol], i, all) => symbol && all.findIndex(([other]) => other === symbol) === i),
+        neglected: neglectedIn(calculation),
+      };
+    },
     /** What was asked for the results on the screen, and answered; null where there are none. */
     exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
     /** Stop; what was typed last is told even where it has not been asked about yet. */

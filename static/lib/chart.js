@@ -116,6 +116,16 @@ const SERIES = {
   dark: ["#5cb8f0", "#f0a04b", "#34c9a0", "#e39ac4", "#a5b0f5", "#e0cc4d"],
 };
 
+const MOST_COLOURS = 6; // of the figures' theme; beyond them colours would come twice
+
+/** Where there are more lines than colours, colours in their order around the wheel. */
+export function sequenced(chart, theme) {
+  const names = [...new Set(chart.data.filter(({ mode }) => mode === "lines").map(({ name }) => name))];
+  if (names.length <= MOST_COLOURS) return chart;
+  const colour = (name) => `hsl(${(210 + (300 * names.indexOf(name)) / names.length) % 360} 75% ${theme === "dark" ? 68 : 34}%)`;
+  return { ...chart, data: chart.data.map((trace) => (names.includes(trace.name) ? { ...trace, line: { ...trace.line, color: colour(trace.name) } } : trace)) };
+}
+
 /** What tells curves apart; level lines by their height alone. */
 function key({ x, y, xaxis = "x" }) {
   const level = y.length > 1 && y.every((value) => value === y[0]);

@@ -47,7 +47,7 @@ def test_axe_finds_nothing(open_page: Page, service: str, calculator: str, schem
     settled(page, "wrong")
     page.locator(".show-table").first.click()
     assert violations(page) == []
-    for name in ("Settings", "Take along", "Keys"):
+    for name in ("Settings", "Take along", "Help"):
         page.get_by_role("button", name=name).click()
         assert violations(page) == [], name
         page.keyboard.press("Escape")
