@@ -32,7 +32,6 @@ function inputRows(model, designs) {
 }
 
 function change(value, base) {
-  if (value === base) return "";
   const percent = (100 * (value - base)) / Math.abs(base);
   return Number.isFinite(percent) ? `${percent > 0 ? "+" : ""}${formatNumber(percent, 3)} %` : "≠";
 }
@@ -56,13 +55,14 @@ function numbersOf(section, elsewhere) {
 function numberRow(title, unit, values, base, better) {
   const known = values.filter((value) => value !== undefined);
   const best = better && known.length > 1 ? (better > 0 ? Math.max(...known) : Math.min(...known)) : undefined;
-  const differs = new Set(values).size > 1;
+  const texts = values.map((value) => (value === undefined ? undefined : quantityParts(value, unit, DIGITS).value));
+  const differs = new Set(texts).size > 1;
   return {
     title, unit: shownUnit(unit), differs,
     cells: values.map((value, i) => (value === undefined ? { text: "–" } : {
-      text: quantityParts(value, unit, DIGITS).value,
-      best: differs && value === best,
-      ...(i !== base && values[base] !== undefined && { change: change(value, values[base]), differs: value !== values[base] }),
+      text: texts[i],
+      best: differs && best !== undefined && texts[i] === texts[values.indexOf(best)],
+      ...(texts[base] !== undefined && texts[i] !== texts[base] && { change: change(value, values[base]), differs: true }),
     })),
   };
 }

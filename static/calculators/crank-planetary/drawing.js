@@ -10,7 +10,8 @@ const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
 const MARGIN = 26; // px
 
-const LABEL_PX = 128; // room for the dimensions about the pair
+const LABEL_PX = 50; // room for the dimensions about the pair, besides their values
+const CHARACTER_PX = 6.7;
 const FIELD = {
   R: "load.pin_circle_radius_mm",
   pin: "contact.pin_radius_mm",
@@ -67,7 +68,7 @@ function mainStill(view, centre, half, m) {
 
 /** Where a line passes between the pins to the free corner at the upper left, degrees from upright. */
 function betweenPins(pins) {
-  return pins < 3 ? -45 : (-180 / pins) * (2 * Math.max(0, Math.floor((pins / 4 - 1) / 2)) + 1);
+  return pins < 5 ? -45 : (-180 / pins) * (2 * Math.max(0, Math.floor((pins / 4 - 1) / 2)) + 1);
 }
 
 function detailStill(m, spot) {
@@ -227,8 +228,9 @@ export function createDrawing({ input, answer, curves, width, height }) {
     ? Math.max(holes + m.eccentricity, pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
+  const room = LABEL_PX + CHARACTER_PX * Math.max(mm(m.holeRadius ?? 0).length, mm(m.pinRadius ?? 0).length);
   const close = m.eccentricity
-    ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - LABEL_PX)) / (m.holeRadius + m.eccentricity) })
+    ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
   const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.contact_force ?? {};
   const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton

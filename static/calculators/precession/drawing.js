@@ -7,6 +7,7 @@ import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, 
 const MOST_ROLLERS = 200;
 const LONGEST_ARROW = 62; // px
 const SCALES = 24; // px at the foot, for the bars
+const NAME_PX = 84; // the name of a length and its value
 const STRIP = 0.21; // of the height, for the deflected shape in one plane
 
 const FIELD = {
@@ -50,6 +51,7 @@ function sectionView(input, roller, axis, x, scale) {
   const end = l + a + b;
   const top = y(RC + rho);
   const under = y(-widest / 2) + 30;
+  const crowded = Math.min(a, b) * scale < NAME_PX;
   const between = (from, to, level, symbol, value, field, beside = -12) =>
     dimension([x(from), level], [x(to), level], symbol, { value: mm(value), field, beside: from <= to ? beside : -beside });
   const extension = (at, from, to) => line([x(at), from], [x(at), to], "extension");
@@ -68,17 +70,17 @@ function sectionView(input, roller, axis, x, scale) {
     ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], "ρ", { value: mm(rho), field: FIELD.rho, beside: -6 })}
     ${line([x(roller.z_max_mm), y(RC + rho)], [x(roller.z_max_mm) + 26, y(RC + rho)], "extension")}
     ${stretches.map(({ from, to, diameter }) => path([[x(from), y(diameter / 2)], [x(to), y(diameter / 2)], [x(to), y(-diameter / 2)], [x(from), y(-diameter / 2)]], "body shaft-part", FIELD.d))}
-    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6 })}
+    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6, rise: 22 })}
     ${line([x(l), axis], [x(end), axis], "centre")}
     ${line([x(0), axis], [x(far), y(Math.abs(far) * Math.tan(tilt))], "centre", FIELD.theta)}
     <g class="angle" data-field="${FIELD.theta}"><path class="arc" d="${arcPath([x(0), axis], reach, 90 - theta, 90)}"/>
       ${label([x(0) + reach + 9, axis - reach * Math.tan(tilt / 2) + 4], "θ")}</g>
     ${[1, -1].map((side) => [bearing([x(l) + 6, axis], (stretches[0].diameter / 2) * scale, side), bearing([x(l + a), axis], (widest / 2) * scale, side)])}
     ${clamp(x(end), axis, (widest / 2) * scale + 14)}
-    ${input.shaft_sections && stretches.map(({ from, to, diameter }) => label([x((from + to) / 2), axis + 15], "d", { value: mm(diameter), field: FIELD.d }))}
+    ${input.shaft_sections && stretches.map(({ from, to, diameter }) => words([x((from + to) / 2), axis + 15], `⌀ ${mm(diameter)}`, { anchor: "middle" }))}
     ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6 })}
-    ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? 4 : 28)))}
-    ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, under, "b", b, FIELD.b)}
+    ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? (crowded ? 28 : 4) : 28)))}
+    ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, crowded ? under + 24 : under, "b", b, FIELD.b)}
     ${between(0, l, under + 24, "l", l, FIELD.l)}
     ${label([x(l) - 8, y(widest / 2) - 8], "C")}${label([x(l + a) + 14, y(widest / 2) - 8], "B")}`;
 }
