@@ -152,6 +152,10 @@ function tool(sign, words, act) {
 const undo = tool("↶", message("page.undo"), () => bench?.undo());
 const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
+  if (event.altKey && !event.ctrlKey && !event.metaKey && event.code === "KeyK") {
+    event.preventDefault();
+    bench?.keep();
+  }
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
   const act = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
@@ -189,6 +193,7 @@ const settings = createSettings({
 });
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
+keep.setAttribute("aria-keyshortcuts", "Alt+K");
 const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
 document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys({ about: () => bench?.help() ?? null }).button);
 document.body.append(settings.sheet);

@@ -132,6 +132,9 @@ function key({ x, y, xaxis = "x" }) {
   return level ? `${xaxis} ${y[0]}` : `${xaxis} ${x.join()} ${y.join()}`;
 }
 
+/** A level line from edge to edge is a limit: it belongs to the figure, not to a design. */
+const isLimit = ({ y }) => y.length === 2 && y[0] === y[1];
+
 /** A range that holds that of another figure too. */
 const wider = (range, other) => [Math.min(range[0], other?.[0] ?? range[0]), Math.max(range[1], other?.[1] ?? range[1])];
 
@@ -147,7 +150,7 @@ export function overlaid(chart, others, theme = "light") {
     const hovered = ({ hovertemplate }) => (hovertemplate ? { hovertemplate: `${name}: ${hovertemplate}` } : {});
     const envelopes = data.filter(({ meta }) => meta === ENVELOPE);
     const lines = (envelopes.length > 0 ? envelopes : data.filter(({ mode }) => mode === "lines"))
-      .filter((trace) => !own.has(key(trace)))
+      .filter((trace) => !own.has(key(trace)) && !isLimit(trace))
       .map((trace) => ({ ...trace, ...ofDesign, ...hovered(trace), line: { ...trace.line, color, dash: "dash", width: 2 } }));
     const points = data.filter(({ mode }) => mode === "markers").map((trace) => ({
       ...trace, ...ofDesign, ...hovered(trace), mode: "markers+text", text: [name], textposition: "top center", textfont: { color },

@@ -3,7 +3,7 @@ import { message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
 import { formatNumber, formatQuantity, shownDigits } from "./format.js";
 
-export const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
+const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve", "largest_torque_Nm",

@@ -5,7 +5,7 @@ import { createDialog, symbolMarkup } from "./parts.js";
 
 /** `about()` gives of the open calculator `{ symbols: [[symbol, title, help]], neglected: [text] }`, or null. */
 export function createKeys({ about }) {
-  const rows = ["apply", "step", "undo", "tabs", "help"].map((key) => message(`keys.${key}`));
+  const rows = ["apply", "step", "undo", "keep", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
   const button = element(html`
     <button type="button" class="tool" aria-haspopup="dialog" aria-keyshortcuts="?"
       aria-label="${message("page.keys")}" title="${message("page.keys")}">?</button>`);

@@ -10,7 +10,7 @@ const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
 const MARGIN = 26; // px
 
-const LABEL_PX = 50; // room for the dimensions about the pair, besides their values
+const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
 const CHARACTER_PX = 6.7;
 const FIELD = {
   R: "load.pin_circle_radius_mm",

@@ -78,7 +78,7 @@ function sectionView(input, roller, axis, x, scale) {
     ${[1, -1].map((side) => [bearing([x(l) + 6, axis], (stretches[0].diameter / 2) * scale, side), bearing([x(l + a), axis], (widest / 2) * scale, side)])}
     ${clamp(x(end), axis, (widest / 2) * scale + 14)}
     ${input.shaft_sections && stretches.map(({ from, to, diameter }) => words([x((from + to) / 2), axis + 15], `⌀ ${mm(diameter)}`, { anchor: "middle" }))}
-    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6 })}
+    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6, rise: 12 })}
     ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? (crowded ? 28 : 4) : 28)))}
     ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, crowded ? under + 24 : under, "b", b, FIELD.b)}
     ${between(0, l, under + 24, "l", l, FIELD.l)}
