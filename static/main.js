@@ -52,7 +52,8 @@ document.querySelector(".skip").textContent = message("page.skip");
 const panel = document.getElementById("panel");
 const live = document.getElementById("live");
 const kept = parsed(session.getItem(KEPT), {}); // queries of the calculators that were open, also over a reload
-if (linked.has("calculator")) kept[linked.get("calculator")] = linked.toString();
+const asked = CALCULATORS.includes(linked.get("calculator")) ? linked.get("calculator") : CALCULATORS[0];
+if (linked.size > 0) kept[asked] = linked.toString();
 const designs = createDesigns(lasting);
 const opening = newestOnly();
 let bench = null; // the calculator at work
@@ -83,8 +84,8 @@ async function partsOf(id) {
 
 function build(id, { modelOf, ...parts }) {
   const model = modelOf();
-  const { claim, ...typed } = decodeState(model, new URLSearchParams(kept[id]))
-    ?? stateFromInput(model, parts.examples[0]?.input ?? {});
+  const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
+  const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
   bench = openWorkbench({
     ...parts,
     model,
@@ -210,5 +211,4 @@ addEventListener("popstate", () => {
 onSystemTheme(() => bench?.retheme());
 addEventListener("pagehide", () => bench?.close());
 
-const asked = linked.get("calculator");
-open(CALCULATORS.includes(asked) ? asked : CALCULATORS[0]);
+open(asked);

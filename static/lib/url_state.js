@@ -38,13 +38,14 @@ export const LABELS = ["title", "author", "revision", "note"];
 const KNOWN = ["calculator", "v", "verdict", "units", "lang", ...LABELS];
 
 /**
- * The state that the parameters describe, null where they describe none, and its `claim`: `unknown` lists
+ * `{ state, claim }`: the state that the parameters describe, null where they describe none, and what they say besides: `unknown` lists
  * what this version does not know or what contradicts the rest, `older` says that the link was made before
  * links said their `verdict`. A link without a version is of the current one.
  */
-export function decodeState(model, parameters) {
+export function decodeState(model, parameters, calculator = parameters.get("calculator")) {
   const names = [...new Set(parameters.keys())];
-  if (names.every((name) => ["calculator", "units", "lang"].includes(name))) return null;
+  const another = (parameters.get("calculator") ?? calculator) !== calculator;
+  const described = names.some((name) => name === "v" || LABELS.includes(name) || model.fields.has(name));
   const texts = {};
   for (const field of model.fields.values()) {
     const given = parameters.get(field.path);
@@ -59,11 +60,13 @@ export function decodeState(model, parameters) {
   const shown = new Set(shownFields(model, { chosen }).map(({ path }) => path));
   const version = parameters.get("v") ?? VERSION;
   const unknown = [
+    ...(another ? [`calculator=${parameters.get("calculator")}`] : []),
     ...(VERSIONS.includes(version) ? [] : [`v=${version}`]),
     ...names.filter((name) => !KNOWN.includes(name) && !shown.has(name)),
   ];
+  if (!described) return { state: null, claim: { unknown } };
   const claim = { unknown, older: version === "1", verdict: parameters.get("verdict") ?? undefined };
-  return { texts, chosen, claim };
+  return { state: { texts, chosen }, claim };
 }
 
 /** The query of a calculator's state, as it stands behind the `?`. */

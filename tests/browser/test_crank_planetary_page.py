@@ -305,7 +305,8 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Works”")
     page.get_by_role("button", name="Keep this design").click()
     page.evaluate(
-        "() => { const kept = JSON.parse(localStorage['khv-calc.designs']); kept[0].verdict = 'fail';"
+        "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
+        " kept[0].verdict = 'fail';"
         " localStorage['khv-calc.designs'] = JSON.stringify(kept); }"
     )
     page.goto(address)
