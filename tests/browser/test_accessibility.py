@@ -29,6 +29,7 @@ OPTIONS = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "
 def open_page(browser: Browser) -> Iterator[Page]:
     """A page into which axe may be put: without the policy that forbids foreign scripts."""
     context = browser.new_context(bypass_csp=True, reduced_motion="reduce")
+    expect.set_options(timeout=30_000)  # axe keeps a busy machine busy
     yield context.new_page()
     context.close()
 
