@@ -340,6 +340,8 @@ export default {
     body: ["Body"],
     limit_MPa: ["Limit"],
     criterion: ["Criterion"],
+    safety_pin: ["Safety factor of the pin"],
+    safety_hole: ["Safety factor of the hole"],
     safety_factor: ["Safety factor", "S"],
   },
   section: {

@@ -334,6 +334,8 @@ export default {
     body: ["Деталь"],
     limit_MPa: ["Предел"],
     criterion: ["Критерий"],
+    safety_pin: ["Коэффициент запаса пальца"],
+    safety_hole: ["Коэффициент запаса отверстия"],
     safety_factor: ["Коэффициент запаса", "S"],
   },
   section: {

@@ -334,6 +334,8 @@ export default {
     body: ["Деталь"],
     limit_MPa: ["Межа"],
     criterion: ["Критерій"],
+    safety_pin: ["Коефіцієнт запасу цівки"],
+    safety_hole: ["Коефіцієнт запасу отвору"],
     safety_factor: ["Коефіцієнт запасу", "S"],
   },
   section: {
