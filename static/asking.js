@@ -1,6 +1,6 @@
 /** Asking the service for results: 120 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
-import { readState, stateFromInput } from "./lib/schema_form.js";
+import { readState, stateFromInput } from "./lib/form_state.js";
 import { judgedOf } from "./lib/checks.js";
 import { answered, asked, compared, failed, mended } from "./store.js";
 

@@ -11,7 +11,8 @@ import { CALCULATORS, calculatorOf } from "./calculators/index.js";
 import { createClient, newestOnly } from "./lib/api.js";
 import { createDesigns } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { formModel, stateFromInput } from "./lib/schema_form.js";
+import { stateFromInput } from "./lib/form_state.js";
+import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
@@ -51,7 +52,8 @@ document.querySelector(".skip").textContent = message("page.skip");
 const panel = document.getElementById("panel");
 const live = document.getElementById("live");
 const kept = parsed(session.getItem(KEPT), {}); // queries of the calculators that were open, also over a reload
-if (linked.has("calculator")) kept[linked.get("calculator")] = linked.toString();
+const asked = CALCULATORS.includes(linked.get("calculator")) ? linked.get("calculator") : CALCULATORS[0];
+if (linked.size > 0) kept[asked] = linked.toString();
 const designs = createDesigns(lasting);
 const opening = newestOnly();
 let bench = null; // the calculator at work
@@ -82,8 +84,8 @@ async function partsOf(id) {
 
 function build(id, { modelOf, ...parts }) {
   const model = modelOf();
-  const { unknown, ...typed } = decodeState(model, new URLSearchParams(kept[id]))
-    ?? stateFromInput(model, parts.examples[0]?.input ?? {});
+  const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
+  const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
   bench = openWorkbench({
     ...parts,
     model,
@@ -92,7 +94,7 @@ function build(id, { modelOf, ...parts }) {
     client,
     designs,
     typed,
-    unknown,
+    claim,
     on: {
       say,
       address(query) {
@@ -151,6 +153,10 @@ function tool(sign, words, act) {
 const undo = tool("↶", message("page.undo"), () => bench?.undo());
 const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
+  if (event.altKey && !event.ctrlKey && !event.metaKey && event.code === "KeyK") {
+    event.preventDefault();
+    bench?.keep();
+  }
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
   const act = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
@@ -188,8 +194,9 @@ const settings = createSettings({
 });
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
+keep.setAttribute("aria-keyshortcuts", "Alt+K");
 const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
-document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys().button);
+document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys({ about: () => bench?.help() ?? null }).button);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
@@ -204,5 +211,4 @@ addEventListener("popstate", () => {
 onSystemTheme(() => bench?.retheme());
 addEventListener("pagehide", () => bench?.close());
 
-const asked = linked.get("calculator");
-open(CALCULATORS.includes(asked) ? asked : CALCULATORS[0]);
+open(asked);

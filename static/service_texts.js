@@ -3,7 +3,7 @@
  * the titles of the page. `titles` maps API field names to titles. No DOM.
  */
 import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
-import { fieldAtPointer, keysOf } from "./lib/schema_form.js";
+import { fieldAtPointer, keysOf } from "./lib/form_state.js";
 import { shownUnit } from "./lib/units.js";
 import { message, said } from "./messages/index.js";
 

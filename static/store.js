@@ -14,12 +14,13 @@
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
  * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
+ * `claim`    what the link or the store said of the design that was opened: `{ typed, unknown?, older?, verdict? }`
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
-import { judgedOf, pathOf, verdictSentence, wordOf } from "./lib/checks.js";
+import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
-import { begun, recorded, redone, undone } from "./lib/history.js";
-import { readState, shownFields, textIn, withLinks } from "./lib/schema_form.js";
+import { begun, paused, recorded, redone, undone } from "./lib/history.js";
+import { readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
@@ -58,11 +59,12 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, design, theme) {
+export function opened(about, design, theme, claim = {}) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
     kept: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
+    claim: { ...claim, typed },
   }, begun(typed));
   return { ...state, pending: state.reading.filled };
 }
@@ -111,11 +113,17 @@ export function labelled(state, label, text, time) {
   return { ...state, history, typed, shown };
 }
 
-/** A whole design taken over at once. */
-export function taken(state, typed, time) {
-  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false } };
-  return read(untouched, recorded(state.history, withLinks(state.about.model, typed), undefined, time));
+/** A whole design taken over at once, with what is said of it besides. */
+export function taken(state, design, claim, time) {
+  const typed = withLinks(state.about.model, design);
+  const untouched = {
+    ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false }, claim: { ...claim, typed },
+  };
+  return read(untouched, recorded(state.history, typed, undefined, time));
 }
+
+/** What was said of the design has been read. */
+export const unclaimed = (state) => ({ ...state, claim: {} });
 
 function moved(state, history) {
   return history === state.history ? state : read({ ...state, refusal: null }, history);
@@ -133,7 +141,7 @@ export function left(state, path) {
 
 /** The user wants an answer of what there is. */
 export function insisted(state) {
-  const next = { ...state, insisted: true };
+  const next = { ...state, insisted: true, history: paused(state.history) };
   return state.reading.wrong.length > 0 ? checked(next) : next;
 }
 
@@ -158,11 +166,16 @@ export function answered(state, { answer, refusal, requests }) {
     typed, input, filled, answer, requests,
     cells: calculator.verdict(answer, context),
   };
-  const angle = !state.turn.own && answer && calculator.drawing.start?.(answer);
-  const turn = Number.isFinite(angle) ? { ...state.turn, angle } : state.turn;
+  const turn = state.turn.own || !answer ? state.turn : startedAt(state, answer);
   return refusal
     ? refused({ ...state, shown, turn }, refusal)
     : { ...state, shown, turn, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown, state.about) };
+}
+
+/** The drawing turned to where it starts: the peak. */
+function startedAt({ about: { calculator }, turn }, answer) {
+  const angle = calculator.drawing.start?.(answer);
+  return Number.isFinite(angle) ? { ...turn, angle, own: false } : turn;
 }
 
 function refused(state, refusal) {
@@ -214,6 +227,7 @@ export const compared = (state, kept, said = state.said) => ({ ...state, kept, s
 export const announcing = (state, said) => ({ ...state, said });
 export const themed = (state, theme) => ({ ...state, theme });
 export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle, own: true } });
+export const returned = (state) => (state.shown ? { ...state, turn: startedAt(state, state.shown.answer) } : state);
 export const selected = (state, pair) => ({ ...state, turn: { ...state.turn, pair } });
 
 export function tabled(state, id, on) {
@@ -241,6 +255,12 @@ export function standing(state) {
   if (phase !== "fresh") return { phase, numbers: "part" };
   const judged = judgedOf(state.about.calculator, shown.answer);
   return { phase: judged && wordOf(judged) === "impossible" ? "refused" : phase, numbers: "fresh" };
+}
+
+/** The verdict's word of these inputs; none while it is to come. */
+export function verdictOf(state) {
+  const { about: { calculator }, shown, phase } = state;
+  return phase === "fresh" && !stale(state) ? wordIn(calculator, shown.answer) : undefined;
 }
 
 /** What the drawing shows: results with the curves it needs; null while these are to come. */

@@ -4,21 +4,25 @@
  * transition.
  */
 import { createAsking } from "./asking.js";
+import { wordIn } from "./lib/checks.js";
 import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped, textIn, withLinks } from "./lib/schema_form.js";
-import { LABELS, query } from "./lib/url_state.js";
+import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
+import { entryOf, optionsOf } from "./lib/schema_form.js";
+import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
 import * as next from "./store.js";
-import { createAccuracy } from "./views/accuracy.js";
+import { createAccuracy, neglectedIn } from "./views/accuracy.js";
 import { createChecks } from "./views/checks.js";
 import { createCompare } from "./views/compare.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
+import { nameFiles } from "./views/files.js";
 import { createForm } from "./views/form.js";
+import { createNotice } from "./views/notice.js";
 import { loadPlotly } from "./views/plot.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
@@ -39,20 +43,12 @@ function lightEachOther(form, drawing) {
   });
 }
 
-/** What a link says that this version does not know. */
-function noticeOf(names) {
-  const notice = element(html`<p class="notice card" role="status"><span>${message("page.unknown", { names: names.join(", ") })}</span>
-    <button type="button" class="toggle" aria-label="${message("keys.close")}">×</button></p>`);
-  notice.querySelector("button").addEventListener("click", () => notice.remove());
-  return notice;
-}
-
 /**
- * `typed` is the state of the form to begin with, `unknown` what the link said besides. `on.left()` tells
+ * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js). `on.left()` tells
  * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, unknown = [], lengths, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, claim, lengths, on }) {
   const titles = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
@@ -60,7 +56,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const materialOf = (path, given) => (typeof given === "string"
     ? catalogues[path].find(({ name }) => name === given) : given);
   const about = { model, calculator, catalogues, titles, materialOf };
-  const store = next.createStore(next.opened(about, typed, currentTheme()));
+  const store = next.createStore(next.opened(about, typed, currentTheme(), claim));
   const asking = createAsking({ store, client, designs });
   const listening = new AbortController();
 
@@ -83,9 +79,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     return { texts: { ...texts, ...labels }, chosen };
   };
   /** Another design, to which Back leads back. */
-  function take(typed) {
+  function take(typed, claim) {
     on.left();
-    changeAtOnce(next.taken, typed);
+    changeAtOnce(next.taken, typed, claim);
   }
   const picker = createExamples({
     examples,
@@ -95,7 +91,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       picked: ({ input }) => take(stateOf(input)),
       cleared() {
         take(stateOf({}));
-        form.focus(model.fields.keys().next().value);
+        form.focus(shownFields(model, store.state.typed)[0].path);
       },
       labelled: (label, text) => {
         store.apply(next.labelled, label, text, Date.now());
@@ -131,12 +127,20 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const verdict = createVerdict({ calculator, titles });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
-    calculator, titles, titleAt: (path) => model.fields.get(path)?.title,
-    on: { fixed: apply, asked: (path) => form.focus(path) },
+    calculator, titles, titleAt: (path) => model.fields.get(path)?.title, askedAt: (path) => entryOf(model, path),
+    on: {
+      fixed: apply,
+      asked(path) {
+        for (const [choice, option] of Object.entries(optionsOf(model, path))) {
+          if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
+        }
+        form.focus(path);
+      },
+    },
   });
   const drawing = createDrawingView({
     calculator,
-    on: { turned: (angle) => store.apply(next.turned, angle), selected: select },
+    on: { turned: (angle) => store.apply(next.turned, angle), returned: () => store.apply(next.returned), selected: select },
   });
   const keep = () => {
     if (!store.state.shown) return;
@@ -144,9 +148,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       asking.compare(message("compare.full", { most: MOST }));
       return;
     }
-    const { input, typed: { texts } } = store.state.shown;
+    const { input, answer, typed: { texts } } = store.state.shown;
     const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
-    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
+    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, verdict: wordIn(calculator, answer) });
     asking.compare(message("compare.kept", { name }));
   };
   const all = calculator.figures.map((figure) => createFigure({
@@ -176,7 +180,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     model,
     calculator,
     on: {
-      open: ({ input, labels }) => take(stateOf(input, labels)),
+      open: ({ input, labels, verdict }) => take(stateOf(input, labels), { verdict }),
       rename(design, name) {
         designs.rename(design, name);
         asking.compare();
@@ -193,8 +197,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
 
+  const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
-  inputs.append(...unknown.length > 0 ? [noticeOf(unknown)] : [], picker.root, form.root);
+  inputs.append(notice.root, picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const measured = all.filter((figure) => figure.measured);
   const figures = all.filter((figure) => !figure.measured);
@@ -233,6 +238,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
 
   store.show([
+    notice,
     picker,
     form,
     ...cards,
@@ -245,8 +251,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
+    following(({ typed }) => [typed.texts.title ?? ""], (title) => {
+      nameFiles(title);
+      document.title = [title, message(`calculator.${calculator.id}`), "KHV Calc"].filter(Boolean).join(" · ");
+    }),
     following(({ said }) => [said], on.say),
-    following(({ address }) => [address], (address) => address && on.address(address)),
+    following((state) => [state.address, next.verdictOf(state)], (address, verdict) => address && on.address(withVerdict(address, verdict))),
   ]);
   // Plotly, asked for at the head of the page, is run also where there is nothing to draw yet.
   asking.now().then(() => loadPlotly().catch(() => {}));
@@ -256,6 +266,17 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
     keep,
+    /** What helps to read the page: its symbols, each once, and what the model leaves out. */
+    help() {
+      const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
+        .map(({ symbol, title, help }) => [symbol, title, help]);
+      const results = Object.values(store.state.shown?.answer ?? {}).flatMap(Object.keys)
+        .map((name) => message("quantity")[name] ?? []).map(([title, symbol]) => [symbol, title, ""]);
+      return {
+        symbols: [...inputs, ...results].filter(([symbol], i, all) => symbol && all.findIndex(([other]) => other === symbol) === i),
+        neglected: neglectedIn(calculation),
+      };
+    },
     /** What was asked for the results on the screen, and answered; null where there are none. */
     exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
@@ -266,7 +287,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       sizing.close();
       report.close();
       for (const figure of all) figure.close();
-      on.address(query(calculator.id, model, store.state.typed));
+      on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));
     },
   };
 }

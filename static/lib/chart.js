@@ -116,11 +116,24 @@ const SERIES = {
   dark: ["#5cb8f0", "#f0a04b", "#34c9a0", "#e39ac4", "#a5b0f5", "#e0cc4d"],
 };
 
+const MOST_COLOURS = 6; // of the figures' theme; beyond them colours would come twice
+
+/** Where there are more lines than colours, colours in their order around the wheel. */
+export function sequenced(chart, theme) {
+  const names = [...new Set(chart.data.filter(({ mode }) => mode === "lines").map(({ name }) => name))];
+  if (names.length <= MOST_COLOURS) return chart;
+  const colour = (name) => `hsl(${(210 + (300 * names.indexOf(name)) / names.length) % 360} 75% ${theme === "dark" ? 68 : 34}%)`;
+  return { ...chart, data: chart.data.map((trace) => (names.includes(trace.name) ? { ...trace, line: { ...trace.line, color: colour(trace.name) } } : trace)) };
+}
+
 /** What tells curves apart; level lines by their height alone. */
 function key({ x, y, xaxis = "x" }) {
   const level = y.length > 1 && y.every((value) => value === y[0]);
   return level ? `${xaxis} ${y[0]}` : `${xaxis} ${x.join()} ${y.join()}`;
 }
+
+/** A level line from edge to edge is a limit: it belongs to the figure, not to a design. */
+const isLimit = ({ y }) => y.length === 2 && y[0] === y[1];
 
 /** A range that holds that of another figure too. */
 const wider = (range, other) => [Math.min(range[0], other?.[0] ?? range[0]), Math.max(range[1], other?.[1] ?? range[1])];
@@ -137,7 +150,7 @@ export function overlaid(chart, others, theme = "light") {
     const hovered = ({ hovertemplate }) => (hovertemplate ? { hovertemplate: `${name}: ${hovertemplate}` } : {});
     const envelopes = data.filter(({ meta }) => meta === ENVELOPE);
     const lines = (envelopes.length > 0 ? envelopes : data.filter(({ mode }) => mode === "lines"))
-      .filter((trace) => !own.has(key(trace)))
+      .filter((trace) => !own.has(key(trace)) && !isLimit(trace))
       .map((trace) => ({ ...trace, ...ofDesign, ...hovered(trace), line: { ...trace.line, color, dash: "dash", width: 2 } }));
     const points = data.filter(({ mode }) => mode === "markers").map((trace) => ({
       ...trace, ...ofDesign, ...hovered(trace), mode: "markers+text", text: [name], textposition: "top center", textfont: { color },

@@ -3,7 +3,7 @@ import { message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
 import { formatNumber, formatQuantity, shownDigits } from "./format.js";
 
-export const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
+const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve", "largest_torque_Nm",
@@ -19,6 +19,12 @@ export function judgedOf({ judgedIn }, answer) {
 /** The verdict's word: what cannot exist is not merely unfit. */
 export function wordOf({ verdict, checks = [] }) {
   return checks.some(({ impossible }) => impossible) ? "impossible" : verdict;
+}
+
+/** The verdict's word of an answer; none where nothing is judged. */
+export function wordIn(calculator, answer) {
+  const judged = judgedOf(calculator, answer);
+  return judged ? wordOf(judged) : undefined;
 }
 
 export const levelOfWord = (word) => (word === "impossible" ? "bad" : LEVELS[word]);
@@ -65,6 +71,8 @@ export function checkRow(check, titles) {
 /** Dotted path of a JSON pointer. */
 export const pathOf = (pointer) => pointer.slice(1).replaceAll("/", ".");
 
+const shareOf = (share) => (share === undefined ? "–" : percent(share));
+
 /** A fix: what to change, by how much, to what verdict, and what else it does; `titleAt(path)` names a field. */
 export function fixRow(fix, titleAt, checks) {
   const { pointer, unit, from, to, change, standard, status, verdict, side_effects: effects = [] } = fix;
@@ -79,11 +87,11 @@ export function fixRow(fix, titleAt, checks) {
     text: status === "not_enough" ? message("fixes.notEnough", values) : message("fixes.change", values),
     standard: standard ?? "",
     level: LEVELS[verdict],
-    then: verdict ? message(`verdictWord.${verdict}`) : "",
-    effects: effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
+    then: verdict && status !== "not_enough" ? message(`verdictWord.${verdict}`) : "",
+    effects: status === "not_enough" ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
       level: LEVELS[effect.status_to],
       text: message("fixes.effect", {
-        check: named(effect.code), before: percent(effect.utilisation_from ?? 0), after: percent(effect.utilisation_to ?? 0),
+        check: named(effect.code), before: shareOf(effect.utilisation_from), after: shareOf(effect.utilisation_to),
       }),
     })),
   };

@@ -46,10 +46,10 @@ export function createDesigns(storage) {
   const of = (calculator) => read().filter((design) => design.calculator === calculator);
   const taken = (calculator, name, id) => of(calculator).some((one) => one.name === name && one.id !== id);
 
-  /** Keep an input (the canonical request) under the name wanted, or a free letter. */
-  function add(calculator, input, wanted = "", labels = {}) {
+  /** Keep an input (the canonical request) under the name wanted, or a free letter; `about` are its labels and its verdict. */
+  function add(calculator, input, wanted = "", about = {}) {
     const name = wanted && !taken(calculator, wanted) ? wanted : freeName(of(calculator).map((one) => one.name));
-    const design = { id: newId(), name, calculator, input, ...labels };
+    const design = { id: newId(), name, calculator, input, ...about };
     keep([...read(), design]);
     return design;
   }
@@ -69,7 +69,7 @@ export function createDesigns(storage) {
       const { format, v, designs: found } = parsed(file, {});
       if (format !== FORMAT || v !== 1 || !Array.isArray(found)) return null;
       const added = found.filter(isDesign);
-      for (const { name, calculator, input, labels } of added) add(calculator, input, name, labels && { labels });
+      for (const { name, calculator, input, labels, verdict } of added) add(calculator, input, name, { labels, verdict });
       return added.length;
     },
   };

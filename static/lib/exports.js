@@ -2,7 +2,7 @@
  * What the user takes along, as text: tables as comma-separated values (RFC 4180; canonical units, a
  * decimal point, all digits), a request as others write it, the numbers of an answer. No DOM.
  */
-import { unitOf } from "./format.js";
+import { tidy, unitOf } from "./format.js";
 
 function cell(value) {
   const text = value === undefined || value === null ? "" : String(value);
@@ -19,10 +19,11 @@ export function csvOf({ columns, rows }) {
   return [columns.map(heading), ...rows].map((row) => `${row.map(cell).join(",")}\r\n`).join("");
 }
 
-/** Several tables in one text: each under its title, parted by an empty line. */
+/** A figure's tables in one text, without the noise of binary sums: several each under its title, parted by an empty line. */
 export function csvOfTables(tables) {
-  if (tables.length === 1) return csvOf(tables[0]);
-  return tables.map((table) => `${cell(table.title)}\r\n${csvOf(table)}`).join("\r\n");
+  const plain = tables.map((table) => ({ ...table, rows: table.rows.map((row) => row.map((one) => (typeof one === "number" ? tidy(one) : one))) }));
+  if (plain.length === 1) return csvOf(plain[0]);
+  return plain.map((table) => `${cell(table.title)}\r\n${csvOf(table)}`).join("\r\n");
 }
 
 const quoted = (text) => `'${text.replaceAll("'", String.raw`'\''`)}'`;
@@ -59,27 +60,34 @@ print(answer.json())
 `;
 }
 
-const ASIDE = ["accuracy", "warnings", "curves"];
+const ASIDE = ["accuracy", "warnings", "curves", "checks", "fixes", "not_considered", "counts"];
+
+/** Every value of an object as `[name, value, unit]`; parts of lists and objects by their index or key. */
+function leaves(name, value, unit) {
+  if (Array.isArray(value)) return value.flatMap((one, i) => leaves(`${name}[${i}]`, one, unit));
+  if (value === null || typeof value !== "object") return [[name, value, unit]];
+  return Object.entries(value).flatMap(([key, one]) => leaves(name ? `${name}.${key}` : key, one, unitOf(key) || unit));
+}
+
+const isSection = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 
 /**
- * Every value of an answer's sections as `{ section, name, value, unit }`, in canonical units;
- * parts of lists and objects by their index or key: `force_N[0]`, `peak_pair.pin`. The warnings of
- * the whole answer stand last, by their codes.
+ * What was asked and answered as `{ section, name, value, unit }`, in canonical units: the inputs, defaults
+ * filled in; every value of the answer's sections, `force_N[0]`, `peak_pair.pin`; the verdict, the checks with
+ * their limits and where these are from; last the warnings, by their codes.
  */
-export function flatValues(answer) {
-  const found = [];
-  const visit = (section, name, value, unit) => {
-    if (Array.isArray(value)) {
-      value.forEach((one, i) => visit(section, `${name}[${i}]`, one, unit));
-    } else if (value !== null && typeof value === "object") {
-      for (const [key, one] of Object.entries(value)) visit(section, `${name}.${key}`, one, unitOf(key) || unit);
-    } else {
-      found.push({ section, name, value, unit });
+export function flatValues(input, answer) {
+  const found = leaves("", input, "").map(([name, value, unit]) => ({ section: "inputs", name, value, unit }));
+  const sections = Object.entries(answer).filter(([name, value]) => isSection(value) && !ASIDE.includes(name));
+  for (const [section, values] of sections) {
+    for (const [name, value] of Object.entries(values).filter(([key]) => !ASIDE.includes(key))) {
+      found.push(...leaves(name, value, unitOf(name)).map(([path, one, unit]) => ({ section, name: path, value: one, unit })));
     }
-  };
-  for (const [section, values] of Object.entries({ ...answer, warnings: undefined })) {
-    for (const [name, value] of Object.entries(values ?? {})) {
-      if (!ASIDE.includes(name)) visit(section, name, value, unitOf(name));
+  }
+  const judged = [answer, ...sections.map(([, values]) => values)].find(({ checks }) => checks);
+  for (const { code, status, value, limit, unit = "", source = "" } of judged?.checks ?? []) {
+    for (const [part, one] of Object.entries({ value, limit, status, source })) {
+      if (one !== undefined && one !== "") found.push({ section: "checks", name: `${code}.${part}`, value: one, unit: typeof one === "number" ? unit : "" });
     }
   }
   for (const { code, detail } of answer.warnings ?? []) found.push({ section: "warnings", name: code, value: detail, unit: "" });

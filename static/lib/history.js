@@ -12,6 +12,9 @@ export function recorded({ past, present, path: last, time: then }, next, path, 
   return { past: again ? past : [...past, present], present: next, future: [], path, time };
 }
 
+/** The next change is one of its own, even of the same box at once. */
+export const paused = (history) => ({ ...history, path: undefined });
+
 /** Back at the state before, or the same where there is none. */
 export function undone(history) {
   const { past, present, future } = history;

@@ -6,11 +6,10 @@
  * (a list), "records" (a list of objects, whose boxes are `columns`), "name" (a text chosen from a
  * list that the service gives) or "option" (an enumeration).
  * A *choice* is a set of options, each with its own fields, of which one option is shown.
- * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`;
- * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
+ * What is typed into the form and what it says is in form_state.js.
  */
-import { parseNumber, parseNumbers, parseSum, tidy, typedText, unitOf } from "./format.js";
-import { canonicalValue, DIAMETER, partedUnit, shownStep, shownValue, spell } from "./units.js";
+import { unitOf } from "./format.js";
+import { DIAMETER } from "./units.js";
 
 function resolver(openapi) {
   const resolve = (schema) => {
@@ -190,229 +189,18 @@ function asDiameter(item, words) {
 }
 
 /** The fields of an item: itself, or those of all options of a choice. */
-function fieldsOf(item) {
+export function fieldsOf(item) {
   return item.path ? [item] : item.options.flatMap(({ fields }) => fields);
 }
 
-function valueAt(input, path) {
-  return path.split(".").reduce((part, key) => part?.[key], input);
+/** Where what a check misses is entered: the field itself; of an entry of a table, the first of its own values that may be empty. */
+export function entryOf({ choices }, path) {
+  const own = choices.find(({ id, auto }) => auto && id === path)?.options.find(({ id }) => id === "own");
+  return own?.fields.find(({ required }) => !required)?.path ?? path;
 }
 
-function put(input, path, value) {
-  const keys = path.split(".");
-  const last = keys.pop();
-  let part = input;
-  for (const key of keys) part = part[key] ??= {};
-  part[last] = value;
-}
-
-/** Rows and cells of the text of a list of records: `30; 15; 25 | 60; 15; 25`. */
-export function cellsOf(text) {
-  if (text.trim() === "") return [];
-  return text.split("|").map((row) => row.split(";").map((cell) => cell.trim()));
-}
-
-/** The text of rows of cells. */
-export function textOfCells(rows) {
-  return rows.map((cells) => cells.join("; ")).join(" | ");
-}
-
-/** How a value stands in the box of a field, in the unit shown. */
-export function textIn(field, value) {
-  if (value === undefined || value === null) return "";
-  if (field.kind === "records" && Array.isArray(value)) {
-    return textOfCells(value.map((record) => field.columns.map((column) => textIn(column, record[column.name]))));
-  }
-  if (Array.isArray(value)) return value.map((one) => typedText(spell(one, field.unit))).join("; ");
-  return typeof value === "number" ? typedText(spell(value, field.unit)) : String(value);
-}
-
-/** A value as links carry it, in canonical units. */
-export function textInLink(field, value) {
-  if (value === undefined || value === null) return "";
-  if (field.kind === "records" && Array.isArray(value)) {
-    return value.map((record) => field.columns.map((column) => textInLink(column, record[column.name])).join(";"))
-      .join("|");
-  }
-  return Array.isArray(value) ? value.map(String).join(";") : String(value);
-}
-
-/** The text of a box for one that a link carries; what is no number stays as it is. */
-export function textOfLink(field, text) {
-  if (field.kind === "records") {
-    return textOfCells(cellsOf(text).map((cells) =>
-      cells.map((cell, at) => (field.columns[at] ? textOfLink(field.columns[at], cell) : cell))));
-  }
-  if (field.kind === "numbers") {
-    const { values } = parseNumbers(text);
-    return values ? textIn(field, values) : text;
-  }
-  if (field.kind !== "number") return text;
-  const { value } = parseNumber(text);
-  return value === undefined || textIn(field, value) === String(value) ? text : textIn(field, value);
-}
-
-/** The state that shows a request body; fields that it leaves out stand at their defaults. */
-export function stateFromInput(model, input) {
-  const texts = {};
-  for (const field of model.fields.values()) {
-    const value = valueAt(input, field.path);
-    const given = typeof value === "object" && !Array.isArray(value) ? undefined : value;
-    texts[field.path] = textIn(field, given ?? field.default);
-  }
-  const chosen = {};
-  for (const choice of model.choices) {
-    const given = choice.options.find((option) => option.fields.some((field) => {
-      const value = valueAt(input, field.path);
-      return value !== undefined && value !== null
-        && (Array.isArray(value) || typeof value !== "object");
-    }));
-    chosen[choice.id] = (given ?? choice.options[0]).id;
-  }
-  return { texts, chosen };
-}
-
-/** The fields on the screen: all outside choices, and those of the chosen options. */
-export function shownFields(model, state) {
-  return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
-    ? [item]
-    : item.options.find((option) => option.id === state.chosen[item.id]).fields));
-}
-
-const TINY = 1e-9; // a lowest value so small means: more than nothing
-
-function outside(field, value) {
-  const { lowest, highest, unit } = field;
-  if (lowest > 0 && lowest < TINY && value <= 0) return { problem: "above", limit: 0 };
-  if (lowest !== undefined && (field.lowestAllowed ? value < lowest : value <= lowest)) {
-    return { problem: field.lowestAllowed ? "least" : "above", limit: shownValue(lowest, unit) };
-  }
-  if (highest !== undefined && (field.highestAllowed ? value > highest : value >= highest)) {
-    return { problem: field.highestAllowed ? "most" : "below", limit: shownValue(highest, unit) };
-  }
-  return null;
-}
-
-function readRecords(field, typed) {
-  const value = [];
-  for (const [index, cells] of cellsOf(typed).entries()) {
-    const record = {};
-    for (const [at, column] of field.columns.entries()) {
-      const reading = readField(column, cells[at] ?? "");
-      if (reading.problem) return { ...reading, row: index, column };
-      if (reading.value !== undefined) record[column.name] = reading.value;
-    }
-    value.push(record);
-  }
-  return { value };
-}
-
-/** Read one box: `{ value }`, `{}` where it may be empty and is, or `{ problem, limit? }`. */
-export function readField(field, text) {
-  const typed = text.trim();
-  if (typed === "") return field.required ? { problem: "required" } : {};
-  if (field.kind === "name" || field.kind === "option") return { value: typed };
-  if (field.kind === "records") return readRecords(field, typed);
-  if (field.kind === "numbers") {
-    const { values, problem } = parseNumbers(typed);
-    if (problem) return { problem: problem === "number" ? "list" : problem };
-    const value = values.map((one) => canonicalValue(one, field.unit));
-    return value.map((one) => outside(field, one)).find(Boolean) ?? { value };
-  }
-  const [, mark, rest] = /^([⌀Øø∅]?)\s*(.*)$/s.exec(typed);
-  const parted = partedUnit(rest, field.unit);
-  if (!parted) return { problem: "unit" };
-  const { value: number, problem, ambiguous, worked } = parseSum(parted.amount);
-  if (problem) return { problem };
-  // A radius may be written as a diameter, Ø12; what is shown as one is twice the canonical value.
-  const radius = field.name?.endsWith("_radius_mm");
-  if (mark && !radius && !field.name?.endsWith("diameter_mm")) return { problem: "number" };
-  const halved = radius && (field.unit === DIAMETER || mark) ? 0.5 : 1;
-  const value = parted.size === undefined
-    ? canonicalValue(number, field.unit) * (mark && field.unit !== DIAMETER ? halved : 1)
-    : tidy(number * parted.size * halved);
-  if (field.kind === "integer" && !Number.isInteger(value)) return { problem: "integer" };
-  const read = { value, ...(ambiguous && { readAs: number }), ...((worked || mark || parted.size !== undefined) && { worked: true }) };
-  return outside(field, value) ?? read;
-}
-
-/**
- * The request body that the shown boxes say: `{ input, filled, readings: {path: reading}, wrong: [path] }`.
- * Boxes that cannot be read are left out of `input`; `filled` has the schema's defaults too.
- */
-export function readState(model, state) {
-  const [input, filled] = [{}, {}];
-  const readings = {};
-  for (const field of shownFields(model, state)) {
-    const reading = readField(field, state.texts[field.path]);
-    readings[field.path] = reading;
-    if (reading.value !== undefined) put(input, field.path, reading.value);
-    const value = reading.problem ? undefined : reading.value ?? field.default;
-    if (value !== undefined) put(filled, field.path, value);
-  }
-  for (const [path, { value, needs }] of model.linked) {
-    if (readings[path]?.problem !== "required") continue;
-    const linked = value(filled);
-    readings[path] = Number.isFinite(linked) ? outside(model.fields.get(path), linked) ?? { value: linked } : {};
-    if (readings[path].value !== undefined) {
-      put(input, path, linked);
-      put(filled, path, linked);
-    } else if (readings[needs]?.value === undefined) {
-      readings[needs] = readings[needs]?.problem ? readings[needs] : { problem: "required" };
-    }
-  }
-  const wrong = Object.keys(readings).filter((path) => readings[path].problem);
-  return { input, filled, readings, wrong };
-}
-
-/** A state in which the boxes that say what their link gives are empty: they follow the others. */
-export function withLinks(model, state) {
-  const { filled, readings } = readState(model, state);
-  const texts = { ...state.texts };
-  for (const [path, { value }] of model.linked) {
-    const linked = value(filled);
-    if (texts[path] !== "" && Math.abs(readings[path]?.value - linked) <= 1e-12 * Math.abs(linked)) texts[path] = "";
-  }
-  return { ...state, texts };
-}
-
-/** The boxes of a state that say something, by groups: `[{ id, entries: [{ field, value }] }]`. */
-export function listedInputs(model, state) {
-  const shown = new Set(shownFields(model, state));
-  const { filled } = readState(model, state);
-  return model.groups.map(({ id, items }) => ({
-    id,
-    entries: items.flatMap(fieldsOf)
-      .filter((field) => shown.has(field))
-      .map((field) => ({ field, value: valueAt(filled, field.path) }))
-      .filter(({ value }) => value !== undefined),
-  })).filter(({ entries }) => entries.length > 0);
-}
-
-/** Names and indices of a JSON pointer. */
-export function keysOf(pointer) {
-  return pointer.replace(/^#?\//, "").split("/").map((key) => key.replace(/~1/g, "/").replace(/~0/g, "~"));
-}
-
-/** The shown field that a JSON pointer means: itself, or the one that it lies in. */
-export function fieldAtPointer(shown, pointer) {
-  const path = keysOf(pointer).join(".");
-  return shown.find((field) => field.path === path)
-    ?? shown.find((field) => path.startsWith(`${field.path}.`))
-    ?? null;
-}
-
-/** The text that an arrow key gives, its value kept inside the field's limits; null if unreadable. */
-export function stepped(field, text, direction, factor = 1) {
-  if (field.kind !== "number" && field.kind !== "integer") return null;
-  const { value = field.default } = readField({ ...field, lowest: undefined, highest: undefined }, text);
-  if (value === undefined) return null;
-  const from = shownValue(value, field.unit);
-  const step = field.step ? shownStep(field.step, field.unit) : decade(from);
-  const next = Number((from + direction * step * factor).toPrecision(12));
-  return outside(field, canonicalValue(next, field.unit)) ? null : typedText(String(next));
-}
-
-function decade(value) {
-  return value === 0 ? 0.1 : 10 ** (Math.floor(Math.log10(Math.abs(value))) - 1);
+/** The options that show a field, `{ choice: option }`. */
+export function optionsOf({ choices }, path) {
+  const option = ({ options }) => options.find(({ fields }) => fields.some((field) => field.path === path))?.id;
+  return Object.fromEntries(choices.map((choice) => [choice.id, option(choice)]).filter(([, id]) => id));
 }

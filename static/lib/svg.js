@@ -5,8 +5,9 @@
  * pixels of a millimetre; y points up in mm and down on the paper. `field` names the fields of the
  * form whose size a part shows.
  */
-import { formatQuantity } from "./format.js";
+import { formatQuantity, tidy } from "./format.js";
 import { html } from "./html.js";
+import { shownValue } from "./units.js";
 
 const HEAD = 8; // length of an arrowhead, px
 const HALF = 2.6; // half its width
@@ -81,9 +82,9 @@ const SHORT = 3.2 * HEAD; // below this length the heads stand outside
 
 /**
  * A dimension between two places, moved aside by `offset` px (to the left of the way from the first
- * to the second), with its label in the middle or beside a short one.
+ * to the second), with its label in the middle or beside a short one, `rise` px higher.
  */
-export function dimension(from, to, symbol, { value = "", field = "", offset = 0, beside = 10 } = {}) {
+export function dimension(from, to, symbol, { value = "", field = "", offset = 0, beside = 10, rise = 0 } = {}) {
   const [across, down, length] = unit(from, to);
   const aside = ([x, y], by) => [x + down * by, y - across * by];
   const [start, end] = [aside(from, offset), aside(to, offset)];
@@ -101,7 +102,7 @@ export function dimension(from, to, symbol, { value = "", field = "", offset = 0
   return html`<g class="dimension" data-field="${field}">
     ${offset !== 0 && [line(from, aside(from, offset + over), "extension"), line(to, aside(to, offset + over), "extension")]}
     ${line(tails[0], tails[1], "extent")}<path class="head" d="${heads[0]}"/><path class="head" d="${heads[1]}"/>
-    ${label([middle[0], middle[1] + 4], symbol, { value, field, anchor: upright ? (beside * down > 0 ? "start" : "end") : "middle" })}</g>`;
+    ${label([middle[0], middle[1] + 4 - rise], symbol, { value, field, anchor: upright ? (beside * down > 0 ? "start" : "end") : "middle" })}</g>`;
 }
 
 /** A radius from the centre outwards, in degrees from upright, clockwise; its label outside, not left of `least`. */
@@ -127,11 +128,12 @@ export function mm(value) {
   return formatQuantity(value, "mm", 4);
 }
 
-/** The largest of 1, 2 and 5 by tens that is not above a value: a round number for a scale. */
-export function roundBelow(value) {
-  const decade = 10 ** Math.floor(Math.log10(value));
-  const lead = (value / decade) * (1 + 1e-9);
-  return Number(((lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade).toPrecision(1));
+/** The largest value not above this one that is 1, 2 or 5 by tens in the unit shown: a round one for a scale. */
+export function roundBelow(value, unit) {
+  const one = shownValue(1, unit);
+  const decade = 10 ** Math.floor(Math.log10(value * one));
+  const lead = ((value * one) / decade) * (1 + 1e-9);
+  return tidy(((lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade) / one);
 }
 
 /** A bar that says how long something is on the paper. */

@@ -1,13 +1,14 @@
 /**
  * The whole input in the address: a link is a design. No DOM.
  *
- * `?calculator=<id>&v=1&<dotted API field name>=<value>`: the names and the canonical units of the
+ * `?calculator=<id>&v=2&<dotted API field name>=<value>&verdict=<word>`: the names and the canonical units of the
  * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
  * kept as typed, so that a reload loses nothing.
  */
-import { readField, shownFields, textIn, textInLink, textOfLink } from "./schema_form.js";
+import { readField, shownFields, textIn, textInLink, textOfLink } from "./form_state.js";
 
-const VERSION = "1";
+const VERSION = "2"; // since 2, a link says its verdict
+const VERSIONS = ["1", VERSION];
 
 function canonical(field, text) {
   const { value } = readField(field, text);
@@ -32,17 +33,19 @@ export function encodeState(model, state) {
   return parameters;
 }
 
-/** What a link may hold besides the fields: which calculator, its version, how it is shown, what the design is called. */
+/** What a link may hold besides the fields: which calculator, its version and verdict, how it is shown, what the design is called. */
 export const LABELS = ["title", "author", "revision", "note"];
-const KNOWN = ["calculator", "v", "units", "lang", ...LABELS];
+const KNOWN = ["calculator", "v", "verdict", "units", "lang", ...LABELS];
 
 /**
- * The state that the parameters describe, null where they describe none. A link without a version is
- * of the current one; `unknown` lists what this version does not know, or what contradicts the rest.
+ * `{ state, claim }`: the state that the parameters describe, null where they describe none, and what they say besides: `unknown` lists
+ * what this version does not know or what contradicts the rest, `older` says that the link was made before
+ * links said their `verdict`. A link without a version is of the current one.
  */
-export function decodeState(model, parameters) {
+export function decodeState(model, parameters, calculator = parameters.get("calculator")) {
   const names = [...new Set(parameters.keys())];
-  if (names.every((name) => ["calculator", "units", "lang"].includes(name))) return null;
+  const another = (parameters.get("calculator") ?? calculator) !== calculator;
+  const described = names.some((name) => name === "v" || LABELS.includes(name) || model.fields.has(name));
   const texts = {};
   for (const field of model.fields.values()) {
     const given = parameters.get(field.path);
@@ -57,10 +60,13 @@ export function decodeState(model, parameters) {
   const shown = new Set(shownFields(model, { chosen }).map(({ path }) => path));
   const version = parameters.get("v") ?? VERSION;
   const unknown = [
-    ...(version === VERSION ? [] : [`v=${version}`]),
+    ...(another ? [`calculator=${parameters.get("calculator")}`] : []),
+    ...(VERSIONS.includes(version) ? [] : [`v=${version}`]),
     ...names.filter((name) => !KNOWN.includes(name) && !shown.has(name)),
   ];
-  return { texts, chosen, unknown };
+  if (!described) return { state: null, claim: { unknown } };
+  const claim = { unknown, older: version === "1", verdict: parameters.get("verdict") ?? undefined };
+  return { state: { texts, chosen }, claim };
 }
 
 /** The query of a calculator's state, as it stands behind the `?`. */
@@ -69,4 +75,9 @@ export function query(calculator, model, state) {
   for (const [key, value] of encodeState(model, state)) all.append(key, value);
   for (const label of LABELS) if (state.texts[label]) all.append(label, state.texts[label]);
   return all.toString();
+}
+
+/** A query that says the verdict, where there is one: who opens it later learns whether it has moved. */
+export function withVerdict(address, verdict) {
+  return verdict ? `${address}&verdict=${verdict}` : address;
 }

@@ -725,6 +725,7 @@ export default {
     "iso_76": "ISO 76:2006, 3.3, roller bearings: permanent set of 1e-4*D"
   },
   "examples": {
+    "opening": "To begin with: 3 pins, 2 satellites, case-hardened",
     "yanchevskiy-2021-fig-6a": "3 pins, 2 satellites at 180°: always 3 pairs (2021, fig. 6 a)",
     "yanchevskiy-2021-fig-6b": "3 pins, 2 satellites at 120°: 2 or 4 pairs (2021, fig. 6 b)",
     "yanchevskiy-2021-fig-6c": "3 pins, 2 satellites at 90°: 2, 3 or 4 pairs (2021, fig. 6 c)",

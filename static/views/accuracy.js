@@ -13,6 +13,9 @@ function sectionMarkup([id, { accuracy: { method, method_code: code, relative_er
   })}</li>`;
 }
 
+/** What the model of a calculation leaves out, in words. */
+export const neglectedIn = (about) => (about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail);
+
 /** `about` is what the service says of the calculation: `{ model, sources }`; `figures` those of error against run time. */
 export function createAccuracy({ calculator, about, figures }) {
   const list = (items) => html`<ul>${items.map((item) => html`<li>${item}</li>`)}</ul>`;
@@ -20,7 +23,7 @@ export function createAccuracy({ calculator, about, figures }) {
     <details class="card fold accuracy-fold"><summary><h2>${message("accuracy.title")}</h2></summary>
       <div class="notes">
         <section><h3>${message("accuracy.model")}</h3><p>${message("accuracy.modelWhy")}</p>
-          ${list((about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail))}</section>
+          ${list(neglectedIn(about))}</section>
         <section><h3>${message("accuracy.numbers")}</h3><ul class="numbers-of"></ul></section>
         <section><h3>${message("accuracy.sources")}</h3>${list((about?.sources ?? []).map((source) => html`<cite lang="en">${source}</cite>`))}</section>
         <section><h3>${message("notes.title")}</h3>${list(calculator.notes.flatMap((id) => message(`notes.${id}`)))}</section>

@@ -1,6 +1,5 @@
 /** All checks, the one that governs first: how much of its limit each uses, from where the limit is, what mends it. */
-import { checkRow, fixRow, judgedOf } from "../lib/checks.js";
-import { percent } from "../lib/checks.js";
+import { checkRow, fixRow, judgedOf, percent } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
@@ -40,8 +39,11 @@ function fixMarkup({ applies, text, standard, then, level, effects }, i) {
     ${effects.map((effect) => html`<span class="note">${sign(effect.level)}${effect.text}</span>`)}</li>`;
 }
 
-/** `titleAt(path)` names a field; `on.fixed(sets)` applies `{pointer: value}`, `on.asked(path)` leads to a field. */
-export function createChecks({ calculator, titles, titleAt, on }) {
+/**
+ * `titleAt(path)` names a field, `askedAt(path)` gives the one in which something missing is entered;
+ * `on.fixed(sets)` applies `{pointer: value}`, `on.asked(path)` leads to a field.
+ */
+export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
       <ul class="rows"></ul><div class="fixes"></div>
@@ -64,7 +66,8 @@ export function createChecks({ calculator, titles, titleAt, on }) {
       const judged = judgedOf(calculator, shown?.answer);
       root.style.visibility = shown && !judged?.checks ? "hidden" : "";
       if (!judged?.checks) return;
-      const rows = judged.checks.map((check) => checkRow(check, titles));
+      const rows = judged.checks.map((check) => checkRow(check, titles))
+        .map((row) => ({ ...row, missing: row.missing.map(askedAt) }));
       // What is asked for stands in sight wherever it comes.
       const inSight = rows.filter(({ judged: known, status }, i) => (known && i < AT_ONCE) || status === "not_checked");
       fill(first, html`${inSight.map((row) => rowMarkup(row, titleAt))}`);

@@ -3,7 +3,7 @@ import { ASIDE, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/c
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
-import { readState, shownFields, stateFromInput, textIn } from "../lib/schema_form.js";
+import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { following } from "../store.js";
 import { download } from "./files.js";
@@ -32,7 +32,6 @@ function inputRows(model, designs) {
 }
 
 function change(value, base) {
-  if (value === base) return "";
   const percent = (100 * (value - base)) / Math.abs(base);
   return Number.isFinite(percent) ? `${percent > 0 ? "+" : ""}${formatNumber(percent, 3)} %` : "≠";
 }
@@ -56,14 +55,24 @@ function numbersOf(section, elsewhere) {
 function numberRow(title, unit, values, base, better) {
   const known = values.filter((value) => value !== undefined);
   const best = better && known.length > 1 ? (better > 0 ? Math.max(...known) : Math.min(...known)) : undefined;
-  const differs = new Set(values).size > 1;
+  const texts = values.map((value) => (value === undefined ? undefined : quantityParts(value, unit, DIGITS).value));
+  const differs = new Set(texts).size > 1;
   return {
     title, unit: shownUnit(unit), differs,
     cells: values.map((value, i) => (value === undefined ? { text: "–" } : {
-      text: quantityParts(value, unit, DIGITS).value,
-      best: differs && value === best,
-      ...(i !== base && values[base] !== undefined && { change: change(value, values[base]), differs: value !== values[base] }),
+      text: texts[i],
+      best: differs && best !== undefined && texts[i] === texts[values.indexOf(best)],
+      ...(texts[base] !== undefined && texts[i] !== texts[base] && { change: change(value, values[base]), differs: true }),
     })),
+  };
+}
+
+/** The verdict, and the one at which the design was kept where that was another. */
+function verdictCell(word, was) {
+  const moved = message("verdictWord")[was] && was !== word;
+  return {
+    level: levelOfWord(word), text: message(`verdictWord.${word}`),
+    ...(moved && { change: message("compare.was", { verdict: message(`verdictWord.${was}`) }) }),
   };
 }
 
@@ -74,7 +83,7 @@ function decisiveRows(calculator, designs, base) {
   const text = (of) => all.map((judged) => (judged ? of(judged) : { text: "–" }));
   const governing = (judged) => judged.checks?.find(({ code }) => code === judged.governing);
   return [
-    { title: message("verdict.label"), cells: text((judged) => ({ level: levelOfWord(wordOf(judged)), text: message(`verdictWord.${wordOf(judged)}`) })) },
+    { title: message("verdict.label"), cells: all.map((judged, i) => (judged ? verdictCell(wordOf(judged), designs[i].verdict) : { text: "–" })) },
     {
       title: message("checks.governing"),
       cells: text((judged) => {

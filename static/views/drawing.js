@@ -13,9 +13,9 @@ const STEPS = 720; // of the slider
 const PAPER = matchMedia("print"); // there the drawing of the screen is scaled
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
-/** `on.turned(angle)` and `on.selected(pair)`: a name, or null for all. */
+/** `on.turned(angle)`, `on.returned()` to where it starts, and `on.selected(pair)`: a name, or null for all. */
 export function createDrawingView({ calculator, on }) {
-  const { create, moving } = calculator.drawing;
+  const { create, moving, start: startOf } = calculator.drawing;
   const title = message(`drawing.${calculator.id}`);
   const root = element(html`
     <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
@@ -26,8 +26,8 @@ export function createDrawingView({ calculator, on }) {
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
         <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">
         <output></output>
-        <label for="pair">${message("drawing.select")}</label>
-        <select id="pair" class="box"></select>
+        ${startOf && html`<button type="button" class="toggle to-peak">${message("drawing.peak")}</button>`}
+        <label>${message("drawing.select")} <select id="pair" class="box"></select></label>
       </div>`}
       <div class="drawing" role="img" aria-label="${message(`drawing.${calculator.id}Label`)}"></div>
       <p class="scale"></p>
@@ -131,6 +131,10 @@ export function createDrawingView({ calculator, on }) {
       on.turned(Number(slider.value));
     });
     play?.addEventListener("click", () => (playing ? stop() : start()));
+    root.querySelector(".to-peak")?.addEventListener("click", () => {
+      stop();
+      on.returned();
+    });
     choice.addEventListener("change", () => on.selected(choice.value || null));
     place.addEventListener("click", ({ target }) => {
       const name = target.closest("[data-pair]")?.dataset.pair;

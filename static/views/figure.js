@@ -1,6 +1,6 @@
 /** A figure made by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../lib/api.js";
-import { coinciding, curveTables, enveloped, inLanguage, overlaid } from "../lib/chart.js";
+import { coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
 import { csvOfTables } from "../lib/exports.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -91,14 +91,17 @@ export function createFigure({ figure: about, client, titles, on }) {
     else if (figure.sets && latest) on.set(figure.sets(point, latest.filled));
   }
 
-  const shaped = (one) => (figure.enveloped ? enveloped(one, message("figure.largest")) : one);
+  const shaped = (one, theme) => {
+    if (figure.enveloped) return enveloped(one, message("figure.largest"));
+    return figure.sequenced ? sequenced(one, theme) : one;
+  };
 
   /** The figure with those of the designs it is compared with, where it has curves to compare. */
   async function ask(signal) {
     const { theme, others } = latest;
     const [own, ...charts] = await Promise.all([latest, ...(figure.compared ? others : [])].map((design) =>
       post(design, theme, signal)));
-    return { own, all: overlaid(shaped(own), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one) })), theme) };
+    return { own, all: overlaid(shaped(own, theme), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one, theme) })), theme) };
   }
 
   async function draw() {
@@ -166,7 +169,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   const picture = async (format, width) =>
-    pictureOf(shaped(await post(latest, "light")), { title, format, width, height: heightOf(latest.filled) });
+    pictureOf(shaped(await post(latest, "light"), "light"), { title, format, width, height: heightOf(latest.filled) });
 
   async function fileOf(kind) {
     if (kind !== "csv") return [await picture(kind)];
@@ -206,7 +209,7 @@ export function createFigure({ figure: about, client, titles, on }) {
       if (!refusal || shown?.answer[figure.section]) return;
       newest.cancel();
       take(null);
-      complain(message("figure.failed", { detail: refusal.text }));
+      complain(message("figure.none"));
     }),
     following(({ turn }) => [turn], ({ turn }) => plot.follow(turn)),
   ];

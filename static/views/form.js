@@ -3,7 +3,7 @@ import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { judgedOf, pathOf } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
-import { textIn } from "../lib/schema_form.js";
+import { textIn } from "../lib/form_state.js";
 import { following, readingText, unread } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
@@ -201,7 +201,11 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   });
   return {
     root,
-    focus: (path) => fields.get(path).focus(),
+    focus(path) {
+      const view = fields.get(path);
+      view.root.closest("details")?.setAttribute("open", "");
+      view.focus();
+    },
     update(state) {
       boxes(state);
       sizes(state);

@@ -1,24 +1,35 @@
-/** The list of keys, behind a button and the `?` key. */
-import { element, html } from "../lib/html.js";
+/** Help behind a button and the `?` key: the keys, what every symbol of the open calculator means, what its model leaves out. */
+import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { createDialog } from "./parts.js";
+import { createDialog, symbolMarkup } from "./parts.js";
 
-export function createKeys() {
-  const rows = ["apply", "step", "undo", "tabs", "help"].map((key) => message(`keys.${key}`));
+/** `about()` gives of the open calculator `{ symbols: [[symbol, title, help]], neglected: [text] }`, or null. */
+export function createKeys({ about }) {
+  const rows = ["apply", "step", "undo", "keep", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
   const button = element(html`
     <button type="button" class="tool" aria-haspopup="dialog" aria-keyshortcuts="?"
       aria-label="${message("page.keys")}" title="${message("page.keys")}">?</button>`);
   const dialog = createDialog({
     id: "keys",
     title: message("keys.title"),
-    content: html`<dl>${rows.map(([key, does]) => html`<div><dt><kbd>${key}</kbd></dt><dd>${does}</dd></div>`)}</dl>`,
+    content: html`<dl>${rows.map(([key, does]) => html`<div><dt><kbd>${key}</kbd></dt><dd>${does}</dd></div>`)}</dl><div class="about"></div>`,
   });
-  button.addEventListener("click", () => dialog.showModal());
+  const host = dialog.querySelector(".about");
+
+  function show() {
+    const { symbols, neglected } = about() ?? { symbols: [], neglected: [] };
+    fill(host, symbols.length > 0 ? html`<h3>${message("keys.symbols")}</h3>
+      <dl>${symbols.map(([symbol, title, help]) => html`<div><dt>${symbolMarkup(symbol)}</dt><dd>${title}${help && html`<br><span class="note">${help}</span>`}</dd></div>`)}</dl>
+      <h3>${message("accuracy.model")}</h3><ul>${neglected.map((text) => html`<li>${text}</li>`)}</ul>` : html``);
+    dialog.showModal();
+  }
+
+  button.addEventListener("click", show);
   document.addEventListener("keydown", (event) => {
     // No box of the form can hold a question mark, so the key is free everywhere but in free texts.
     if (event.key !== "?" || event.ctrlKey || event.metaKey || event.target.closest?.(".free-text, dialog")) return;
     event.preventDefault();
-    dialog.showModal();
+    show();
   });
   return { button };
 }

@@ -45,7 +45,7 @@ export function tableMarkup({ title, columns, rows }) {
 export function createDialog({ id, title, content }) {
   const dialog = element(html`
     <dialog class="sheet card" id="${id}" aria-labelledby="${id}-title">
-      <h2 id="${id}-title">${title}</h2>
+      <h2 id="${id}-title" tabindex="-1" autofocus>${title}</h2>
       ${content}
       <form method="dialog"><button>${message("keys.close")}</button></form>
     </dialog>`);

@@ -1,7 +1,7 @@
 /** The report on paper, as the page stands open, and as one HTML file with everything; inputs as a table. */
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { listedInputs } from "../lib/schema_form.js";
+import { listedInputs } from "../lib/form_state.js";
 import { LABELS } from "../lib/url_state.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";

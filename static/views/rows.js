@@ -1,7 +1,7 @@
 /** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { cellsOf, stepped, textOfCells } from "../lib/schema_form.js";
+import { cellsOf, stepped, textOfCells } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
 

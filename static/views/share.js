@@ -5,10 +5,10 @@ import { message } from "../messages/index.js";
 import { createDialog } from "./parts.js";
 import { download } from "./files.js";
 
-function resultsCsv(answer) {
+function resultsCsv({ filled, answer }) {
   return csvOf({
     columns: ["section", "name", "value", "unit"].map((title) => ({ title })),
-    rows: flatValues(answer).map(({ section, name, value, unit }) => [section, name, value, unit]),
+    rows: flatValues(filled, answer).map(({ section, name, value, unit }) => [section, name, value, unit]),
   });
 }
 
@@ -23,7 +23,7 @@ function snippet(kind, label, text) {
 
 /**
  * `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
- * body, answer }], answer }`, or null where there are none.
+ * body, answer }], filled, answer }`, or null where there are none.
  */
 export function createShare({ exchange, say }) {
   const title = message("share.title");
@@ -64,9 +64,9 @@ export function createShare({ exchange, say }) {
       }
     }
     const file = target.closest("[data-file]")?.dataset.file;
-    const { calculator, requests, answer } = shown ?? {};
+    const { calculator, requests } = shown ?? {};
     if (file === "json") download(`${calculator}.json`, `${JSON.stringify({ requests }, null, 2)}\n`, "application/json");
-    if (file === "csv") download(`${calculator}.csv`, resultsCsv(answer), "text/csv");
+    if (file === "csv") download(`${calculator}.csv`, resultsCsv(shown), "text/csv");
   });
   button.addEventListener("click", show);
   return { button };

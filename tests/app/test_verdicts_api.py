@@ -309,6 +309,7 @@ async def test_a_limit_is_a_border(api, code, step, status):
 
 
 EXAMPLE_VERDICTS = {
+    "opening": "pass",  # 548.6 of 1250 MPa: what a newcomer sees first
     # the papers' sizes: 280 N*m on 28 mm; limit of the hole 484.9 MPa, peak pressures by hand:
     # 548.6*sqrt(peak ratio/(2/3)) MPa
     "yanchevskiy-2021-fig-6a": "fail",
@@ -330,7 +331,7 @@ EXAMPLE_VERDICTS = {
 }
 
 
-async def test_the_papers_examples(api):
+async def test_the_examples(api):
     found = {}
     for example in EXAMPLES:
         answer, _ = await asked(api, example["calculation"], example["input"])

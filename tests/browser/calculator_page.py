@@ -11,7 +11,7 @@ CALCULATORS = {"crank-planetary", "rollers", "precession"}
 
 def show(page: Page, service: str, calculator: str, **fields: str) -> None:
     """Open a calculator (with these inputs) and wait until it has computed."""
-    version = {"v": "1"} if fields else {}
+    version = {"v": "2"} if fields else {}
     page.goto(f"{service}/?{httpx.QueryParams({'calculator': calculator} | version | fields)}")
     settled(page)
 

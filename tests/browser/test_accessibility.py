@@ -13,6 +13,15 @@ CALCULATORS = {
     "rollers": "output_torque_Nm",
     "precession": "torque_Nm",
 }
+IMPOSSIBLE = {
+    "mechanism.pins": "50",
+    "mechanism.ratio": "29",
+    "load.output_torque_Nm": "350",
+    "load.pin_circle_radius_mm": "40",
+    "contact.contact_length_mm": "10",
+    "contact.pin_radius_mm": "6",
+    "contact.eccentricity_mm": "2",
+}
 OPTIONS = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]}
 
 
@@ -20,6 +29,7 @@ OPTIONS = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "
 def open_page(browser: Browser) -> Iterator[Page]:
     """A page into which axe may be put: without the policy that forbids foreign scripts."""
     context = browser.new_context(bypass_csp=True, reduced_motion="reduce")
+    expect.set_options(timeout=30_000)  # axe keeps a busy machine busy
     yield context.new_page()
     context.close()
 
@@ -47,10 +57,56 @@ def test_axe_finds_nothing(open_page: Page, service: str, calculator: str, schem
     settled(page, "wrong")
     page.locator(".show-table").first.click()
     assert violations(page) == []
-    for name in ("Settings", "Take along", "Keys"):
+    for name in ("Settings", "Take along", "Help"):
         page.get_by_role("button", name=name).click()
         assert violations(page) == [], name
         page.keyboard.press("Escape")
+
+
+OPEN_ALL = "() => document.querySelectorAll('details').forEach((one) => (one.open = true))"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_in_any_other_state(open_page: Page, service: str, scheme: str) -> None:
+    page = open_page
+    page.emulate_media(color_scheme=scheme)
+    show(page, service, "crank-planetary")
+    page.evaluate(OPEN_ALL)
+    assert violations(page) == [], "all opened"
+    page.get_by_role("button", name="Size Pin radius for").click()
+    expect(page.locator('[data-part="apply"]')).to_be_enabled()
+    assert violations(page) == [], "sizing"
+    page.keyboard.press("Escape")
+    box(page, "contact.hole_material").select_option("plastic_pom")
+    settled(page)
+    assert violations(page) == [], "a limit is not known"
+    page.get_by_role("button", name="New", exact=True).click()
+    settled(page, "incomplete")
+    assert violations(page) == [], "incomplete"
+    page.goto(f"{service}/?v=1&foo=1&mechanism.pins=50&mechanism.ratio=20")
+    settled(page, "incomplete")
+    expect(page.locator(".notice")).to_be_visible()
+    assert violations(page) == [], "notice"
+    show(page, service, "crank-planetary", **IMPOSSIBLE)
+    expect(page.locator(".word")).to_contain_text("Not possible")
+    assert violations(page) == [], "not possible"
+    page.context.set_offline(True)
+    box(page, CALCULATORS["crank-planetary"]).fill("281")
+    settled(page, "offline")
+    assert violations(page) == [], "no service"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_axe_finds_nothing_in_other_languages(
+    open_page: Page, service: str, language: str, scheme: str
+) -> None:
+    open_page.emulate_media(color_scheme=scheme)
+    for calculator in CALCULATORS:
+        open_page.goto(f"{service}/?calculator={calculator}&lang={language}")
+        settled(open_page)
+        open_page.evaluate(OPEN_ALL)
+        assert violations(open_page) == [], calculator
 
 
 @pytest.mark.parametrize("calculator", CALCULATORS)

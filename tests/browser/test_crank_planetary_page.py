@@ -34,7 +34,7 @@ TYPE = """([path, texts]) => {
 
 
 def query(fields: dict[str, str]) -> str:
-    return str(httpx.QueryParams({"calculator": "crank-planetary", "v": "1"} | fields))
+    return str(httpx.QueryParams({"calculator": "crank-planetary", "v": "2"} | fields))
 
 
 def show(
@@ -293,6 +293,47 @@ def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None
     settled(page)
     expect(page.locator(".notice")).to_contain_text("v=9, foo")
     expect(box(page, "load.output_torque_Nm")).to_have_value("50")
+
+
+def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
+    show(page, service)
+    address = page.url
+    assert address.endswith("&verdict=pass")
+    notice = page.locator(".notice")
+    expect(notice).to_be_hidden()
+    page.goto(address.replace("verdict=pass", "verdict=fail"))
+    expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Works”")
+    page.get_by_role("button", name="Keep this design").click()
+    page.evaluate(
+        "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
+        " kept[0].verdict = 'fail';"
+        " localStorage['khv-calc.designs'] = JSON.stringify(kept); }"
+    )
+    page.goto(address)
+    verdict = page.locator(".compare-table").get_by_role("row", name="Verdict")
+    expect(verdict).to_contain_text("when kept: Does not work")
+    expect(notice).to_be_hidden()
+    page.get_by_role("button", name="Open design A").click()
+    expect(notice).to_contain_text("it is now “Works”")
+    page.goto(address.replace("&verdict=pass", "").replace("v=2", "v=1") + "&lang=uk")
+    expect(notice).to_contain_text("Посилання створено попередньою версією")
+    notice.get_by_role("button").click()
+    expect(notice).to_be_hidden()
+
+
+def test_what_a_check_misses_is_a_click_away(page: Page, service: str) -> None:
+    show(page, service)
+    box(page, "contact.hole_material").select_option("plastic_pom")
+    page.get_by_role("button", name="Allowable pressure").click()
+    limit = box(page, "contact.hole_material.allowable_pressure_MPa")
+    expect(limit).to_be_focused()
+    expect(box(page, "contact.hole_material.youngs_modulus_GPa")).not_to_have_value("")
+    limit.fill("80")
+    settled(page)
+    expect(page.locator(".word")).not_to_contain_text("Not known")
+    page.locator(".checks .more > summary").click()
+    page.locator('[data-ask="mechanism.satellite_teeth"]').click()
+    expect(box(page, "mechanism.satellite_teeth")).to_be_focused()
 
 
 def test_two_tabs_share_what_is_kept(page: Page, service: str) -> None:

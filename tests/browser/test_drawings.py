@@ -244,7 +244,7 @@ def test_a_changed_size_is_drawn_and_the_angle_stays(page: Page, service: str) -
 def test_a_dead_centre_is_drawn_without_forces(page: Page, service: str) -> None:
     fields = FORCES | {"mechanism.pins": "2"}
     version = "&".join(f"{name}={value}" for name, value in fields.items())
-    page.goto(f"{service}/?calculator=crank-planetary&v=1&{version}")
+    page.goto(f"{service}/?calculator=crank-planetary&v=2&{version}")
     settled(page, "refused")
     expect(page.locator(".drawing .satellite .hole")).to_have_count(2)
     slider(page).evaluate(MOVE, 100)

@@ -134,7 +134,6 @@ def test_a_wheel_and_a_stepped_shaft_start_from_the_same_design(page: Page, serv
     expect(box(page, "wheel.z_min_mm")).to_have_value("-5")
     settled(page, "refused")
     expect(page.locator(".say")).to_contain_text("phi = 0")
-    expect(page.locator('[data-figure="lineLoad"] .figure-message')).to_contain_text("phi = 0")
 
 
 def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:

@@ -35,11 +35,11 @@ test("the approximation is asked for only in its range", async () => {
 
 test("the cells say the numbers, and what has not been computed", () => {
   const hertz = { governing_pressure_MPa: 548.6, safety_factor: 1.4, accuracy: ACCURACY };
-  const [peak, pairs, pressure] = calculator.verdict({ hertz, cyclogram: CYCLOGRAM });
+  const [peak, pairs, pressure] = calculator.verdict({ hertz, cyclogram: CYCLOGRAM }, { input: { requirements: { pitting_safety: 1.2 } } });
   assert.equal(peak.value, undefined);
   assert.equal(pairs.value, "2–4");
   assert.match(pairs.note, /of 6 pairs, mean 3/);
-  assert.deepEqual([pressure.value, pressure.note, pressure.level], ["548.6", "safety 1.4", undefined]);
+  assert.deepEqual([pressure.value, pressure.note, pressure.level], ["548.6", "safety 1.4; 1.2 asked", undefined]);
   assert.ok(calculator.verdict({}).every(({ label, value, note }) => label && value === undefined && note === undefined));
 });
 
@@ -62,7 +62,7 @@ test("a notice that stands at the answer and at its section is one, and the file
   const twice = { code: "clearance", detail: "The hole" };
   const answer = { geometry: { warnings: [twice] }, warnings: [twice, { code: "pins_overlap", detail: "Pins" }] };
   assert.deepEqual(warningsOf(answer).map(({ code }) => code), ["clearance", "pins_overlap"]);
-  assert.deepEqual(flatValues(answer).map(({ section, name, value }) => [section, name, value]), [
+  assert.deepEqual(flatValues({}, answer).map(({ section, name, value }) => [section, name, value]), [
     ["warnings", "clearance", "The hole"], ["warnings", "pins_overlap", "Pins"],
   ]);
 });

@@ -49,7 +49,7 @@ for (const id of CALCULATORS) {
   test(`and those of the calculator that is opened: ${id}`, () => {
     const common = graph("/static/main.js");
     const own = [...graph(`/static/calculators/${id}/index.js`)].filter((path) => !common.has(path));
-    assert.deepEqual(preloadedAt(`?calculator=${id}&v=1`).sort(), own.sort());
+    assert.deepEqual(preloadedAt(`?calculator=${id}&v=2`).sort(), own.sort());
   });
 }
 

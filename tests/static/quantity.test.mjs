@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { parseSum } from "../../static/lib/format.js";
-import { formModel, readField, readState, stateFromInput, withLinks } from "../../static/lib/schema_form.js";
+import { readField, readState, stateFromInput, withLinks } from "../../static/lib/form_state.js";
+import { formModel } from "../../static/lib/schema_form.js";
 import { DIAMETER, setUnits } from "../../static/lib/units.js";
 import { INPUT, OPENAPI } from "./model.mjs";
 

@@ -1,9 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import {
-  fieldAtPointer, readField, readState, shownFields, stateFromInput, stepped,
-} from "../../static/lib/schema_form.js";
+import { fieldAtPointer, readField, readState, shownFields, stateFromInput, stepped } from "../../static/lib/form_state.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 const field = (path) => MODEL.fields.get(path);

@@ -37,14 +37,17 @@ httpx = types.SimpleNamespace(post=post)
 });
 
 test("every value of an answer gets a row, curves and accuracy none", () => {
-  const rows = flatValues({
+  const rows = flatValues({ mechanism: { pins: 3 }, load: { output_torque_Nm: 280 } }, {
+    verdict: "pass",
+    checks: [{ code: "wall", status: "pass", value: 4, limit: 3, unit: "mm", source: "geometry" }],
     force: { peak_force_N: 5, peak_pair: { satellite: 1, pin: 2 }, force_N: [1, 2], accuracy: { relative_error: 0 }, curves: {} },
     hertz: undefined,
     lines: { lines: [{ length_mm: 3 }] },
   });
   assert.deepEqual(rows.map(({ name, value, unit }) => [name, value, unit]), [
-    ["peak_force_N", 5, "N"], ["peak_pair.satellite", 1, ""], ["peak_pair.pin", 2, ""],
+    ["mechanism.pins", 3, ""], ["load.output_torque_Nm", 280, "N·m"], ["peak_force_N", 5, "N"], ["peak_pair.satellite", 1, ""], ["peak_pair.pin", 2, ""],
     ["force_N[0]", 1, "N"], ["force_N[1]", 2, "N"], ["lines[0].length_mm", 3, "mm"],
+    ["wall.value", 4, "mm"], ["wall.limit", 3, "mm"], ["wall.status", "pass", ""], ["wall.source", "geometry", ""],
   ]);
 });
 

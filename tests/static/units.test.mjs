@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { formatQuantity, quantityParts } from "../../static/lib/format.js";
-import { readField, readState, stateFromInput, stepped, textIn } from "../../static/lib/schema_form.js";
+import { readField, readState, stateFromInput, stepped, textIn } from "../../static/lib/form_state.js";
 import { canonicalValue, setUnits, shownStep, shownUnit, shownValue, spell } from "../../static/lib/units.js";
 import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";
@@ -54,11 +54,11 @@ test("links are the same in all units, and open in any", () => {
   setUnits("us");
   const state = stateFromInput(MODEL, INPUT);
   assert.equal(query("job", MODEL, state), metric);
-  const back = decodeState(MODEL, new URLSearchParams(metric));
+  const { state: back } = decodeState(MODEL, new URLSearchParams(metric));
   assert.deepEqual(readState(MODEL, back).input, readState(MODEL, state).input);
-  const unreadable = new URLSearchParams({ v: "1", "contact.pin_radius_mm": "5 mm?" });
-  assert.equal(decodeState(MODEL, unreadable).texts["contact.pin_radius_mm"], "5 mm?");
-  assert.equal(encodeState(MODEL, decodeState(MODEL, unreadable)).get("contact.pin_radius_mm"), "5 mm?");
+  const unreadable = new URLSearchParams({ v: "2", "contact.pin_radius_mm": "5 mm?" });
+  assert.equal(decodeState(MODEL, unreadable).state.texts["contact.pin_radius_mm"], "5 mm?");
+  assert.equal(encodeState(MODEL, decodeState(MODEL, unreadable).state).get("contact.pin_radius_mm"), "5 mm?");
 });
 
 test("limits are checked in canonical units and said in those shown", () => {

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { readState, stateFromInput } from "../../static/lib/schema_form.js";
-import { decodeState, encodeState, query } from "../../static/lib/url_state.js";
+import { readState, stateFromInput } from "../../static/lib/form_state.js";
+import { decodeState, encodeState, query, withVerdict } from "../../static/lib/url_state.js";
 import { INPUT, MODEL } from "./model.mjs";
 
-const through = (state) => decodeState(MODEL, new URLSearchParams(query("job", MODEL, state)));
+const through = (state) => decodeState(MODEL, new URLSearchParams(query("job", MODEL, state))).state;
 const withTexts = (state, texts) => ({ ...state, texts: { ...state.texts, ...texts } });
 const withChosen = (state, chosen) => ({ ...state, chosen: { ...state.chosen, ...chosen } });
 
@@ -15,7 +15,7 @@ test("the address has API names and canonical numbers, and no defaults", () => {
   });
   assert.equal(
     query("job", MODEL, state),
-    "calculator=job&v=1&mechanism.pins=3&mechanism.ratio=20.5"
+    "calculator=job&v=2&mechanism.pins=3&mechanism.ratio=20.5"
     + "&contact.pin_radius_mm=5&contact.pin_material=steel",
   );
 });
@@ -51,21 +51,31 @@ test("a default that was cleared on purpose stays cleared or means the same", ()
 
 test("a link without a version is of this one; another version, unknown and contradicting names are said", () => {
   const read = (text) => decodeState(MODEL, new URLSearchParams(text));
-  assert.equal(read(""), null);
-  assert.equal(read("calculator=job&units=us&lang=uk"), null, "no design, the example will do");
-  assert.deepEqual([read("mechanism.pins=5").texts["mechanism.pins"], read("mechanism.pins=5").unknown], ["5", []]);
-  assert.deepEqual(read("calculator=job&v=2&mechanism.pins=5&foo=1").unknown, ["v=2", "foo"]);
-  assert.deepEqual(read("v=1&mechanism.ratio=20&mechanism.ring_teeth=42").unknown, ["mechanism.ring_teeth"]);
+  assert.equal(read("").state, null);
+  assert.equal(read("calculator=job&units=us&lang=uk").state, null, "no design, the example will do");
+  assert.deepEqual(read("calculator=job&utm=1"), { state: null, claim: { unknown: ["utm"] } });
+  assert.deepEqual([read("mechanism.pins=5").state.texts["mechanism.pins"], read("mechanism.pins=5").claim.unknown], ["5", []]);
+  assert.deepEqual(read("calculator=job&v=3&mechanism.pins=5&foo=1").claim.unknown, ["v=3", "foo"]);
+  assert.deepEqual(decodeState(MODEL, new URLSearchParams("calculator=other"), "job").claim.unknown, ["calculator=other"]);
+  assert.deepEqual(read("v=1&mechanism.ratio=20&mechanism.ring_teeth=42").claim.unknown, ["mechanism.ring_teeth"]);
 });
 
 test("title, author, revision and note travel in the link", () => {
   const state = withTexts(stateFromInput(MODEL, INPUT), { title: "Hoist & winch", note: "first" });
   assert.match(query("job", MODEL, state), /&title=Hoist\+%26\+winch&note=first$/);
-  assert.deepEqual([through(state).texts.title, through(state).texts.author, through(state).unknown], ["Hoist & winch", "", []]);
+  assert.deepEqual([through(state).texts.title, through(state).texts.author], ["Hoist & winch", ""]);
+});
+
+test("a link says its verdict; one from before links did is an older one", () => {
+  const claim = (text) => decodeState(MODEL, new URLSearchParams(text)).claim;
+  const link = withVerdict(query("job", MODEL, stateFromInput(MODEL, INPUT)), "pass");
+  assert.deepEqual(claim(link), { unknown: [], older: false, verdict: "pass" });
+  assert.deepEqual(claim("v=1&mechanism.pins=5"), { unknown: [], older: true, verdict: undefined });
+  assert.doesNotMatch(withVerdict("v=2", undefined), /verdict/);
 });
 
 test("names that the form does not know are passed over", () => {
-  const state = decodeState(MODEL, new URLSearchParams("v=1&mechanism.pins=3&__proto__=1&nonsense=2"));
+  const { state } = decodeState(MODEL, new URLSearchParams("v=2&mechanism.pins=3&__proto__=1&nonsense=2"));
   assert.equal(state.texts["mechanism.pins"], "3");
   assert.equal(state.texts.nonsense, undefined);
   assert.ok(!encodeState(MODEL, state).has("nonsense"));

@@ -10,7 +10,8 @@ const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
 const MARGIN = 26; // px
 
-const LABEL_PX = 96; // room for the dimensions about the pair
+const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
+const CHARACTER_PX = 6.7;
 const FIELD = {
   R: "load.pin_circle_radius_mm",
   pin: "contact.pin_radius_mm",
@@ -43,7 +44,7 @@ function mainStill(view, centre, half, m) {
       ${body && circle(centre, view.size(pitch.ring), "bore")}
       ${circle(centre, view.size(pitch.ring), "pitch", FIELD.ratio)}`}
     ${line([centre[0] - half + 4, centre[1]], [centre[0] + half - 4, centre[1]], "centre")}
-    ${line([centre[0], centre[1] - half + 4], [centre[0], centre[1] + half - 4], "centre")}
+    ${line([centre[0], centre[1] - half + 4], [centre[0], centre[1] + half - MARGIN + 3], "centre")}
     ${circle(centre, view.size(m.radius), "centre pin-circle", FIELD.R)}
     ${m.cranks.map((_, j) => html`<g class="satellite series-${(j % STYLES) + 1}" data-field="${FIELD.satellites}">
       ${shownPitch && circle(centre, view.size(pitch.satellite), "pitch", FIELD.ratio)}
@@ -62,7 +63,12 @@ function mainStill(view, centre, half, m) {
     <g class="angle phi" data-field="${FIELD.start}"><path class="arc"/><path class="head"/>${label([0, 0], m.start === 0 ? "φ" : "φ + φ₀")}</g>
     ${m.cranks.length > 1 && html`<g class="angle alpha" data-field="${FIELD.spacing}"><path class="arc"/><path class="head"/>${label([0, 0], "α")}</g>`}
     ${m.pairs.map((pair) => html`<g class="arrow force series-${((pair.satellite - 1) % STYLES) + 1}" data-pair="${pair.satellite}.${pair.pin}"><line class="shaft"/><path class="head"/></g>`)}
-    ${radius(centre, view.size(m.radius), m.pins > 1 ? -180 / m.pins : -60, "R", { value: mm(m.radius), field: FIELD.R, lead: 16, least: 84 })}`;
+    ${radius(centre, view.size(m.radius), betweenPins(m.pins), "R", { value: mm(m.radius), field: FIELD.R, lead: half - MARGIN + 12 - view.size(m.radius), least: 84 })}`;
+}
+
+/** Where a line passes between the pins to the free corner at the upper left, degrees from upright. */
+function betweenPins(pins) {
+  return pins < 5 ? -45 : (-180 / pins) * (2 * Math.max(0, Math.floor((pins / 4 - 1) / 2)) + 1);
 }
 
 function detailStill(m, spot) {
@@ -172,7 +178,7 @@ function placeDetail(parts, { m, directions, pins, driving, force }, i) {
     ${circle(hole, 2.5, "dot", FIELD.e)}
     ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
     ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { value: mm(m.pinRadius), field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
-    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { value: mm(m.holeRadius), field: FIELD.hole, lead: 14 })}`);
+    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { value: mm(m.holeRadius), field: FIELD.hole, lead: 10 })}`);
   one.title.textContent = message(driving[i] ? "drawing.drives" : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
   });
@@ -222,15 +228,21 @@ export function createDrawing({ input, answer, curves, width, height }) {
     ? Math.max(holes + m.eccentricity, pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
+  const room = LABEL_PX + CHARACTER_PX * Math.max(mm(m.holeRadius ?? 0).length, mm(m.pinRadius ?? 0).length);
   const close = m.eccentricity
-    ? createView({ ...detail, scale: Math.max(detail.half * 0.3, Math.min(detail.half * 0.62, detail.half - LABEL_PX)) / (m.holeRadius + m.eccentricity) })
+    ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
-  const { peak_force_N: peak, peak_pair: most } = answer.contact_force ?? {};
+  const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.contact_force ?? {};
   const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton
-  const round = peak && roundBelow(peak / 2);
-  const bar = roundBelow(m.radius);
+  const round = peak && roundBelow(peak / 2, "N");
+  const bar = roundBelow(m.radius, "mm");
   const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
   const usual = most ? names.indexOf(`${most.satellite}.${most.pin}`) : 0;
+  const forcesOf = (angle) => {
+    const all = forcesAt(m, curves, angle);
+    if (all && angle === at) all[usual] = peak; // which lies between two points of the curve
+    return all;
+  };
   const scales = [
     scaleBar([12, height - 14], view.size(bar), mm(bar)),
     peak && scaleBar([view.size(bar) + 110, height - 14], view.size(round * arrowScale), formatQuantity(round, "N", 3), "force"),
@@ -253,7 +265,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
             directions: crankDirections(m, angle),
             pins: pinCentres(m, angle),
             driving: drivingAt(m, angle),
-            force: forcesAt(m, curves, angle),
+            force: forcesOf(angle),
           };
           if (pair !== shown) {
             shown = pair;

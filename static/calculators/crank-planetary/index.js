@@ -71,11 +71,11 @@ function peakCell(section) {
   };
 }
 
-function pressureCell(section) {
+function pressureCell(section, { requirements }) {
   const { governing_pressure_MPa: pressure, safety_factor: safety } = section;
   return {
     ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
-    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3) }),
+    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
   };
 }
 
@@ -206,12 +206,11 @@ export default {
   /** What a field may be sized for besides the checks. */
   targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
 
-  verdict: (answer) => [
+  verdict: (answer, { input = {} } = {}) => [
     cell("peak", answer.contact_force, peakCell),
     cell("pairs", answer.cyclogram, pairsCell),
-    cell("pressure", answer.hertz, pressureCell),
+    cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],
-
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
   elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],

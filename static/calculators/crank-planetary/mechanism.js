@@ -36,6 +36,7 @@ export function mechanismOf({ mechanism, load = {}, contact = {} }, { cyclogram 
     ...(holeRadius > pinRadius && eccentricity > 0 && { pinRadius, holeRadius, eccentricity }),
     end: cyclogram.driving_count.at(-1).to_deg,
     period: cyclogram.period_deg,
+    dead: cyclogram.dead_centres_deg ?? [],
     pairs: cyclogram.pairs,
   };
 }
@@ -77,10 +78,11 @@ function withinPeriod({ end, period }, angle) {
   return end >= period ? modulo(angle, period) : angle;
 }
 
-/** Which pairs drive, in the order of the cyclogram's pairs. */
+/** Which pairs drive, in the order of the cyclogram's pairs; none at a dead centre. */
 export function drivingAt(mechanism, angle) {
   const at = withinPeriod(mechanism, angle);
-  return mechanism.pairs.map(({ driving_deg: phases }) => phases.some(([from, to]) => from <= at && at < to));
+  const dead = mechanism.dead.some((one) => Math.abs(one - angle) < 1e-9);
+  return mechanism.pairs.map(({ driving_deg: phases }) => !dead && phases.some(([from, to]) => from <= at && at < to));
 }
 
 /** Value of a curve `{ x, y }` with ascending x at a place; the later of two values at one place. */

@@ -6,6 +6,8 @@ import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, 
 
 const MOST_ROLLERS = 200;
 const LONGEST_ARROW = 62; // px
+const SCALES = 24; // px at the foot, for the bars
+const NAME_PX = 84; // the name of a length and its value
 const STRIP = 0.21; // of the height, for the deflected shape in one plane
 
 const FIELD = {
@@ -49,6 +51,7 @@ function sectionView(input, roller, axis, x, scale) {
   const end = l + a + b;
   const top = y(RC + rho);
   const under = y(-widest / 2) + 30;
+  const crowded = Math.min(a, b) * scale < NAME_PX;
   const between = (from, to, level, symbol, value, field, beside = -12) =>
     dimension([x(from), level], [x(to), level], symbol, { value: mm(value), field, beside: from <= to ? beside : -beside });
   const extension = (at, from, to) => line([x(at), from], [x(at), to], "extension");
@@ -64,19 +67,20 @@ function sectionView(input, roller, axis, x, scale) {
     ${extension(0, axis - 10, top - 44)}
     ${between(0, roller.z_min_mm, top - 14, "z_min", roller.z_min_mm, FIELD.low, 9)}
     ${between(0, roller.z_max_mm, top - 40, "z_max", roller.z_max_mm, FIELD.high, 9)}
-    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6 })}
     ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], "ρ", { value: mm(rho), field: FIELD.rho, beside: -6 })}
     ${line([x(roller.z_max_mm), y(RC + rho)], [x(roller.z_max_mm) + 26, y(RC + rho)], "extension")}
     ${stretches.map(({ from, to, diameter }) => path([[x(from), y(diameter / 2)], [x(to), y(diameter / 2)], [x(to), y(-diameter / 2)], [x(from), y(-diameter / 2)]], "body shaft-part", FIELD.d))}
+    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6, rise: 22 })}
     ${line([x(l), axis], [x(end), axis], "centre")}
     ${line([x(0), axis], [x(far), y(Math.abs(far) * Math.tan(tilt))], "centre", FIELD.theta)}
     <g class="angle" data-field="${FIELD.theta}"><path class="arc" d="${arcPath([x(0), axis], reach, 90 - theta, 90)}"/>
       ${label([x(0) + reach + 9, axis - reach * Math.tan(tilt / 2) + 4], "θ")}</g>
     ${[1, -1].map((side) => [bearing([x(l) + 6, axis], (stretches[0].diameter / 2) * scale, side), bearing([x(l + a), axis], (widest / 2) * scale, side)])}
     ${clamp(x(end), axis, (widest / 2) * scale + 14)}
-    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6 })}
-    ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? 4 : 28)))}
-    ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, under, "b", b, FIELD.b)}
+    ${input.shaft_sections && stretches.map(({ from, to, diameter }) => words([x((from + to) / 2), axis + 15], `⌀ ${mm(diameter)}`, { anchor: "middle" }))}
+    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6, rise: 12 })}
+    ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? (crowded ? 28 : 4) : 28)))}
+    ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, crowded ? under + 24 : under, "b", b, FIELD.b)}
     ${between(0, l, under + 24, "l", l, FIELD.l)}
     ${label([x(l) - 8, y(widest / 2) - 8], "C")}${label([x(l + a) + 14, y(widest / 2) - 8], "B")}`;
 }
@@ -86,7 +90,7 @@ function clamp(x, y, half) {
   return html`<path class="clamp" d="M${x} ${y - half}V${y + half}${marks.map((mark) => `M${x} ${mark}l8 8`).join("")}"/>`;
 }
 
-/** Reactions and deflected shape in one plane, under the section. */
+/** What bends the shaft, the satellite's forces on it, and its deflected shape in one plane, under the section. */
 function stripView(axis, plane, input, section, curve, x, newton, factor) {
   const { reference_z_mm: l, bearing_distance_mm: a, overhang_mm: b } = input;
   const name = plane === 0 ? "x" : "y";
@@ -98,11 +102,11 @@ function stripView(axis, plane, input, section, curve, x, newton, factor) {
     ${Object.entries(places).map(([at, across]) => {
       const force = section[`reaction_${at}_N`][plane];
       const deflection = section[`deflection_${at}_mm`][name];
-      const tip = [across, axis - force * newton];
+      const tip = [across, axis + force * newton];
       const side = deflection > 0 ? -1 : 1; // the label stands where the shape does not
-      const reach = Math.max(0, side * force * newton);
+      const reach = Math.max(0, -side * force * newton) + (at === "C" ? 15 : 0);
       return html`<g data-reaction="${at}${name}" data-length="${Math.abs(force) * newton}">${Math.abs(force) * newton > 0.5 && arrow([across, axis], tip, "force series-1")}
-        ${label([across + 6, axis - side * reach + (side > 0 ? -7 : 17)], `${at}_${name}`, { anchor: "start", value: formatQuantity(force, "N", 4) })}</g>
+        ${label([across + 6, axis - side * reach + (side > 0 ? -7 : 17)], `−${at}_${name}`, { anchor: "start", value: formatQuantity(-force, "N", 4) })}</g>
         ${circle([across, axis - deflection * factor], 2.5, "dot deflected-dot")}`;
     })}`;
 }
@@ -146,7 +150,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const [roller] = answer.contact_line.lines;
   const wide = width >= WIDE_PX;
   const column = wide ? width * 0.6 : width;
-  const tall = wide ? height : height * 0.68;
+  const tall = wide ? height - SCALES : height * 0.68;
   const strips = STRIP * tall;
   const upper = tall - 2 * strips;
   const widest = Math.max(...shaftStretches(input).map(({ diameter }) => diameter));
@@ -164,8 +168,8 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const end = wide
     ? { x: column + (width - column) / 2, y: height / 2 }
     : { x: width / 2, y: tall + (height - tall) / 2 - 6 };
-  const round = largest > 0 && roundBelow(largest);
-  const bar = roundBelow(RC);
+  const round = largest > 0 && roundBelow(largest, "N");
+  const bar = roundBelow(RC, "mm");
   return {
     markup: paper(width, height, html`
       ${sectionView(input, roller, axis, x, scale)}

@@ -47,8 +47,8 @@ function rollerView(place, input, section, newton) {
     ${[[-b / 2, 1], [b / 2, 1], [l + b / 2, 0]].map(([x, tier]) => line(at(x, -tall), [level(x, tier)[0], level(x, tier)[1] + 4], "extension"))}
     ${dim(b / 2, b / 2 + l, 0, "l", l, "cylinder_length_mm")}
     ${dim(-b / 2, b / 2, 1, "b", b, "sphere_width_mm")}
-    ${dimension(at(-l / 2 - b / 2, -d / 2), at(-l / 2 - b / 2, d / 2), "d", { value: mm(d), field: "diameter_mm", beside: -6 })}
-    ${dimension(at(right[0], -D / 2), at(right[1], D / 2), "D", { value: mm(D), field: "sphere_diameter_mm", offset: -18, beside: -6 })}
+    ${dimension(at(-l / 2 - b / 2, -d / 2), at(-l / 2 - b / 2, d / 2), "d", { value: mm(d), field: "diameter_mm", beside: -6, rise: 10 })}
+    ${dimension(at(right[0], -D / 2), at(right[1], D / 2), "D", { value: mm(D), field: "sphere_diameter_mm", offset: -18, beside: -6, rise: 10 })}
     ${section && [push(-end, F1, -1, "F_1", false), push(end, F1, -1, "F_1"), push(0, F0, 1, "F_0")]}`;
 }
 
@@ -94,7 +94,7 @@ export function createDrawing({ input, answer, width, height }) {
     : { x: width / 2, y: (height * (1 + share)) / 2 - 8 };
   const size = (wide ? Math.min(width * (1 - share) - 20, height) : Math.min(width, height * (1 - share))) / 2 - (wide ? 84 : 76);
   const newton = section ? Math.min(0.55 * size, first.height / 10) / section.max_force_N : 0; // px
-  const round = section && roundBelow(section.max_force_N);
+  const round = section && roundBelow(section.max_force_N, "N");
   return {
     markup: paper(width, height, html`
       ${rollerView(first, input, section, newton)}

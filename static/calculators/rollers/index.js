@@ -64,7 +64,7 @@ export default {
     cell("bendingStress", section, stressCell),
   ],
 
-  elsewhere: ["forces_N"],
+  elsewhere: [],
 
   drawing: { create: createDrawing, section: "roller_strength" },
 
@@ -78,11 +78,6 @@ export default {
       /** A click on a curve over l/d sets the length. */
       sets: ({ x, data: { xaxis } }, { diameter_mm: diameter, cylinder_length_mm: length }) =>
         ["cylinder_length_mm", xaxis === "x2" ? length : Number((x * diameter).toPrecision(3))],
-      tables: ({ roller_strength: { forces_N: forces } }) => [{
-        title: message("figure.rollerForces"),
-        columns: [{ title: message("figure.roller") }, { title: message("figure.rollerForce"), unit: "N" }],
-        rows: forces.map((force, i) => [i + 1, force]),
-      }],
     },
     { id: "workSharing", section: "roller_strength", measures: "roller-strength" },
   ],
