@@ -12,4 +12,8 @@ force_laws          the force of the best placed pair under each law of load sha
 peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
+sharing_kernel      loops over pairs with gaps: equilibrium of one position
+contact_law         laws of contact of a pair, and the bending of its pin
+real_mechanism      forces, lag, play and stiffness with clearance and errors, one position
+over_turn           the same over the turn: peak, backlash, lost motion, transmission error
 """

@@ -1,0 +1,436 @@
+"""The mechanism as it is made, over the turn: peak, backlash, lost motion, transmission error.
+
+Everything depends on the wave angle alone and repeats with its turn; with deviations it has no
+shorter period. Forces have kinks and play has cusps where pairs take over from each other, and
+extremes like to sit there: summits are narrowed by golden section, which asks for no derivative.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from core.arrays import check_finite
+from core.errors import InvalidInput
+from core.output.contact_force import PairNumber
+from core.output.real_mechanism import RealMechanism, notices
+from core.output.sharing_kernel import at, largest, play
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+POSITIONS = 720
+"""Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
+
+CLUSTER = 8
+"""How often the distance to a pair's dead angle, where it takes up or leaves, is halved."""
+
+MOST_CLUSTERED = 2880
+"""Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
+
+PLACE = 1e-10
+"""Width to which a summit is narrowed, rad."""
+
+ALIKE = 1e-11
+"""Relative difference below which two summits look equal on the grid."""
+
+TIE = 1e-9
+"""Relative difference below which two summits are one peak, reported at the first crank angle."""
+
+ZOOMED = 3
+"""How many of the highest summits are narrowed, of what has no spikes."""
+
+GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+@dataclass(frozen=True, slots=True)
+class OverTurn:
+    """Extremes over the turn of the wave.
+
+    Attributes
+    ----------
+    peak_force : float
+        Largest force of all pairs, N.
+    peak_force_ratio : float
+        Over F0 = T/R, dimensionless.
+    peak_crank_angle : float
+        First crank angle >= 0 at which it occurs, rad.
+    peak_pair : PairNumber
+        The pair that carries it there.
+    backlash_max, backlash_min : float
+        Largest and least play of the unloaded output, rad; 0 where pairs press.
+    lost_motion : float
+        Largest difference of the lags under a share of the torque in both directions, rad.
+    transmission_error : float
+        Largest less least lag under load, rad.
+    unloaded_transmission_error : float
+        The same of the lag at which the first pair touches, rad.
+    stiffness_min, stiffness_max : float
+        Least and largest torsional stiffness, N*m/rad.
+    loaded_pairs_min, loaded_pairs_max : int
+        Least and largest number of pairs that carry.
+    max_pressure : float or None
+        Largest Hertz pressure, Pa, where the materials are known.
+    pressed_without_load : bool
+        Whether pairs press without load anywhere.
+    angle_error : float
+        Estimate of the error of backlash, lost motion and transmission errors, rad.
+    stiffness_error : float
+        Estimate of the relative error of the stiffnesses, dimensionless.
+    accuracy : Accuracy
+        Of the peak force: what twice as many positions change, and rounding. An honest estimate,
+        no proof.
+    notices : tuple of Notice
+        Limits that are strained.
+    """
+
+    peak_force: float
+    peak_force_ratio: float
+    peak_crank_angle: float
+    peak_pair: PairNumber
+    backlash_max: float
+    backlash_min: float
+    lost_motion: float
+    transmission_error: float
+    unloaded_transmission_error: float
+    stiffness_min: float
+    stiffness_max: float
+    loaded_pairs_min: int
+    loaded_pairs_max: int
+    max_pressure: float | None
+    pressed_without_load: bool
+    angle_error: float
+    stiffness_error: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Pose:
+    """One position under load, and its play; lags count in the torque's direction."""
+
+    lag: float
+    stiffness: float
+    force: float
+    pressure: float  # force over reduced radius
+    loaded: int
+    low: float
+    high: float
+    lag_error: float
+    play_error: float
+    force_error: float
+
+
+class _Turn:
+    """The mechanism under a torque, position by position."""
+
+    def __init__(self, real: RealMechanism, torque: float) -> None:
+        self.real, self.torque = real, abs(torque)
+        self.setup = real.setup(math.copysign(1.0, torque))
+        self.back = real.setup(-self.setup.direction)
+        self.room = real.room()
+        self.curved = [
+            c / r / (r + c) for r, c in zip(real.pin_radii, real.pairs.distance, strict=True)
+        ]
+        self.evaluations = 0
+
+    def pose(self, psi: float) -> _Pose:
+        """A position under the torque."""
+        self.evaluations += 1
+        room = self.room
+        found = self.real.solved(psi, self.torque, self.setup, room)
+        force = largest(room.force)
+        return _Pose(
+            found.lag,
+            found.stiffness,
+            force,
+            max(map(float.__mul__, room.force, self.curved)),
+            len(room.force) - room.force.count(0.0),
+            found.low,
+            found.high,
+            found.lag_error,
+            found.play_error,
+            found.force_error,
+        )
+
+    def force(self, psi: float) -> float:
+        """Largest force at a wave angle."""
+        self.evaluations += 1
+        self.real.solved(psi, self.torque, self.setup, self.room)
+        return largest(self.room.force)
+
+    def backlash(self, psi: float) -> float:
+        """Play at a wave angle."""
+        low, high = self.played(psi)
+        return high - low
+
+    def played(self, psi: float) -> tuple[float, float]:
+        """Limits of the play at a wave angle."""
+        at(psi, self.setup, self.real.pairs, self.room)
+        low, high, *_ = play(self.setup, self.room)
+        return low, high
+
+    def lost(self, psi: float, share: float) -> float:
+        """Lost motion at a wave angle."""
+        self.evaluations += 2
+        lags = [
+            self.real.solved(psi, share * self.torque, setup, self.room).lag
+            for setup in (self.setup, self.back)
+        ]
+        return sum(lags)
+
+    def positions(self) -> tuple[list[float], list[float]]:
+        """Wave angles of an even grid, and those around dead angles."""
+        pairs, pins = self.real.pairs, self.setup.pins
+        many = pins * self.setup.satellites
+        count = many * -(-POSITIONS // many)
+        step = 2 * math.pi / count
+        first = self.real.mechanism.initial_crank_angle
+        grid = [first + step * i for i in range(count)]
+        dead = {
+            round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % (2 * math.pi), 9)
+            for half in (0.0, math.pi)
+            for j in range(self.setup.satellites)
+            for n in range(pins)
+        }
+        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))
+        near = [
+            first + (place + sign * step * 2.0**-k) % (2 * math.pi)
+            for place in dead
+            for k in range(1, halvings + 1)
+            for sign in (-1, 1)
+        ]
+        return grid, near
+
+
+@dataclass(frozen=True, slots=True)
+class _Summit:
+    """A summit, narrowed: its place and height, how much higher a kink within the width may be, and
+    where others look the same.
+    """
+
+    place: float
+    height: float
+    error: float
+    alike: tuple[float, ...]
+
+
+def _golden(f: Callable[[float], float], low: float, high: float) -> tuple[float, float, float]:
+    """Place and height of the largest value between two places, by golden section, and its error:
+    by how much it changed while the width was narrowed to its last sixteenth.
+    """
+    error = 0.0
+    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_a, at_b = f(a), f(b)
+    while high - low > PLACE:
+        if high - low < 16 * PLACE:
+            error = max(error, abs(at_a - at_b))
+        if at_a >= at_b:
+            high, b, at_b = b, a, at_a
+            a = high - GOLDEN * (high - low)
+            at_a = f(a)
+        else:
+            low, a, at_a = a, b, at_b
+            b = low + GOLDEN * (high - low)
+            at_b = f(b)
+    return (a, at_a, error) if at_a >= at_b else (b, at_b, error)
+
+
+def _summits(
+    values: dict[float, float],
+    f: Callable[[float], float],
+    known: Sequence[_Summit] = (),
+    most: int | None = None,
+) -> list[_Summit]:
+    """Summits of values on a turn's grid, in its order, narrowed; those that look alike are
+    narrowed once, and those that are known not again. With `most`, only so many of the highest.
+    """
+    places, heights = [*values], [*values.values()]
+    count, turn = len(places), 2 * math.pi
+    scale = max(map(abs, heights)) * ALIKE or 1.0
+    seen: dict[tuple[int, ...], list[int]] = {}
+    for i, height in enumerate(heights):
+        before, after = heights[i - 1], heights[(i + 1) % count]
+        if height >= before and (height > after or count == 1):
+            key = tuple(round(each / scale) for each in (before, height, after))
+            seen.setdefault(key, []).append(i)
+    if not seen:  # all alike
+        return [_Summit(places[0], heights[0], 0.0, (places[0],))]
+    chosen = sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]
+    found = []
+    for alike in chosen:
+        i = alike[0]
+        low = places[i - 1] - (turn if i == 0 else 0)
+        high = places[i + 1] if i + 1 < count else places[0] + turn
+        if any(low <= each.place <= high for each in known):
+            continue
+        place, height, error = _golden(f, low, high)
+        if heights[i] > height:
+            place, height = places[i], heights[i]
+        others = tuple(place + places[k] - places[i] for k in alike)
+        found.append(_Summit(place, height, error, others))
+    return found
+
+
+def _highest(values: dict[float, float], f: Callable[[float], float]) -> _Summit:
+    """The highest summit over a turn, of the highest ones of its grid."""
+    return max(_summits(values, f, most=ZOOMED), key=lambda summit: summit.height)
+
+
+def _crank_angle(real: RealMechanism, psi: float) -> float:
+    """First crank angle >= 0 of a wave angle, rad."""
+    off = (psi - real.mechanism.initial_crank_angle) % (2 * math.pi)
+    if off > 2 * math.pi - 100 * PLACE:
+        off = 0.0
+    return off / (1 + 1 / real.mechanism.ratio)
+
+
+def over_turn(
+    *, real: RealMechanism, output_torque: float, lost_motion_share: float = 0.03
+) -> OverTurn:
+    """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+    lost_motion_share : float
+        Share of the torque under which the lost motion is taken, 0 < share <= 1.
+
+    Returns
+    -------
+    OverTurn
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+
+    Notes
+    -----
+    Two pins whose errors nearly use up the clearance make the force a row of spikes narrower than
+    any grid, so every summit of the grid is narrowed, and the grid is dense where pairs take up.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
+    >>> real = RealMechanism(
+    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    >>> turn = over_turn(real=real, output_torque=30.0)
+    >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
+    (957.1068, 0.0021647844, 0.002)
+    """
+    check_finite(output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    if not lost_motion_share > 0:
+        raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
+    if not lost_motion_share <= 1:
+        raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
+    turn = _Turn(real, output_torque)
+    grid, near = turn.positions()
+    step = grid[1] - grid[0]
+    poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
+    coarse = {psi: pose.force for psi, pose in poses.items()}
+    found = _summits(coarse, turn.force)
+    rough = max(found, key=lambda summit: summit.height).height
+    poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
+    fine = {psi: poses[psi].force for psi in sorted(poses)}
+    found += _summits(fine, turn.force, found)
+    top = max(found, key=lambda summit: summit.height)
+    peak = top.height
+    place = min(
+        (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
+        key=lambda psi: _crank_angle(real, psi),
+    )
+    turn.force(place)
+    force = turn.room.force
+    pair = force.index(max(force))
+    contact = real.contact(pair, peak)
+    max_pressure = None
+    if contact is not None:
+        max_pressure = contact.max_pressure
+        if max(turn.curved) > min(turn.curved) * (1 + 1e-12):
+            values = {psi: poses[psi].pressure for psi in fine}
+            pressure = max(
+                summit.height for summit in _summits(values, lambda psi: turn.pose(psi).pressure)
+            )
+            max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
+
+    def extreme(
+        value: Callable[[_Pose], float], at_place: Callable[[float], float], sign: int = 1
+    ) -> tuple[float, float]:
+        """Largest value over the turn, or least for the sign -1, and an estimate of its error."""
+        whole = {psi: sign * value(poses[psi]) for psi in fine}
+        part = {psi: whole[psi] for psi in coarse}
+        top, rough = (_highest(each, lambda psi: sign * at_place(psi)) for each in (whole, part))
+        return sign * top.height, abs(top.height - rough.height) + top.error
+
+    def spread(
+        value: Callable[[_Pose], float], at_place: Callable[[float], float]
+    ) -> tuple[float, float]:
+        """Largest less least value over the turn, and an estimate of its error."""
+        (high, off), (low, other) = (extreme(value, at_place, sign) for sign in (1, -1))
+        return high - low, off + other
+
+    lag = spread(lambda pose: pose.lag, lambda psi: turn.pose(psi).lag)
+    unloaded = spread(lambda pose: pose.high, lambda psi: turn.played(psi)[1])
+    backlash = [extreme(lambda pose: pose.high - pose.low, turn.backlash, sign) for sign in (1, -1)]
+    lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
+    most_lost, rough_lost = (
+        _highest(dict([*lost.items()][::every]), lambda psi: turn.lost(psi, lost_motion_share))
+        for every in (1, 2)
+    )
+    stiff = [
+        extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign)
+        for sign in (1, -1)
+    ]
+    every = poses.values()
+    pressed = any(pose.low > pose.high + pose.play_error for pose in every)
+    rounding = max(pose.lag_error for pose in every) + 2 * max(pose.play_error for pose in every)
+    if pressed:
+        unloaded = (0.0, 0.0)
+    accuracy = Accuracy(
+        "sampling_zoomed",
+        (abs(peak - rough) + top.error + max(pose.force_error for pose in every)) / peak,
+        turn.evaluations,
+    )
+    return OverTurn(
+        peak_force=peak,
+        peak_force_ratio=peak * real.pin_circle_radius / abs(output_torque),
+        peak_crank_angle=_crank_angle(real, place),
+        peak_pair=PairNumber(pair // turn.setup.pins + 1, pair % turn.setup.pins + 1),
+        backlash_max=max(backlash[0][0], 0.0),
+        backlash_min=max(backlash[1][0], 0.0),
+        lost_motion=most_lost.height,
+        transmission_error=lag[0],
+        unloaded_transmission_error=unloaded[0],
+        stiffness_min=stiff[1][0],
+        stiffness_max=stiff[0][0],
+        loaded_pairs_min=min(pose.loaded for pose in every),
+        loaded_pairs_max=max(pose.loaded for pose in every),
+        max_pressure=max_pressure,
+        pressed_without_load=pressed,
+        angle_error=rounding
+        + max(
+            lag[1],
+            unloaded[1],
+            *[off for _, off in backlash],
+            abs(most_lost.height - rough_lost.height) + most_lost.error,
+        ),
+        stiffness_error=max(off / value for value, off in stiff) + 8 * ROUNDING,
+        accuracy=accuracy,
+        notices=(
+            *notices(
+                real=real,
+                lag=max(abs(pose.lag) for pose in every),
+                pressed=pressed,
+                contact=contact,
+            ),
+            *poorly_known(accuracy),
+        ),
+    )

@@ -1,0 +1,557 @@
+"""The output mechanism as it is made: forces, lag, play and stiffness with clearance and errors.
+
+Every satellite is a rigid disc, held by its crank and turned by the ring. The one unknown is the
+lag of the output behind its ideal angle; the approach of each pair follows from it, a force from
+each approach, and the torque of all forces must be the load.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from core.arrays import FloatArray, check_finite, check_positive
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.hertz import HertzContact, hertz
+from core.materials import ElasticMaterial
+from core.output.contact_law import (
+    ContactLaw,
+    HertzLaw,
+    PairContact,
+    PinSupport,
+    check_law,
+    law_constants,
+    law_kind,
+    pin_compliance,
+)
+from core.output.mechanism import Mechanism
+from core.output.sharing_kernel import (
+    NO_DRIVE,
+    NOT_SOLVED,
+    NOT_STABLE,
+    Errors,
+    Pairs,
+    Position,
+    Room,
+    Setup,
+    at,
+    interference,
+    prepare,
+    solve,
+)
+from core.results import Accuracy, Notice, poorly_known
+
+LARGE_ROTATION = 0.1
+"""Movement of the pins over the eccentricity above which the position is a strange one."""
+
+DEPTHS = 0.5, 1.5
+"""Reference depths over the hole's radius within which a half-space stands for a hole."""
+
+
+@dataclass(frozen=True, slots=True)
+class Deviations:
+    """What a piece deviates from its nominal sizes; empty tuples are zeros.
+
+    Positive: outward, in the driving sense, larger, ahead. N pins, K satellites.
+
+    Attributes
+    ----------
+    pin_radial, pin_tangential, pin_radius : tuple of float, N
+        Place and radius of each pin, m.
+    hole_radial, hole_tangential, hole_radius : tuple of tuple of float, K x N
+        The same of each hole, m.
+    eccentricity : tuple of float, K
+        Of each crank, m.
+    crank_phase, disc_phase : tuple of float, K
+        Angle of each crank, and of each disc's holes against its teeth, rad.
+    """
+
+    pin_radial: tuple[float, ...] = ()
+    pin_tangential: tuple[float, ...] = ()
+    pin_radius: tuple[float, ...] = ()
+    hole_radial: tuple[tuple[float, ...], ...] = ()
+    hole_tangential: tuple[tuple[float, ...], ...] = ()
+    hole_radius: tuple[tuple[float, ...], ...] = ()
+    eccentricity: tuple[float, ...] = ()
+    crank_phase: tuple[float, ...] = ()
+    disc_phase: tuple[float, ...] = ()
+
+    def rows(self, pins: int, satellites: int) -> Errors:
+        """Flat rows for the kernel.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers N and K.
+
+        Returns
+        -------
+        Errors
+
+        Raises
+        ------
+        InvalidInput
+            If a list has another length, or an entry is not finite.
+        """
+
+        def row(name: str, values: Sequence[float], expected: int) -> list[float]:
+            if not values:
+                return [0.0] * expected
+            if len(values) != expected:
+                raise InvalidInput(
+                    name, values, "different_length", expected=expected, actual=len(values)
+                )
+            for index, value in enumerate(values):
+                check_finite(**{f"{name}[{index}]": value})
+            return [float(value) for value in values]
+
+        def table(name: str) -> list[float]:
+            values = getattr(self, name)
+            if values and len(values) != satellites:
+                raise InvalidInput(
+                    name, values, "different_length", expected=satellites, actual=len(values)
+                )
+            if not values:
+                return [0.0] * (pins * satellites)
+            return [x for j, each in enumerate(values) for x in row(f"{name}[{j}]", each, pins)]
+
+        return Errors(
+            *[row(name, getattr(self, name), pins) for name in Errors._fields[:3]],
+            *[table(name) for name in Errors._fields[3:6]],
+            *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
+        )
+
+
+@dataclass(frozen=True)
+class RealMechanism:
+    """A mechanism with its sizes, clearance, deviations and elasticity.
+
+    Attributes
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    pin_circle_radius, pin_radius, eccentricity, contact_length : float
+        R, r_p, e and b, m, > 0.
+    law : ContactLaw
+        Law of contact of each pair.
+    clearance : float
+        Radial clearance c, m: hole less pin radius less eccentricity; negative is interference.
+    pin_material, hole_material : ElasticMaterial, optional
+        Needed for `HertzLaw` and for pressures.
+    pin : PinSupport, optional
+        How the pins are held; rigid where not given.
+    deviations : Deviations
+        Of this piece.
+    exact : bool
+        Exact geometry; else first order in lag and deviations, with fixed lines of action.
+    """
+
+    mechanism: Mechanism
+    pin_circle_radius: float
+    pin_radius: float
+    eccentricity: float
+    contact_length: float
+    law: ContactLaw
+    clearance: float = 0.0
+    pin_material: ElasticMaterial | None = None
+    hole_material: ElasticMaterial | None = None
+    pin: PinSupport | None = None
+    deviations: Deviations = field(default_factory=Deviations)
+    exact: bool = True
+
+    def __post_init__(self) -> None:
+        sizes = {
+            name: getattr(self, name)
+            for name in ("pin_circle_radius", "pin_radius", "eccentricity", "contact_length")
+        }
+        check_positive(**sizes)
+        check_finite(**sizes, clearance=self.clearance)
+        check_law(self.law)
+
+    def setup(self, direction: float) -> Setup:
+        """The design as the kernel takes it.
+
+        Parameters
+        ----------
+        direction : float
+            Of the torque: 1, or -1 in reverse.
+
+        Returns
+        -------
+        Setup
+        """
+        kind, exponent = law_kind(self.law)
+        return Setup(
+            pins=self.mechanism.pins,
+            satellites=self.mechanism.satellites,
+            ratio=self.mechanism.ratio,
+            exact=self.exact,
+            radius=self.pin_circle_radius,
+            eccentricity=self.eccentricity,
+            clearance=self.clearance,
+            direction=direction,
+            law=kind,
+            exponent=exponent,
+        )
+
+    @cached_property
+    def _prepared(self) -> tuple[Pairs, list[float], list[float]]:
+        """Constants of the pairs, their pins' radii, and the forces at which their laws end."""
+        pins, satellites = self.mechanism.pins, self.mechanism.satellites
+        errors = self.deviations.rows(pins, satellites)
+        count = pins * satellites
+        pairs = Pairs(*[[0.0] * count for _ in Pairs._fields])
+        compliance = [0.0] * satellites
+        if self.pin is not None:
+            if len(self.pin.satellite_positions) != satellites:
+                raise InvalidInput(
+                    "satellite_positions",
+                    self.pin.satellite_positions,
+                    "different_length",
+                    expected=satellites,
+                    actual=len(self.pin.satellite_positions),
+                )
+            compliance = [*pin_compliance(self.pin)]
+        prepare(self.setup(1.0), errors, list(self.mechanism.crank_angles), pairs)
+        radii, limits = [], []
+        for i, difference in enumerate(pairs.distance):
+            j, n = divmod(i, pins)
+            radius = self.pin_radius + errors.pin_radius[n]
+            own = self.eccentricity + errors.eccentricity[j]
+            if min(difference, radius, own) <= 0:
+                raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
+            contact = PairContact(
+                pin_radius=radius,
+                difference=difference,
+                length=self.contact_length,
+                hole_radius=self.pin_radius + self.eccentricity + self.clearance,
+            )
+            pairs.a[i], pairs.b[i], limit = law_constants(
+                law=self.law,
+                contact=contact,
+                compliance=compliance[j],
+                pin=self.pin_material,
+                hole=self.hole_material,
+            )
+            radii.append(radius)
+            limits.append(limit)
+        return pairs, radii, limits
+
+    @property
+    def pairs(self) -> Pairs:
+        """Constants of the pairs."""
+        return self._prepared[0]
+
+    @property
+    def pin_radii(self) -> list[float]:
+        """Radius of each pair's pin, m."""
+        return self._prepared[1]
+
+    def room(self) -> Room:
+        """Room for the results of one position."""
+        count = self.mechanism.pins * self.mechanism.satellites
+        return Room(*[[0.0] * count for _ in Room._fields])
+
+    def wave(self, crank_angle: float) -> float:
+        """Wave angle of a crank angle, rad, within half a turn around 0.
+
+        Parameters
+        ----------
+        crank_angle : float
+            Crank angle, rad.
+        """
+        return math.remainder(
+            crank_angle * (1 + 1 / self.mechanism.ratio) + self.mechanism.initial_crank_angle,
+            2 * math.pi,
+        )
+
+    def solved(self, psi: float, torque: float, setup: Setup, room: Room) -> Position:
+        """Equilibrium at a wave angle; what cannot be is refused.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque : float
+            Size of the torque, N*m, > 0.
+        setup : Setup
+            The design, with the torque's direction.
+        room : Room
+            Takes forces and levers.
+
+        Returns
+        -------
+        Position
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If no pair can drive, forces would not balance or not be stable, the output would lag by
+            more than the eccentricity, or a contact would be as wide as its pin.
+        """
+        pairs, _, limits = self._prepared
+        position = solve(psi, torque, setup, pairs, room)
+        code, params = "", {}
+        if position.status == NO_DRIVE:
+            code = "dead_centre"
+        elif abs(position.lag) * self.pin_circle_radius > self.eccentricity:
+            code = "lost_in_space"
+        elif position.status == NOT_STABLE:
+            code = "not_stable"
+        elif position.status == NOT_SOLVED or not math.isfinite(position.force_error):
+            code = "not_balanced"
+        else:
+            for i, (force, limit) in enumerate(zip(room.force, limits, strict=True)):
+                if force > limit:
+                    j, n = divmod(i, setup.pins)
+                    code, params = "beyond_hertz", {"satellite": j + 1, "pin": n + 1}
+        if code:
+            ratio, start = self.mechanism.ratio, self.mechanism.initial_crank_angle
+            angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
+            raise ImpossibleMechanism(code, {"crank_angle": angle}, **params)
+        return position
+
+    def contact(self, pair: int, force: float) -> HertzContact | None:
+        """Hertz contact of a pair, where the materials are known.
+
+        Parameters
+        ----------
+        pair : int
+            Its index, satellite by satellite.
+        force : float
+            Its force, N.
+
+        Returns
+        -------
+        HertzContact or None
+        """
+        if self.pin_material is None or self.hole_material is None:
+            return None
+        radius = self.pin_radii[pair]
+        return hertz(
+            force=force,
+            contact_length=self.contact_length,
+            pin_radius=radius,
+            hole_radius=radius + self.pairs.distance[pair],
+            pin_material=self.pin_material,
+            hole_material=self.hole_material,
+        )
+
+    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+        """Contact of the pair with the largest pressure, which grows with the force times the
+        difference of the curvatures.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        HertzContact or None
+        """
+        radii, distance = self.pin_radii, self.pairs.distance
+        curved = [f * (c / r / (r + c)) for f, r, c in zip(force, radii, distance, strict=True)]
+        pair = curved.index(max(curved))
+        return self.contact(pair, force[pair])
+
+
+@dataclass(frozen=True, slots=True)
+class LoadedPosition:
+    """The mechanism at one crank angle under load.
+
+    Attributes
+    ----------
+    crank_angle : float
+        As asked, rad.
+    rotation : float
+        Lag of the output behind its ideal angle, rad; negative in reverse.
+    force : tuple of tuple of float, K x N
+        Force of each pair, N.
+    satellite_torque : tuple of float, K
+        Share of each satellite in the torque, N*m; negative where others drag it.
+    loaded_pairs : int
+        Number of pairs with a force.
+    play : (float, float) or None
+        Least and largest lag of the unloaded output, rad; None where pairs press without load.
+    interference : float or None
+        Smallest possible worst approach of the unloaded pairs, m, where they press.
+    stiffness : float
+        Torque over rotation dT/dtheta, N*m/rad.
+    max_pressure : float or None
+        Largest Hertz pressure of the pairs, Pa, where the materials are known.
+    rotation_error, play_error : float
+        Bounds of the errors of rotation and play, rad.
+    force_error : float
+        Bound of the error of each force, N.
+    accuracy : Accuracy
+        Of the forces, over the largest.
+    notices : tuple of Notice
+        Limits that are strained.
+    """
+
+    crank_angle: float
+    rotation: float
+    force: tuple[tuple[float, ...], ...]
+    satellite_torque: tuple[float, ...]
+    loaded_pairs: int
+    play: tuple[float, float] | None
+    interference: float | None
+    stiffness: float
+    max_pressure: float | None
+    rotation_error: float
+    play_error: float
+    force_error: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def loaded_position(
+    *, real: RealMechanism, crank_angle: float, output_torque: float
+) -> LoadedPosition:
+    """Forces of all pairs, lag, play and stiffness at one crank angle.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    crank_angle : float
+        Crank angle, rad.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+
+    Returns
+    -------
+    LoadedPosition
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+
+    Notes
+    -----
+    Left out: friction, speed, tilting and edge load, deformation of discs and carrier, a second
+    flange, growth by heat, play and compliance of mesh and bearings. First order, no clearance:
+    Yanchevskiy and Niekhoroshykh 2021, eq. (10), with the law's exponent.
+
+    Examples
+    --------
+    Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
+
+    >>> from core.output.contact_law import LinearLaw
+    >>> real = RealMechanism(
+    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    >>> found = loaded_position(real=real, crank_angle=0.0, output_torque=30.0)
+    >>> found.loaded_pairs, round(max(found.force[0]), 4)
+    (3, 957.1068)
+    """
+    check_finite(crank_angle=crank_angle, output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    direction = math.copysign(1.0, output_torque)
+    setup, room = real.setup(direction), real.room()
+    psi = real.wave(crank_angle)
+    # The wave angle of a far crank angle is as rough as that.
+    found = real.solved(psi, abs(output_torque), setup, room)
+    pins = setup.pins
+    rows = range(0, pins * setup.satellites, pins)
+    force = np.array(room.force)
+    largest = float(force.max())
+    pressed = found.low > found.high + found.play_error
+    contact = real.hardest(room.force)
+    play = tuple(sorted((direction * found.low + 0.0, direction * found.high + 0.0)))
+    torques = [
+        direction * math.fsum(room.force[k] * room.lever[k] for k in range(i, i + pins))
+        for i in rows
+    ]
+    accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
+    return LoadedPosition(
+        crank_angle=crank_angle,
+        rotation=direction * found.lag,
+        force=tuple(tuple(room.force[i : i + pins]) for i in rows),
+        satellite_torque=tuple(torques),
+        loaded_pairs=int((force > 0).sum()),
+        play=None if pressed else (play[0], play[1]),
+        interference=least_interference(real=real, psi=psi) if pressed else None,
+        stiffness=found.stiffness,
+        max_pressure=None if contact is None else contact.max_pressure,
+        rotation_error=found.lag_error,
+        play_error=found.play_error,
+        force_error=found.force_error,
+        accuracy=accuracy,
+        notices=(
+            *notices(real=real, lag=abs(found.lag), pressed=pressed, contact=contact),
+            *_bent_together(real, force.reshape(-1, pins)),
+            *poorly_known(accuracy),
+        ),
+    )
+
+
+def least_interference(*, real: RealMechanism, psi: float) -> float:
+    """Smallest possible worst approach of the unloaded pairs at a wave angle, m.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    psi : float
+        Wave angle, rad.
+
+    Returns
+    -------
+    float
+        Positive where pairs press without load.
+    """
+    setup, room = real.setup(1.0), real.room()
+    at(psi, setup, real.pairs, room)
+    far = real.eccentricity / real.pin_circle_radius
+    return interference(-far, far, setup, real.pairs, room)
+
+
+def notices(
+    *, real: RealMechanism, lag: float, pressed: bool, contact: HertzContact | None
+) -> tuple[Notice, ...]:
+    """Limits that a position strains.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    lag : float
+        Size of the lag, rad.
+    pressed : bool
+        Whether pairs press without load.
+    contact : HertzContact or None
+        The contact with the largest pressure.
+
+    Returns
+    -------
+    tuple of Notice
+    """
+    found = []
+    if lag * real.pin_circle_radius > LARGE_ROTATION * real.eccentricity:
+        share = lag * real.pin_circle_radius / real.eccentricity
+        found.append(Notice("large_rotation", {"share": share}))
+    if pressed:
+        found.append(Notice("pressed_without_load"))
+    if isinstance(real.law, HertzLaw) and real.law.reference_depth is not None:
+        ratio = real.law.reference_depth / (real.pin_radius + real.eccentricity + real.clearance)
+        if not DEPTHS[0] <= ratio <= DEPTHS[1]:
+            low, high = DEPTHS
+            found.append(Notice("reference_depth", {"ratio": ratio, "low": low, "high": high}))
+    if contact is not None:
+        found += contact.notices
+    return tuple(found)
+
+
+def _bent_together(real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
+    """Notice that pins are loaded by several satellites, whose bending is taken one by one."""
+    together = real.pin is not None and ((force > 0).sum(axis=0) > 1).any()
+    return (Notice("pin_bending_uncoupled"),) if together else ()
