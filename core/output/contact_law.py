@@ -131,7 +131,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> pin = PinSupport("cantilever", 0.01, (0.008, 0.022), steel)
     >>> [round(c*1e9, 3) for c in pin_compliance(pin)]
-    [3.057, 38.282]
+    [3.057, 38.285]
     """
     check_positive(diameter=pin.diameter)
     bending = pin.material.youngs_modulus * math.pi * pin.diameter**4 / 64

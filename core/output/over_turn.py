@@ -157,9 +157,9 @@ class _Turn:
         return largest(self.room.force)
 
     def backlash(self, psi: float) -> float:
-        """Play at a wave angle."""
+        """Play at a wave angle; none where pairs press."""
         low, high = self.played(psi)
-        return high - low
+        return max(high - low, 0.0)
 
     def played(self, psi: float) -> tuple[float, float]:
         """Limits of the play at a wave angle."""
@@ -378,8 +378,15 @@ def over_turn(
         return high - low, off + other
 
     lag = spread(lambda pose: pose.lag, lambda psi: turn.pose(psi).lag)
-    unloaded = spread(lambda pose: pose.high, lambda psi: turn.played(psi)[1])
-    backlash = [extreme(lambda pose: pose.high - pose.low, turn.backlash, sign) for sign in (1, -1)]
+    every = poses.values()
+    pressed = any(pose.low > pose.high + pose.play_error for pose in every)
+    unloaded = 0.0, 0.0
+    if not pressed:
+        unloaded = spread(lambda pose: pose.high, lambda psi: turn.played(psi)[1])
+    backlash = [
+        extreme(lambda pose: max(pose.high - pose.low, 0.0), turn.backlash, sign)
+        for sign in (1, -1)
+    ]
     lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
     most_lost, rough_lost = (
         _highest(dict([*lost.items()][::every]), lambda psi: turn.lost(psi, lost_motion_share))
@@ -389,11 +396,7 @@ def over_turn(
         extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign)
         for sign in (1, -1)
     ]
-    every = poses.values()
-    pressed = any(pose.low > pose.high + pose.play_error for pose in every)
     rounding = max(pose.lag_error for pose in every) + 2 * max(pose.play_error for pose in every)
-    if pressed:
-        unloaded = (0.0, 0.0)
     accuracy = Accuracy(
         "sampling_zoomed",
         (abs(peak - rough) + top.error + max(pose.force_error for pose in every)) / peak,
@@ -404,8 +407,8 @@ def over_turn(
         peak_force_ratio=peak * real.pin_circle_radius / abs(output_torque),
         peak_crank_angle=_crank_angle(real, place),
         peak_pair=PairNumber(pair // turn.setup.pins + 1, pair % turn.setup.pins + 1),
-        backlash_max=max(backlash[0][0], 0.0),
-        backlash_min=max(backlash[1][0], 0.0),
+        backlash_max=backlash[0][0],
+        backlash_min=backlash[1][0] + 0.0,
         lost_motion=most_lost.height,
         transmission_error=lag[0],
         unloaded_transmission_error=unloaded[0],

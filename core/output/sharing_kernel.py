@@ -373,9 +373,11 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
             zero + lag, slope, play_low, play_high, play_error, 0.0, 0.0, NOT_STABLE, step
         )
     # What the torque may be off, and with it the lag: by the balance, by rounding of its terms,
-    # and by rounding of each approach.
+    # and by rounding of each lever and approach, which that of the wave angle moves.
     off = abs(carried - torque) + 4 * EPS * (gross + torque)
     rounding = EPS * (4 + 2 * abs(psi))
+    for force in room.force:
+        off += rounding * force * setup.radius
     for i in range(setup.pins * setup.satellites):
         twice = 2 * pairs.distance[i] if setup.exact else 1.0
         near = rounding * (room.unsure[i] + abs(lag * room.v[i])) / twice
