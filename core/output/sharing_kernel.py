@@ -181,12 +181,13 @@ def touch_error(lag: float, pair: int, psi: float, setup: Setup, pairs: Pairs, r
     """By how much rounding moves the lag at which a pair touches; as `at` left the room."""
     if pair < 0:
         return 0.0
-    q, u, v = room.q[pair], room.u[pair], room.v[pair]
-    slope = abs(v)
-    size = pairs.size[pair] + abs(lag * v)
+    q, v = room.q[pair], room.v[pair]
+    slope, twice = abs(v), 1.0
     if setup.exact:
-        slope = math.sqrt(max(v * v - (q - 2 * u) * q, 0.0))
-        size += lag * lag * abs(u)
+        slope = math.sqrt(max(v * v - (q - 2 * room.u[pair]) * q, 0.0))
+        twice = 2 * pairs.distance[pair]
+    # The lever may be small as a difference: the wave angle moves it by the whole radius.
+    size = pairs.size[pair] + abs(lag) * twice * setup.radius
     return EPS * (4 + 2 * abs(psi)) * size / slope if slope > 0 else math.inf
 
 
@@ -201,11 +202,11 @@ def shift(lag: float, onset: int, setup: Setup, pairs: Pairs, room: Room) -> Non
         if setup.exact:
             u = room.u[i]
             q += less * u + sine * v
-            room.unsure[i] = pairs.size[i] + abs(less * u) + abs(sine * v)
+            room.unsure[i] = pairs.size[i] + abs(lag) * 2 * pairs.distance[i] * setup.radius
             room.u[i], room.v[i] = (1 + less) * u + sine * v, (1 + less) * v - sine * u
         else:
             q += lag * v
-            room.unsure[i] = pairs.size[i] + abs(lag * v)
+            room.unsure[i] = pairs.size[i] + abs(lag) * setup.radius
         room.q[i] = q if onset < 0 else min(q, 0.0)
     if onset >= 0:
         room.q[onset] = 0.0
@@ -380,7 +381,7 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
         off += rounding * force * setup.radius
     for i in range(setup.pins * setup.satellites):
         twice = 2 * pairs.distance[i] if setup.exact else 1.0
-        near = rounding * (room.unsure[i] + abs(lag * room.v[i])) / twice
+        near = rounding * (room.unsure[i] / twice + abs(lag) * setup.radius)
         room.unsure[i] = near
         off += room.stiffness[i] * abs(room.lever[i]) * near
     lag_error = off / slope

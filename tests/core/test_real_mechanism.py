@@ -314,3 +314,16 @@ def test_equal_pressing_is_seen_over_the_turn() -> None:
 def test_the_share_of_lost_motion(share: float) -> None:
     with pytest.raises(InvalidInput):
         over_turn(real=design(), output_torque=1.0, lost_motion_share=share)
+
+
+def test_spikes_are_not_between_the_positions() -> None:
+    """A scan of other positions finds no force above the peak that is stated."""
+    errors = Deviations(pin_radial=(0.0, -1.9e-5, 0.0, -1.2e-5, 7e-6, 0.0, -1.95e-5, 0.0))
+    real = design(deviations=errors)
+    found = over_turn(real=real, output_torque=0.01)
+    highest = max(
+        max(flat(solved(real, real.mechanism.crank_angle_per_wave * (i + 0.5) / 2000, 0.01)))
+        for i in range(2000)
+    )
+    assert highest <= found.peak_force * (1 + found.accuracy.relative_error)
+    assert highest == pytest.approx(found.peak_force, rel=1e-2)

@@ -67,7 +67,7 @@ def _bisected(below, low: mpf, high: mpf) -> mpf:
 
 
 def _least(f, low: mpf, high: mpf) -> mpf:
-    for _ in range(160):
+    for _ in range(110):
         a, b = (2 * low + high) / 3, (low + 2 * high) / 3
         low, high = (low, b) if f(a) < f(b) else (a, high)
     return (low + high) / 2
