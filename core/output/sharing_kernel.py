@@ -149,6 +149,7 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
     Where pairs press without load the first is larger than the second.
     """
     low, high, behind, onset = -math.inf, math.inf, -1, -1
+    far = 2 * setup.eccentricity / setup.radius
     for i in range(setup.pins * setup.satellites):
         q, v = room.q[i], room.v[i]
         if setup.exact:
@@ -162,14 +163,14 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
             else:
                 from_, to = q / (root - v), (root - v) / a
             from_, to = 2 * math.atan(from_), 2 * math.atan(to)
+        elif abs(v) * far <= abs(q):  # at its dead angle: open or pressed at any lag
+            if q > 0:
+                return math.inf, -math.inf, -1, -1
+            continue
         elif v > 0:
             from_, to = -math.inf, -q / v
-        elif v < 0:
-            from_, to = -q / v, math.inf
-        elif q > 0:
-            return math.inf, -math.inf, -1, -1
         else:
-            continue
+            from_, to = -q / v, math.inf
         if from_ > low:
             low, behind = from_, i
         if to < high:
