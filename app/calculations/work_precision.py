@@ -260,9 +260,7 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
             theme,
             height=600,
             # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
-            xaxis=axis(
-                theme, text("run_time"), "µs", type="log", exponentformat="e", tickformat=""
-            ),
+            xaxis=axis(theme, text("run_time"), "µs", type="log", dtick=1, tickformat="~r"),
             yaxis=axis(
                 theme, text("relative_error"), type="log", exponentformat="e", tickformat=""
             ),

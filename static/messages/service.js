@@ -673,7 +673,8 @@ export default {
     "geometry": "Pins and holes",
     "body": "Satellite",
     "rollers": "Rollers",
-    "shaft": "Shaft and mesh"
+    "shaft": "Bending of the shaft",
+    "room": "Room for rollers and shaft"
   },
   "checkReasons": {
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow one",

@@ -173,7 +173,10 @@ def test_the_mean_does_not_depend_on_where_the_crank_starts(
     one = total_force(mechanism=mechanism, force_exponent=exponent)
     other = total_force(mechanism=turned, force_exponent=exponent)
     error = one.accuracy.relative_error + other.accuracy.relative_error
-    for name in ("mean", "least", "largest"):
+    # Below 0.01 forces nearly jump where pairs switch: what is least or largest in the sliver
+    # between two switches that are one but for rounding is not known.
+    names = ("mean",) if 0 < exponent < 0.01 else ("mean", "least", "largest")
+    for name in names:
         assert getattr(one, name) == pytest.approx(getattr(other, name), rel=error)
 
 
