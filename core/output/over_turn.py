@@ -6,14 +6,16 @@ extremes like to sit there: summits are narrowed by golden section, which asks f
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from core.arrays import check_finite
 from core.errors import InvalidInput
 from core.output.contact_force import PairNumber
-from core.output.real_mechanism import RealMechanism, notices
+from core.output.loaded_position import notices
+from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, largest, play
+from core.output.summits import PLACE, highest, summits
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 POSITIONS = 720
@@ -25,19 +27,8 @@ CLUSTER = 8
 MOST_CLUSTERED = 2880
 """Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
 
-PLACE = 1e-10
-"""Width to which a summit is narrowed, rad."""
-
-ALIKE = 1e-11
-"""Relative difference below which two summits look equal on the grid."""
-
 TIE = 1e-9
 """Relative difference below which two summits are one peak, reported at the first crank angle."""
-
-ZOOMED = 3
-"""How many of the highest summits are narrowed, of what has no spikes."""
-
-GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,80 +191,6 @@ class _Turn:
         return grid, near
 
 
-@dataclass(frozen=True, slots=True)
-class _Summit:
-    """A summit, narrowed: its place and height, how much higher a kink within the width may be, and
-    where others look the same.
-    """
-
-    place: float
-    height: float
-    error: float
-    alike: tuple[float, ...]
-
-
-def _golden(f: Callable[[float], float], low: float, high: float) -> tuple[float, float, float]:
-    """Place and height of the largest value between two places, by golden section, and its error:
-    by how much it changed while the width was narrowed to its last sixteenth.
-    """
-    error = 0.0
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a, at_b = f(a), f(b)
-    while high - low > PLACE:
-        if high - low < 16 * PLACE:
-            error = max(error, abs(at_a - at_b))
-        if at_a >= at_b:
-            high, b, at_b = b, a, at_a
-            a = high - GOLDEN * (high - low)
-            at_a = f(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + GOLDEN * (high - low)
-            at_b = f(b)
-    return (a, at_a, error) if at_a >= at_b else (b, at_b, error)
-
-
-def _summits(
-    values: dict[float, float],
-    f: Callable[[float], float],
-    known: Sequence[_Summit] = (),
-    most: int | None = None,
-) -> list[_Summit]:
-    """Summits of values on a turn's grid, in its order, narrowed; those that look alike are
-    narrowed once, and those that are known not again. With `most`, only so many of the highest.
-    """
-    places, heights = [*values], [*values.values()]
-    count, turn = len(places), 2 * math.pi
-    scale = max(map(abs, heights)) * ALIKE or 1.0
-    seen: dict[tuple[int, ...], list[int]] = {}
-    for i, height in enumerate(heights):
-        before, after = heights[i - 1], heights[(i + 1) % count]
-        if height >= before and (height > after or count == 1):
-            key = tuple(round(each / scale) for each in (before, height, after))
-            seen.setdefault(key, []).append(i)
-    if not seen:  # all alike
-        return [_Summit(places[0], heights[0], 0.0, (places[0],))]
-    chosen = sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]
-    found = []
-    for alike in chosen:
-        i = alike[0]
-        low = places[i - 1] - (turn if i == 0 else 0)
-        high = places[i + 1] if i + 1 < count else places[0] + turn
-        if any(low <= each.place <= high for each in known):
-            continue
-        place, height, error = _golden(f, low, high)
-        if heights[i] > height:
-            place, height = places[i], heights[i]
-        others = tuple(place + places[k] - places[i] for k in alike)
-        found.append(_Summit(place, height, error, others))
-    return found
-
-
-def _highest(values: dict[float, float], f: Callable[[float], float]) -> _Summit:
-    """The highest summit over a turn, of the highest ones of its grid."""
-    return max(_summits(values, f, most=ZOOMED), key=lambda summit: summit.height)
-
-
 def _crank_angle(real: RealMechanism, psi: float) -> float:
     """First crank angle >= 0 of a wave angle, rad."""
     off = (psi - real.mechanism.initial_crank_angle) % (2 * math.pi)
@@ -336,11 +253,11 @@ def over_turn(
     step = grid[1] - grid[0]
     poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
     coarse = {psi: pose.force for psi, pose in poses.items()}
-    found = _summits(coarse, turn.force)
+    found = summits(coarse, turn.force)
     rough = max(found, key=lambda summit: summit.height).height
     poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
     fine = {psi: poses[psi].force for psi in sorted(poses)}
-    found += _summits(fine, turn.force, found)
+    found += summits(fine, turn.force, found)
     top = max(found, key=lambda summit: summit.height)
     peak = top.height
     place = min(
@@ -357,7 +274,7 @@ def over_turn(
         if max(turn.curved) > min(turn.curved) * (1 + 1e-12):
             values = {psi: poses[psi].pressure for psi in fine}
             pressure = max(
-                summit.height for summit in _summits(values, lambda psi: turn.pose(psi).pressure)
+                summit.height for summit in summits(values, lambda psi: turn.pose(psi).pressure)
             )
             max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
 
@@ -367,7 +284,7 @@ def over_turn(
         """Largest value over the turn, or least for the sign -1, and an estimate of its error."""
         whole = {psi: sign * value(poses[psi]) for psi in fine}
         part = {psi: whole[psi] for psi in coarse}
-        top, rough = (_highest(each, lambda psi: sign * at_place(psi)) for each in (whole, part))
+        top, rough = (highest(each, lambda psi: sign * at_place(psi)) for each in (whole, part))
         return sign * top.height, abs(top.height - rough.height) + top.error
 
     def spread(
@@ -389,7 +306,7 @@ def over_turn(
     ]
     lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
     most_lost, rough_lost = (
-        _highest(dict([*lost.items()][::every]), lambda psi: turn.lost(psi, lost_motion_share))
+        highest(dict([*lost.items()][::every]), lambda psi: turn.lost(psi, lost_motion_share))
         for every in (1, 2)
     )
     stiff = [

@@ -18,9 +18,10 @@ from core.output.contact_law import (
     PowerLaw,
     pin_compliance,
 )
+from core.output.loaded_position import LoadedPosition
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, LoadedPosition, RealMechanism
+from core.output.real_mechanism import Deviations, RealMechanism
 from tests.oracles.real_mechanisms import (
     STEEL,
     crank_angles,

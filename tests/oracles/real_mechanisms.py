@@ -11,8 +11,9 @@ from core.output.contact_law import (
     PinSupport,
     PowerLaw,
 )
+from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, LoadedPosition, RealMechanism, loaded_position
+from core.output.real_mechanism import Deviations, RealMechanism
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 LAWS: list[ContactLaw] = [

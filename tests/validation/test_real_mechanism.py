@@ -20,9 +20,10 @@ from core.output.contact_law import (
     PinSupport,
     PowerLaw,
 )
+from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism, loaded_position
+from core.output.real_mechanism import Deviations, RealMechanism
 
 CASES = json.loads((Path(__file__).parent.parent / "oracles/load_sharing_cases.json").read_text())
 ARCMIN = math.pi / 180 / 60
