@@ -17,6 +17,7 @@ sharing_kernel      loops over pairs with gaps: equilibrium of one position
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 loaded_position     its forces, lag, play and stiffness at one position
+real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
 """

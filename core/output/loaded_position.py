@@ -137,7 +137,7 @@ def loaded_position(
     return LoadedPosition(
         crank_angle=crank_angle,
         rotation=direction * found.lag,
-        force=tuple(tuple(room.force[i : i + pins]) for i in rows),
+        force=real.rows(room.force),
         satellite_torque=tuple(torques),
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),

@@ -14,7 +14,7 @@ from core.errors import InvalidInput
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import at, largest, play
+from core.output.sharing_kernel import at, largest, play, wave_torque
 from core.output.summits import PLACE, highest, summits
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
@@ -59,12 +59,20 @@ class OverTurn:
         Least and largest number of pairs that carry.
     max_pressure : float or None
         Largest Hertz pressure, Pa, where the materials are known.
+    pair_force : tuple of tuple of float, K x N
+        Largest force of each pair, N.
+    input_torque_ripple : float
+        Largest less least torque that turns the crank, without friction, N*m.
     pressed_without_load : bool
         Whether pairs press without load anywhere.
     angle_error : float
         Estimate of the error of backlash, lost motion and transmission errors, rad.
     stiffness_error : float
         Estimate of the relative error of the stiffnesses, dimensionless.
+    pair_error : float
+        Estimate of the relative error of the pairs' forces, over the peak, dimensionless.
+    ripple_error : float
+        Estimate of the error of the ripple, N*m.
     accuracy : Accuracy
         Of the peak force: what twice as many positions change, and rounding. An honest estimate,
         no proof.
@@ -86,9 +94,13 @@ class OverTurn:
     loaded_pairs_min: int
     loaded_pairs_max: int
     max_pressure: float | None
+    pair_force: tuple[tuple[float, ...], ...]
+    input_torque_ripple: float
     pressed_without_load: bool
     angle_error: float
     stiffness_error: float
+    pair_error: float
+    ripple_error: float
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -107,6 +119,7 @@ class _Pose:
     lag_error: float
     play_error: float
     force_error: float
+    input_torque: float
 
 
 class _Turn:
@@ -120,6 +133,7 @@ class _Turn:
         self.curved = [
             c / r / (r + c) for r, c in zip(real.pin_radii, real.pairs.distance, strict=True)
         ]
+        self.pair_force = [0.0] * len(self.curved)
         self.evaluations = 0
 
     def pose(self, psi: float) -> _Pose:
@@ -128,6 +142,7 @@ class _Turn:
         room = self.room
         found = self.real.solved(psi, self.torque, self.setup, room)
         force = largest(room.force)
+        self.pair_force = list(map(max, self.pair_force, room.force))
         return _Pose(
             found.lag,
             found.stiffness,
@@ -139,12 +154,20 @@ class _Turn:
             found.lag_error,
             found.play_error,
             found.force_error,
+            self.input_torque(psi, found.lag),
         )
+
+    def input_torque(self, psi: float, lag: float) -> float:
+        """Torque that turns the crank, as a position under load left the room."""
+        ratio, setup = self.setup.ratio, self.setup
+        on_wave = wave_torque(psi, lag, setup, self.real.pairs, self.room)
+        return setup.direction * self.torque / ratio + (1 + 1 / ratio) * on_wave
 
     def force(self, psi: float) -> float:
         """Largest force at a wave angle."""
         self.evaluations += 1
         self.real.solved(psi, self.torque, self.setup, self.room)
+        self.pair_force = list(map(max, self.pair_force, self.room.force))
         return largest(self.room.force)
 
     def backlash(self, psi: float) -> float:
@@ -253,6 +276,7 @@ def over_turn(
     step = grid[1] - grid[0]
     poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
     coarse = {psi: pose.force for psi, pose in poses.items()}
+    rough_forces = turn.pair_force
     found = summits(coarse, turn.force)
     rough = max(found, key=lambda summit: summit.height).height
     poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
@@ -264,6 +288,8 @@ def over_turn(
         (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
         key=lambda psi: _crank_angle(real, psi),
     )
+    for each in {psi for summit in found for psi in summit.alike}:
+        turn.force(each)  # of every pair
     turn.force(place)
     force = turn.room.force
     pair = force.index(max(force))
@@ -279,13 +305,18 @@ def over_turn(
             max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
 
     def extreme(
-        value: Callable[[_Pose], float], at_place: Callable[[float], float], sign: int = 1
+        value: Callable[[_Pose], float],
+        at_place: Callable[[float], float],
+        sign: int = 1,
+        jumps: bool = False,
     ) -> tuple[float, float]:
-        """Largest value over the turn, or least for the sign -1, and an estimate of its error."""
+        """Largest value over the turn, or least for the sign -1, and an estimate of its error; on
+        the high side of a jump nothing is missed.
+        """
         whole = {psi: sign * value(poses[psi]) for psi in fine}
         part = {psi: whole[psi] for psi in coarse}
         top, rough = (highest(each, lambda psi: sign * at_place(psi)) for each in (whole, part))
-        return sign * top.height, abs(top.height - rough.height) + top.error
+        return sign * top.height, abs(top.height - rough.height) + (0.0 if jumps else top.error)
 
     def spread(
         value: Callable[[_Pose], float], at_place: Callable[[float], float]
@@ -310,13 +341,15 @@ def over_turn(
         for every in (1, 2)
     )
     stiff = [
-        extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign)
+        extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign, True)
         for sign in (1, -1)
     ]
+    ripple = spread(lambda pose: pose.input_torque, lambda psi: turn.pose(psi).input_torque)
     rounding = max(pose.lag_error for pose in every) + 2 * max(pose.play_error for pose in every)
+    unsure = max(pose.force_error for pose in every)
     accuracy = Accuracy(
         "sampling_zoomed",
-        (abs(peak - rough) + top.error + max(pose.force_error for pose in every)) / peak,
+        (abs(peak - rough) + top.error + unsure) / peak,
         turn.evaluations,
     )
     return OverTurn(
@@ -334,6 +367,8 @@ def over_turn(
         loaded_pairs_min=min(pose.loaded for pose in every),
         loaded_pairs_max=max(pose.loaded for pose in every),
         max_pressure=max_pressure,
+        pair_force=real.rows(turn.pair_force),
+        input_torque_ripple=ripple[0],
         pressed_without_load=pressed,
         angle_error=rounding
         + max(
@@ -343,6 +378,8 @@ def over_turn(
             abs(most_lost.height - rough_lost.height) + most_lost.error,
         ),
         stiffness_error=max(off / value for value, off in stiff) + 8 * ROUNDING,
+        pair_error=max(map(float.__sub__, turn.pair_force, rough_forces)) / peak,
+        ripple_error=ripple[1] + 2 * unsure * len(force) * real.eccentricity,
         accuracy=accuracy,
         notices=(
             *notices(

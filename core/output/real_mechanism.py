@@ -317,6 +317,41 @@ class RealMechanism:
             hole_material=self.hole_material,
         )
 
+    def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+        """Values of the pairs, satellite by satellite.
+
+        Parameters
+        ----------
+        values : sequence of float, K*N
+            Values in the kernel's order.
+
+        Returns
+        -------
+        tuple of tuple of float, K x N
+        """
+        pins = self.mechanism.pins
+        return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
+
+    def pressures(
+        self, force: tuple[tuple[float, ...], ...]
+    ) -> tuple[tuple[float, ...], ...] | None:
+        """Largest Hertz pressure of each pair, where the materials are known.
+
+        Parameters
+        ----------
+        force : tuple of tuple of float, K x N
+            Force of each pair, N.
+
+        Returns
+        -------
+        tuple of tuple of float, K x N, or None
+            Pressures, Pa.
+        """
+        flat = [each for row in force for each in row]
+        contacts = [self.contact(pair, each) for pair, each in enumerate(flat)]
+        pressures = [contact.max_pressure for contact in contacts if contact is not None]
+        return self.rows(pressures) if pressures else None
+
     def hardest(self, force: Sequence[float]) -> HertzContact | None:
         """Contact of the pair with the largest pressure, which grows with the force times the
         difference of the curvatures.

@@ -302,6 +302,31 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     )
 
 
+def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
+    """Torque of the forces in the room on the wave, at the lag that balances them: the sum of each
+    times the derivative of its approach by the wave angle.
+    """
+    way, sine, half = setup.direction, math.sin(lag), math.sin(lag / 2)
+    less, total = -2 * half * half, 0.0
+    for j in range(setup.satellites):
+        angle, arm = psi + pairs.phase[j], pairs.arm[j]
+        wx, wy = arm * math.sin(angle), arm * math.cos(angle)
+        for i in range(j * setup.pins, (j + 1) * setup.pins):
+            if room.force[i] == 0:
+                continue
+            x, y, ex, ey, c = pairs.x[i], pairs.y[i], pairs.ex[i], pairs.ey[i], pairs.distance[i]
+            grown = wy * ex - wx * ey  # q by the angle: wx becomes wy, and wy -wx
+            if setup.exact:
+                grown += less * (wy * x - wx * y) + way * sine * (wy * y + wx * x)
+                square = c * c + wx * ex + wy * ey + pairs.k0[i] + less * pairs.k1[i]
+                square += less * (wx * x + wy * y) + way * sine * (wx * y - wy * x + pairs.k2[i])
+                grown /= 2 * math.sqrt(square)
+            else:
+                grown += lag * way * (wy * x - wx * y)
+            total += room.force[i] * grown
+    return total
+
+
 def largest(room: Row) -> float:
     """Largest of a row of forces."""
     best = 0.0
