@@ -10,6 +10,7 @@ from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import wave_torque
+from core.results import Accuracy
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +32,8 @@ class RealCurves:
         Torque over rotation, N*m/rad.
     input_torque : array, M
         Torque that turns the crank, without friction, N*m.
+    accuracy : Accuracy
+        Of the forces, over the largest.
     """
 
     crank_angle: FloatArray
@@ -41,6 +44,7 @@ class RealCurves:
     play_to: FloatArray
     stiffness: FloatArray
     input_torque: FloatArray
+    accuracy: Accuracy
 
 
 def real_curves(
@@ -75,27 +79,41 @@ def real_curves(
     direction = math.copysign(1.0, output_torque)
     there, back, room = real.setup(direction), real.setup(-direction), real.room()
     ratio, torque = real.mechanism.ratio, abs(output_torque)
-    forces, rows = [], []
+    forces, rows, unsure, steps = [], [], 0.0, 0
     for angle in crank_angle:
         psi = real.wave(float(angle))
         reverse = real.solved(psi, torque, back, room)
         found = real.solved(psi, torque, there, room)
-        low, high = sorted((direction * found.low, direction * found.high))
+        least, most = sorted((direction * found.low, direction * found.high))
         if found.low > found.high:
-            low = high = (low + high) / 2 if math.isfinite(low) else 0.0
+            least = most = (least + most) / 2 if math.isfinite(least) else 0.0
         on_wave = wave_torque(psi, found.lag, there, real.pairs, room)
         forces.append([*room.force])
+        unsure, steps = max(unsure, found.force_error), steps + found.steps + reverse.steps
         rows.append(
             (
                 direction * found.lag,
                 -direction * reverse.lag,
-                low + 0.0,
-                high + 0.0,
+                least + 0.0,
+                most + 0.0,
                 found.stiffness,
                 output_torque / ratio + (1 + 1 / ratio) * on_wave,
             )
         )
-    return RealCurves(crank_angle, np.array(forces).T, *np.array(rows).T)
+    force = np.array(forces).T
+    accuracy = Accuracy("newton_bracket", unsure / float(force.max()), steps)
+    lag, back_lag, low, high, stiffness, on_crank = np.array(rows).T
+    return RealCurves(
+        crank_angle=crank_angle,
+        force=force,
+        rotation=lag,
+        reverse_rotation=back_lag,
+        play_from=low,
+        play_to=high,
+        stiffness=stiffness,
+        input_torque=on_crank,
+        accuracy=accuracy,
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,12 +130,15 @@ class StiffnessCurve:
         Lag under each, rad.
     stiffness : tuple of float, M
         Slope of the torque over the lag at each, N*m/rad.
+    accuracy : Accuracy
+        Of the lags, over the largest.
     """
 
     crank_angle: float
     torque: tuple[float, ...]
     rotation: tuple[float, ...]
     stiffness: tuple[float, ...]
+    accuracy: Accuracy
 
 
 def stiffness_curve(
@@ -152,6 +173,14 @@ def stiffness_curve(
             raise InvalidInput(f"torques[{index}]", torque, "not_zero")
         sign = math.copysign(1.0, torque)
         position = real.solved(psi, abs(torque), setups[sign], room)
-        found.append((sign * position.lag, position.stiffness))
-    rotation, stiffness = zip(*found, strict=True)
-    return StiffnessCurve(crank_angle, tuple(torques), rotation, stiffness)
+        found.append((sign * position.lag, position))
+    largest = max(abs(rotation) for rotation, _ in found) or 1.0
+    unsure = max(position.lag_error for _, position in found)
+    steps = sum(position.steps for _, position in found)
+    return StiffnessCurve(
+        crank_angle,
+        tuple(torques),
+        tuple(rotation for rotation, _ in found),
+        tuple(position.stiffness for _, position in found),
+        Accuracy("newton_bracket", unsure / largest, steps),
+    )

@@ -82,13 +82,17 @@ def touch_error(lag: float, pair: int, psi: float, setup: Setup, pairs: Pairs, r
     if pair < 0:
         return 0.0
     q, v = room.q[pair], room.v[pair]
-    slope, twice = abs(v), 1.0
-    if setup.exact:
-        slope = math.sqrt(max(v * v - (q - 2 * room.u[pair]) * q, 0.0))
-        twice = 2 * pairs.distance[pair]
+    twice = 2 * pairs.distance[pair] if setup.exact else 1.0
     # The lever may be small as a difference: the wave angle moves it by the whole radius.
     size = pairs.size[pair] + abs(lag) * twice * setup.radius
-    return EPS * (4 + 2 * abs(psi)) * size / slope if slope > 0 else math.inf
+    off = EPS * (4 + 2 * abs(psi)) * size
+    if not setup.exact:
+        return off / abs(v) if v != 0 else math.inf
+    # Of a*t^2 + 2*v*t + q = 0, where both roots may fall together.
+    a = q - 2 * room.u[pair]
+    slope = math.sqrt(max(v * v - a * q, 0.0))
+    most = 2 * math.sqrt(off / abs(a))
+    return min(most, off / slope) if slope > 0 else most
 
 
 def shift(lag: float, onset: int, setup: Setup, pairs: Pairs, room: Room) -> None:

@@ -39,6 +39,7 @@ export default {
     "dust": "must be 0 or at least {limit} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
+    "hole_disagrees": "must be pin radius + eccentricity + clearance, {expected}, or left out",
     "int_type": "must be a whole number",
     "json_invalid": "is not valid JSON: {error}",
     "list_type": "must be a list",
@@ -48,6 +49,7 @@ export default {
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "not_valid": "is not valid",
+    "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
@@ -85,6 +87,7 @@ export default {
   },
   "neglected": {
     "bearing_elasticity": "play and elasticity of the bearings",
+    "bodies_rigid": "what discs, hole walls and carrier deform",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -99,6 +102,7 @@ export default {
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
     "seals": "losses of seals, bearings and teeth",
+    "second_flange": "a second flange at the other end of the pins",
     "shear": "the shear of the shaft"
   },
   "figures": {
@@ -134,11 +138,14 @@ export default {
     "error_in_time_chosen": "{method}: error {error} in {time}",
     "hertz": "Hertz",
     "hole": "hole",
+    "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
+    "lag": "Lag of the output",
     "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
     "length_ratio": "Length over diameter l/d",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
     "loss": "Loss",
+    "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
     "nonuniformity": "Non-uniformity Ψ",
@@ -151,9 +158,12 @@ export default {
     "pin": "pin",
     "plane_xz": "plane xz",
     "plane_yz": "plane yz",
+    "play_from": "Play, from",
+    "play_to": "Play, to",
     "position_error": "Relative position error δ",
     "pressure_hover": "{name}<br>{pressure} at {place}",
     "relative_error": "Relative error",
+    "reverse_lag": "Lag under reverse torque",
     "roller_angle": "φ₁ = {angle}",
     "roller_circle": "Circle of the roller axes",
     "run_time": "Run time",
@@ -165,6 +175,9 @@ export default {
     "stiffness_ratio": "Stiffness c/(b·E)",
     "stress_hover": "{name}: {stress} at l/d = {length}",
     "tolerance": "χ = {tolerance}",
+    "torque": "Torque",
+    "torque_at_lag": "{torque} at a lag of {lag}",
+    "torque_over_lag": "Torque over lag at {angle}",
     "used": "Used by the calculator"
   },
   "methods": {
@@ -241,17 +254,25 @@ export default {
       "Eccentricity",
       "Eccentricity of the cranks; where it may be left out: hole radius − pin radius."
     ],
+    "contact.hole_radius_mm": [
+      "Hole radius",
+      "Radius of the hole in the satellite: pin radius + eccentricity."
+    ],
+    "contact.pin_radius_mm": [
+      "Pin radius",
+      "Radius of the pin, or of its sleeve."
+    ],
     "contact_length_mm": [
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
     ],
-    "crank_angle_deg": [
-      "Crank angle",
-      "Crank angle of the section geometry."
-    ],
     "crank_angles_deg": [
       "Crank angles",
       "Angle of each crank, one for each satellite, instead of an even spacing."
+    ],
+    "crank_phase_deg": [
+      "Crank phases",
+      "Angle of each crank, positive ahead."
     ],
     "crank_spacing_deg": [
       "Crank spacing",
@@ -260,6 +281,22 @@ export default {
     "cylinder_length_mm": [
       "Cylinder length",
       "Length of one cylinder, from the middle sphere to the end sphere."
+    ],
+    "deviations.eccentricity_mm": [
+      "Eccentricities",
+      "Of each crank."
+    ],
+    "deviations.hole_radius_mm": [
+      "Hole radii",
+      "Of each hole's radius."
+    ],
+    "deviations.pin_radius_mm": [
+      "Pin radii",
+      "Of each pin's radius."
+    ],
+    "disc_phase_deg": [
+      "Disc phases",
+      "Angle of each disc's holes against its teeth, positive ahead."
     ],
     "distribution_factor": [
       "Distribution factor",
@@ -272,6 +309,10 @@ export default {
     "efficiency": [
       "Efficiency",
       "Efficiency of the reducer, needed with the input torque."
+    ],
+    "exponent": [
+      "Exponent",
+      "Force ∝ approachⁿ, for the power law."
     ],
     "force_N": [
       "Contact force",
@@ -289,17 +330,29 @@ export default {
       "Gaps",
       "Gap of each roller before it carries, instead of the worst case of a tolerance."
     ],
+    "geometry": [
+      "Geometry",
+      "Exact, or first order in lag and deviations as in the papers."
+    ],
     "hole_circle_radius_mm": [
       "Hole circle radius",
       "Radius of the circle of the rollers' holes."
+    ],
+    "hole_clearance_mm": [
+      "Clearance",
+      "Radial clearance: hole radius − pin radius − eccentricity; negative is interference."
     ],
     "hole_material": [
       "Hole material",
       "A name of the table of materials, or values."
     ],
-    "hole_radius_mm": [
-      "Hole radius",
-      "Radius of the hole in the satellite: pin radius + eccentricity."
+    "hole_radial_mm": [
+      "Holes outward",
+      "Of each hole, outward, a list for each satellite."
+    ],
+    "hole_tangential_mm": [
+      "Holes along the circle",
+      "The same in the driving sense."
     ],
     "initial_crank_angle_deg": [
       "Initial wave angle",
@@ -313,6 +366,10 @@ export default {
       "Input torque",
       "Torque on the crankshaft; T = T₁·u·η."
     ],
+    "kind": [
+      "Law of contact",
+      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
+    ],
     "length_mm": [
       "Length",
       ""
@@ -325,6 +382,14 @@ export default {
       "Rollers",
       "Number of rollers."
     ],
+    "lost_motion_torque_share": [
+      "Torque of the lost motion",
+      "Share of the torque, in both directions, under which the lost motion is taken."
+    ],
+    "material": [
+      "Material of the pin",
+      "A name of the table of materials, or values; that of the contact where not given."
+    ],
     "max_deflection_mm": [
       "Largest deflection",
       "Largest deflection of the shaft at its bearings."
@@ -332,6 +397,10 @@ export default {
     "max_slope_mrad": [
       "Largest slope",
       "Largest slope of the shaft in its bearings."
+    ],
+    "mechanism.crank_angle_deg": [
+      "Crank angle",
+      "Crank angle of the section geometry."
     ],
     "min_wall_mm": [
       "Least wall",
@@ -373,9 +442,13 @@ export default {
       "Pin material",
       "A name of the table of materials, or values."
     ],
-    "pin_radius_mm": [
-      "Pin radius",
-      "Radius of the pin, or of its sleeve."
+    "pin_radial_mm": [
+      "Pins outward",
+      "Of each pin, outward."
+    ],
+    "pin_tangential_mm": [
+      "Pins along the circle",
+      "Of each pin, in the driving sense."
     ],
     "pins": [
       "Pins",
@@ -397,6 +470,10 @@ export default {
       "Position tolerance",
       "Positional tolerance of the holes; the worst case has one hole ahead in each part."
     ],
+    "positions.crank_angle_deg": [
+      "Crank angles",
+      "Crank angles of the positions; the curve of the lag is taken at the first."
+    ],
     "ratio": [
       "Ratio",
       "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
@@ -404,6 +481,18 @@ export default {
     "ratio_u12": [
       "Ratio",
       "Ratio of the mesh with the input shaft held."
+    ],
+    "reference_approach_mm": [
+      "Reference approach",
+      "The approach under the reference force."
+    ],
+    "reference_depth_mm": [
+      "Reference depth",
+      "Depth to which the approach of the hole is counted; the hole's radius where not given."
+    ],
+    "reference_force_N": [
+      "Reference force",
+      "A force whose approach is known, for the power law."
     ],
     "reference_z_mm": [
       "Place of C",
@@ -453,6 +542,10 @@ export default {
       "Samples",
       "Number of points of each curve."
     ],
+    "satellite_positions_mm": [
+      "Places of the satellites",
+      "Distance of the middle of each satellite from the support."
+    ],
     "satellite_teeth": [
       "Satellite teeth",
       "Number of teeth of a satellite; gives the ratio and the assembly angles."
@@ -481,6 +574,10 @@ export default {
       "Sleeves on the pins",
       "Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed."
     ],
+    "span_mm": [
+      "Span",
+      "Distance of the two supports."
+    ],
     "sphere_diameter_mm": [
       "Sphere diameter",
       "Diameter of the spherical parts."
@@ -489,17 +586,33 @@ export default {
       "Sphere width",
       "Width of a spherical part along the roller."
     ],
+    "stiffness_N_per_mm": [
+      "Contact stiffness",
+      "Stiffness of a pair, for the linear law."
+    ],
     "stress_concentration": [
       "Stress concentration",
       "Stress concentration at the step beside the middle sphere."
+    ],
+    "support": [
+      "Support",
+      "Held at one end, simply supported at both, or clamped at both."
     ],
     "torque_Nm": [
       "Torque",
       "Torque on the central wheel; its sign chooses the loaded flanks."
     ],
+    "torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back."
+    ],
     "torque_sign": [
       "Sign of the torque",
       "Chooses the loaded flank of rollers whose limits are given in z."
+    ],
+    "torques_Nm": [
+      "Torques",
+      "Torques of the curve of the lag, negative in reverse; shares of the load where not given."
     ],
     "wear_rate_mm3_per_Nm": [
       "Wear coefficient",
@@ -755,6 +868,7 @@ export default {
     "cyclogram": "Cyclogram",
     "crank-planetary": "Crank-planetary reducer",
     "output-efficiency": "Efficiency of the output mechanism",
+    "load-sharing": "Load sharing with clearance and errors",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",
     "precession/shaft-deflection": "Shaft of the precessional gear",
