@@ -86,6 +86,7 @@ METHODS = {
     "newton": "Newton",
     "newton_bracket": "Newton's method in a bracket",
     "sampling": "sampling",
+    "sampling_dense": "four times as many samples, every summit narrowed by golden section",
     "sampling_zoomed": "sampling, every summit narrowed by golden section",
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",

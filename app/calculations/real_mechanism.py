@@ -8,6 +8,7 @@ from pydantic import ConfigDict, Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
 from app.calculations.hertz import ContactFields, Material, material_of
+from app.calculations.mechanism import MAX_SATELLITES
 from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
 from app.units import to_si
@@ -39,7 +40,9 @@ ONLY_HERTZ = "reference_depth_mm"
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 Phase = Annotated[float, Field(ge=-360, le=360)]
-MOST = 10_000
+
+MAX_LISTED_PINS = 1000
+"""Most pins whose deviations are listed one by one."""
 
 
 class RealLoadFields(TorqueFields):
@@ -272,7 +275,7 @@ class BentPinFields(RequestModel):
         symbol="z",
         group="pin",
         min_length=1,
-        max_length=100,
+        max_length=MAX_SATELLITES,
         help="Distance of the middle of each satellite from the support.",
     )
     material: Maybe[Material] = quantity(
@@ -305,15 +308,21 @@ class BentPinFields(RequestModel):
         )
 
 
-def _deviation(title: str, symbol: str, help: str, inner: Any = Deviation) -> Any:
+def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:
     return quantity(
-        title, symbol=symbol, group="deviations", default=None, step=0.001,
-        min_length=1, max_length=MOST, help=help,
-    )  # fmt: skip
+        title,
+        symbol=symbol,
+        group="deviations",
+        default=None,
+        step=0.001,
+        min_length=1,
+        max_length=most,
+        help=help,
+    )
 
 
 Row = list[Deviation]
-Table = Annotated[list[Annotated[Row, Field(min_length=1, max_length=MOST)]], Field()]
+Table = list[Annotated[Row, Field(min_length=1, max_length=MAX_LISTED_PINS)]]
 
 
 class DeviationsFields(RequestModel):
@@ -327,18 +336,25 @@ class DeviationsFields(RequestModel):
     )
     pin_radius_mm: Maybe[Row] = _deviation("Pin radii", "Δr", "Of each pin's radius.")
     hole_radial_mm: Maybe[Table] = _deviation(
-        "Holes outward", "ρ_j", "Of each hole, outward, a list for each satellite."
+        "Holes outward", "ρ_j", "Of each hole, outward, a list for each satellite.", MAX_SATELLITES
     )
     hole_tangential_mm: Maybe[Table] = _deviation(
-        "Holes along the circle", "τ_j", "The same in the driving sense."
+        "Holes along the circle", "τ_j", "The same in the driving sense.", MAX_SATELLITES
     )
-    hole_radius_mm: Maybe[Table] = _deviation("Hole radii", "Δr_j", "Of each hole's radius.")
-    eccentricity_mm: Maybe[Row] = _deviation("Eccentricities", "Δe", "Of each crank.")
+    hole_radius_mm: Maybe[Table] = _deviation(
+        "Hole radii", "Δr_j", "Of each hole's radius.", MAX_SATELLITES
+    )
+    eccentricity_mm: Maybe[Row] = _deviation(
+        "Eccentricities", "Δe", "Of each crank.", MAX_SATELLITES
+    )
     crank_phase_deg: Maybe[list[Phase]] = _deviation(
-        "Crank phases", "Δα", "Angle of each crank, positive ahead."
+        "Crank phases", "Δα", "Angle of each crank, positive ahead.", MAX_SATELLITES
     )
     disc_phase_deg: Maybe[list[Phase]] = _deviation(
-        "Disc phases", "η", "Angle of each disc's holes against its teeth, positive ahead."
+        "Disc phases",
+        "η",
+        "Angle of each disc's holes against its teeth, positive ahead.",
+        MAX_SATELLITES,
     )
 
     def deviations(self) -> Deviations:

@@ -153,13 +153,11 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         rest = span - z
         compliance = (z * rest) ** 2 / (3 * bending * span) + shear * z * rest / span
         if pin.support == "fixed":
-            # End rotations by the force, and by unit moments at the ends: these hold them at zero.
-            own = span / (3 * bending) + shear / span
-            across = span / (6 * bending) - shear / span
+            # End rotations by the force, even and odd, and what moments at the ends turn back.
             near = z * rest * (span + rest) / (6 * bending * span)
             far = z * rest * (span + z) / (6 * bending * span)
-            held = own * near**2 - 2 * across * near * far + own * far**2
-            compliance -= held / (own**2 - across**2)
+            even, odd = span / (2 * bending), span / (6 * bending) + 2 * shear / span
+            compliance -= (near + far) ** 2 / (2 * even) + (near - far) ** 2 / (2 * odd)
         compliances.append(compliance)
     return tuple(compliances)
 

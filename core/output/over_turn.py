@@ -15,7 +15,7 @@ from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, largest, play, wave_torque
-from core.output.summits import PLACE, highest, summits
+from core.output.summits import PLACE, all_summits, highest, summits
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 POSITIONS = 720
@@ -106,7 +106,7 @@ class OverTurn:
 
 
 @dataclass(frozen=True, slots=True)
-class _Pose:
+class Pose:
     """One position under load, and its play; lags count in the torque's direction."""
 
     lag: float
@@ -122,7 +122,7 @@ class _Pose:
     input_torque: float
 
 
-class _Turn:
+class Turn:
     """The mechanism under a torque, position by position."""
 
     def __init__(self, real: RealMechanism, torque: float) -> None:
@@ -136,14 +136,14 @@ class _Turn:
         self.pair_force = [0.0] * len(self.curved)
         self.evaluations = 0
 
-    def pose(self, psi: float) -> _Pose:
+    def pose(self, psi: float) -> Pose:
         """A position under the torque."""
         self.evaluations += 1
         room = self.room
         found = self.real.solved(psi, self.torque, self.setup, room)
         force = largest(room.force)
         self.pair_force = list(map(max, self.pair_force, room.force))
-        return _Pose(
+        return Pose(
             found.lag,
             found.stiffness,
             force,
@@ -271,18 +271,15 @@ def over_turn(
         raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
     if not lost_motion_share <= 1:
         raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
-    turn = _Turn(real, output_torque)
+    turn = Turn(real, output_torque)
     grid, near = turn.positions()
     step = grid[1] - grid[0]
     poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
     coarse = {psi: pose.force for psi, pose in poses.items()}
     rough_forces = turn.pair_force
-    found = summits(coarse, turn.force)
-    rough = max(found, key=lambda summit: summit.height).height
     poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
     fine = {psi: poses[psi].force for psi in sorted(poses)}
-    found += summits(fine, turn.force, found)
-    top = max(found, key=lambda summit: summit.height)
+    found, top, rough = all_summits(coarse, fine, turn.force)
     peak = top.height
     place = min(
         (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
@@ -305,7 +302,7 @@ def over_turn(
             max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
 
     def extreme(
-        value: Callable[[_Pose], float],
+        value: Callable[[Pose], float],
         at_place: Callable[[float], float],
         sign: int = 1,
         jumps: bool = False,
@@ -319,7 +316,7 @@ def over_turn(
         return sign * top.height, abs(top.height - rough.height) + (0.0 if jumps else top.error)
 
     def spread(
-        value: Callable[[_Pose], float], at_place: Callable[[float], float]
+        value: Callable[[Pose], float], at_place: Callable[[float], float]
     ) -> tuple[float, float]:
         """Largest less least value over the turn, and an estimate of its error."""
         (high, off), (low, other) = (extreme(value, at_place, sign) for sign in (1, -1))

@@ -146,6 +146,10 @@ class RealMechanism:
         }
         check_positive(**sizes)
         check_finite(**sizes, clearance=self.clearance)
+        if not self.eccentricity < self.pin_circle_radius:
+            raise InvalidInput(
+                "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
+            )
         check_law(self.law)
 
     def setup(self, direction: float) -> Setup:

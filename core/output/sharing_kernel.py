@@ -19,6 +19,9 @@ LINEAR, POWER, HERTZ = 0, 1, 2
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE = 0, 1, 2, 3
 
 EPS = 2.0**-52
+TINY = 1e-100
+"""Stands for what is positive, but for deviations as large as the mechanism."""
+
 STEPS = 200
 HERTZ_END = 1.2
 """Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
@@ -52,7 +55,7 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
     for i in range(setup.pins * setup.satellites):
         q, v = room.q[i], room.v[i]
         if setup.exact:
-            a = q - 2 * room.u[i]
+            a = max(q - 2 * room.u[i], TINY)
             square = v * v - a * q
             if square < 0:
                 return math.inf, -math.inf, -1, -1
@@ -89,9 +92,9 @@ def touch_error(lag: float, pair: int, psi: float, setup: Setup, pairs: Pairs, r
     if not setup.exact:
         return off / abs(v) if v != 0 else math.inf
     # Of a*t^2 + 2*v*t + q = 0, where both roots may fall together.
-    a = q - 2 * room.u[pair]
+    a = max(q - 2 * room.u[pair], TINY)
     slope = math.sqrt(max(v * v - a * q, 0.0))
-    most = 2 * math.sqrt(off / abs(a))
+    most = 2 * math.sqrt(off / a)
     return min(most, off / slope) if slope > 0 else most
 
 
@@ -240,6 +243,8 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
         lag = start(torque, setup, pairs, room)
     if lag == math.inf:
         return Position(0.0, 0.0, play_low, play_high, play_error, 0.0, 0.0, NO_DRIVE, 0)
+    if pressed:
+        lag = 0.0
     low, high = -math.inf if pressed else 0.0, math.inf
     # Newton on torque^(1/exponent), which is convex and nearly straight for pure powers; pairs
     # that press without load have other laws of growth.

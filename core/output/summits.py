@@ -88,3 +88,19 @@ def summits(
 def highest(values: dict[float, float], f: Callable[[float], float]) -> Summit:
     """The highest summit over a turn, of the highest ones of its grid."""
     return max(summits(values, f, most=ZOOMED), key=lambda summit: summit.height)
+
+
+def all_summits(
+    coarse: dict[float, float], fine: dict[float, float], f: Callable[[float], float]
+) -> tuple[list[Summit], Summit, float]:
+    """All summits of a coarse and of a fine grid, the highest of them, and what the coarse one
+    alone would have given.
+    """
+
+    def height(summit: Summit) -> float:
+        return summit.height
+
+    found = summits(coarse, f)
+    rough = max(map(height, found))
+    found += summits(fine, f, found)
+    return found, max(found, key=height), rough

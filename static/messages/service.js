@@ -206,6 +206,7 @@ export default {
     "newton": "Newton",
     "newton_bracket": "Newton's method in a bracket",
     "sampling": "sampling",
+    "sampling_dense": "four times as many samples, every summit narrowed by golden section",
     "sampling_zoomed": "sampling, every summit narrowed by golden section",
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",
@@ -226,6 +227,7 @@ export default {
   "settings": {
     "default": "default",
     "level": "level {value}",
+    "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps"
   },

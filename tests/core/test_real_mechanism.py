@@ -278,6 +278,7 @@ def test_what_cannot_be(changes: dict, torque: float, code: str) -> None:
         ({"law": LinearLaw(0.0)}, "stiffness"),
         ({"law": HertzLaw()}, "pin_material"),
         ({"eccentricity": 0.0}, "eccentricity"),
+        ({"eccentricity": 0.020}, "eccentricity"),
         ({"deviations": Deviations(pin_radial=(1e-6,) * 7)}, "pin_radial"),
         ({"deviations": Deviations(hole_radius=((1e-6,) * 7,))}, "hole_radius[0]"),
         ({"deviations": Deviations(crank_phase=(math.nan,))}, "crank_phase[0]"),
