@@ -19,5 +19,6 @@ real_mechanism      the mechanism as it is made: sizes, clearance, deviations, e
 loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
+turn                positions over the turn
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
 """

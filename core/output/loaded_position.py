@@ -106,6 +106,7 @@ def loaded_position(
     Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
 
     >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,

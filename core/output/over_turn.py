@@ -14,18 +14,9 @@ from core.errors import InvalidInput
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import at, largest, play, wave_torque
 from core.output.summits import PLACE, all_summits, highest, summits
+from core.output.turn import Pose, Turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
-
-POSITIONS = 720
-"""Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
-
-CLUSTER = 8
-"""How often the distance to a pair's dead angle, where it takes up or leaves, is halved."""
-
-MOST_CLUSTERED = 2880
-"""Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
 
 TIE = 1e-9
 """Relative difference below which two summits are one peak, reported at the first crank angle."""
@@ -105,115 +96,6 @@ class OverTurn:
     notices: tuple[Notice, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """One position under load, and its play; lags count in the torque's direction."""
-
-    lag: float
-    stiffness: float
-    force: float
-    pressure: float  # force over reduced radius
-    loaded: int
-    low: float
-    high: float
-    lag_error: float
-    play_error: float
-    force_error: float
-    input_torque: float
-
-
-class Turn:
-    """The mechanism under a torque, position by position."""
-
-    def __init__(self, real: RealMechanism, torque: float) -> None:
-        self.real, self.torque = real, abs(torque)
-        self.setup = real.setup(math.copysign(1.0, torque))
-        self.back = real.setup(-self.setup.direction)
-        self.room = real.room()
-        self.curved = [
-            c / r / (r + c) for r, c in zip(real.pin_radii, real.pairs.distance, strict=True)
-        ]
-        self.pair_force = [0.0] * len(self.curved)
-        self.evaluations = 0
-
-    def pose(self, psi: float) -> Pose:
-        """A position under the torque."""
-        self.evaluations += 1
-        room = self.room
-        found = self.real.solved(psi, self.torque, self.setup, room)
-        force = largest(room.force)
-        self.pair_force = list(map(max, self.pair_force, room.force))
-        return Pose(
-            found.lag,
-            found.stiffness,
-            force,
-            max(map(float.__mul__, room.force, self.curved)),
-            len(room.force) - room.force.count(0.0),
-            found.low,
-            found.high,
-            found.lag_error,
-            found.play_error,
-            found.force_error,
-            self.input_torque(psi, found.lag),
-        )
-
-    def input_torque(self, psi: float, lag: float) -> float:
-        """Torque that turns the crank, as a position under load left the room."""
-        ratio, setup = self.setup.ratio, self.setup
-        on_wave = wave_torque(psi, lag, setup, self.real.pairs, self.room)
-        return setup.direction * self.torque / ratio + (1 + 1 / ratio) * on_wave
-
-    def force(self, psi: float) -> float:
-        """Largest force at a wave angle."""
-        self.evaluations += 1
-        self.real.solved(psi, self.torque, self.setup, self.room)
-        self.pair_force = list(map(max, self.pair_force, self.room.force))
-        return largest(self.room.force)
-
-    def backlash(self, psi: float) -> float:
-        """Play at a wave angle; none where pairs press."""
-        low, high = self.played(psi)
-        return max(high - low, 0.0)
-
-    def played(self, psi: float) -> tuple[float, float]:
-        """Limits of the play at a wave angle."""
-        at(psi, self.setup, self.real.pairs, self.room)
-        low, high, *_ = play(self.setup, self.room)
-        return low, high
-
-    def lost(self, psi: float, share: float) -> float:
-        """Lost motion at a wave angle."""
-        self.evaluations += 2
-        lags = [
-            self.real.solved(psi, share * self.torque, setup, self.room).lag
-            for setup in (self.setup, self.back)
-        ]
-        return sum(lags)
-
-    def positions(self) -> tuple[list[float], list[float]]:
-        """Wave angles of an even grid, and those around dead angles."""
-        pairs, pins = self.real.pairs, self.setup.pins
-        many = pins * self.setup.satellites
-        count = many * -(-POSITIONS // many)
-        step = 2 * math.pi / count
-        first = self.real.mechanism.initial_crank_angle
-        grid = [first + step * i for i in range(count)]
-        dead = {
-            round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % (2 * math.pi), 9)
-            for half in (0.0, math.pi)
-            for j in range(self.setup.satellites)
-            for n in range(pins)
-        }
-        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))
-        near = [
-            first + (place + sign * step * 2.0**-k) % (2 * math.pi)
-            for place in dead
-            for k in range(1, halvings + 1)
-            for sign in (-1, 1)
-        ]
-        return grid, near
-
-
 def _crank_angle(real: RealMechanism, psi: float) -> float:
     """First crank angle >= 0 of a wave angle, rad."""
     off = (psi - real.mechanism.initial_crank_angle) % (2 * math.pi)
@@ -279,7 +161,7 @@ def over_turn(
     rough_forces = turn.pair_force
     poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
     fine = {psi: poses[psi].force for psi in sorted(poses)}
-    found, top, rough = all_summits(coarse, fine, turn.force)
+    found, top, rough = all_summits(coarse=coarse, fine=fine, function=turn.force)
     peak = top.height
     place = min(
         (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
@@ -297,7 +179,8 @@ def over_turn(
         if max(turn.curved) > min(turn.curved) * (1 + 1e-12):
             values = {psi: poses[psi].pressure for psi in fine}
             pressure = max(
-                summit.height for summit in summits(values, lambda psi: turn.pose(psi).pressure)
+                summit.height
+                for summit in summits(values=values, function=lambda psi: turn.pose(psi).pressure)
             )
             max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
 
@@ -312,8 +195,8 @@ def over_turn(
         """
         whole = {psi: sign * value(poses[psi]) for psi in fine}
         part = {psi: whole[psi] for psi in coarse}
-        top, rough = (highest(each, lambda psi: sign * at_place(psi)) for each in (whole, part))
-        return sign * top.height, abs(top.height - rough.height) + (0.0 if jumps else top.error)
+        top, missed = highest(coarse=part, fine=whole, function=lambda psi: sign * at_place(psi))
+        return sign * top.height, missed + (0.0 if jumps else top.error)
 
     def spread(
         value: Callable[[Pose], float], at_place: Callable[[float], float]
@@ -333,9 +216,10 @@ def over_turn(
         for sign in (1, -1)
     ]
     lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
-    most_lost, rough_lost = (
-        highest(dict([*lost.items()][::every]), lambda psi: turn.lost(psi, lost_motion_share))
-        for every in (1, 2)
+    most_lost, missed_lost = highest(
+        coarse=dict([*lost.items()][::2]),
+        fine=lost,
+        function=lambda psi: turn.lost(psi, lost_motion_share),
     )
     stiff = [
         extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign, True)
@@ -372,7 +256,7 @@ def over_turn(
             lag[1],
             unloaded[1],
             *[off for _, off in backlash],
-            abs(most_lost.height - rough_lost.height) + most_lost.error,
+            missed_lost + most_lost.error,
         ),
         stiffness_error=max(off / value for value, off in stiff) + 8 * ROUNDING,
         pair_error=max(map(float.__sub__, turn.pair_force, rough_forces)) / peak,

@@ -16,10 +16,21 @@ ZOOMED = 3
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
+Function = Callable[[float], float]
+
+
 @dataclass(frozen=True, slots=True)
 class Summit:
-    """A summit, narrowed: its place and height, how much higher a kink within the width may be, and
-    where others look the same.
+    """A summit, narrowed.
+
+    Attributes
+    ----------
+    place, height : float
+        Where it is, rad, and how high.
+    error : float
+        How much higher a kink within the last width may be.
+    alike : tuple of float
+        Where others look the same, rad.
     """
 
     place: float
@@ -28,7 +39,7 @@ class Summit:
     alike: tuple[float, ...]
 
 
-def golden(f: Callable[[float], float], low: float, high: float) -> tuple[float, float, float]:
+def _golden(f: Function, low: float, high: float) -> tuple[float, float, float]:
     """Place and height of the largest value between two places, by golden section, and its error:
     by how much it changed while the width was narrowed to its last sixteenth.
     """
@@ -50,13 +61,28 @@ def golden(f: Callable[[float], float], low: float, high: float) -> tuple[float,
 
 
 def summits(
+    *,
     values: dict[float, float],
-    f: Callable[[float], float],
+    function: Function,
     known: Sequence[Summit] = (),
     most: int | None = None,
 ) -> list[Summit]:
-    """Summits of values on a turn's grid, in its order, narrowed; those that look alike are
-    narrowed once, and those that are known not again. With `most`, only so many of the highest.
+    """Summits of values on a turn's grid, narrowed; those that look alike are narrowed once.
+
+    Parameters
+    ----------
+    values : dict of float to float
+        Places over one turn, rad, in their order, and the values there.
+    function : callable
+        The value at a place.
+    known : sequence of Summit
+        Summits that have been narrowed: what leads to one of them is not narrowed again.
+    most : int, optional
+        Only so many of the highest.
+
+    Returns
+    -------
+    list of Summit
     """
     places, heights = [*values], [*values.values()]
     count, turn = len(places), 2 * math.pi
@@ -69,15 +95,16 @@ def summits(
             seen.setdefault(key, []).append(i)
     if not seen:  # all alike
         return [Summit(places[0], heights[0], 0.0, (places[0],))]
-    chosen = sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]
     found = []
-    for alike in chosen:
+    for alike in sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]:
         i = alike[0]
         low = places[i - 1] - (turn if i == 0 else 0)
         high = places[i + 1] if i + 1 < count else places[0] + turn
-        if any(low <= each.place <= high for each in known):
+        same = next((each for each in known if low <= each.place <= high), None)
+        if same is not None:
+            found.append(same)
             continue
-        place, height, error = golden(f, low, high)
+        place, height, error = _golden(function, low, high)
         if heights[i] > height:
             place, height = places[i], heights[i]
         others = tuple(place + places[k] - places[i] for k in alike)
@@ -85,22 +112,58 @@ def summits(
     return found
 
 
-def highest(values: dict[float, float], f: Callable[[float], float]) -> Summit:
-    """The highest summit over a turn, of the highest ones of its grid."""
-    return max(summits(values, f, most=ZOOMED), key=lambda summit: summit.height)
+def _height(summit: Summit) -> float:
+    return summit.height
+
+
+def highest(
+    *, coarse: dict[float, float], fine: dict[float, float], function: Function
+) -> tuple[Summit, float]:
+    """The highest summit of what has no spikes, of the highest ones of a grid.
+
+    Parameters
+    ----------
+    coarse, fine : dict of float to float
+        Places over one turn, rad, in their order, and the values there; the fine grid has those of
+        the coarse one.
+    function : callable
+        The value at a place.
+
+    Returns
+    -------
+    summit : Summit
+        The highest.
+    missed : float
+        How much of it the coarse grid alone would have missed.
+    """
+    found = summits(values=fine, function=function, most=ZOOMED)
+    rough = summits(values=coarse, function=function, known=found, most=ZOOMED)
+    top = max(found, key=_height)
+    return top, abs(top.height - max(map(_height, rough)))
 
 
 def all_summits(
-    coarse: dict[float, float], fine: dict[float, float], f: Callable[[float], float]
+    *, coarse: dict[float, float], fine: dict[float, float], function: Function
 ) -> tuple[list[Summit], Summit, float]:
-    """All summits of a coarse and of a fine grid, the highest of them, and what the coarse one
-    alone would have given.
+    """All summits of a coarse and of a fine grid.
+
+    Parameters
+    ----------
+    coarse, fine : dict of float to float
+        As `highest` takes them.
+    function : callable
+        The value at a place.
+
+    Returns
+    -------
+    summits : list of Summit
+        All.
+    highest : Summit
+        The highest of them.
+    rough : float
+        Height that the coarse grid alone would have given.
     """
-
-    def height(summit: Summit) -> float:
-        return summit.height
-
-    found = summits(coarse, f)
-    rough = max(map(height, found))
-    found += summits(fine, f, found)
-    return found, max(found, key=height), rough
+    found = summits(values=coarse, function=function)
+    rough = max(map(_height, found))
+    found += summits(values=fine, function=function, known=found)
+    return found, max(found, key=_height), rough

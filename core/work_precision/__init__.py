@@ -12,6 +12,6 @@ rules          quadrature rules with a setting each
 peak_force     sampling, polished sampling, segment-exact, the papers' approximations
 mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton
-load_sharing   peak with clearance and errors: sampling against narrowed summits
 shaft          Mohr's integral in closed form and by quadrature
+load_sharing   peak with clearance and errors: sampling against narrowed summits
 """

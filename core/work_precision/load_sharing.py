@@ -4,9 +4,9 @@ import math
 from functools import partial
 
 from core.errors import InvalidInput
-from core.output.over_turn import Turn
 from core.output.real_mechanism import RealMechanism
 from core.output.summits import all_summits, summits
+from core.output.turn import Turn
 from core.work_precision.study import Reference, WorkPoint, WorkPrecision, measured
 
 MAX_PAIRS = 36
@@ -62,7 +62,7 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         return max(grid(count).values())
 
     def narrowed(count: int) -> float:
-        return summits(grid(count), turn.force, most=1)[0].height
+        return summits(values=grid(count), function=turn.force, most=1)[0].height
 
     def chosen() -> float:
         even, near = turn.positions()
@@ -70,14 +70,14 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         coarse = {psi: turn.force(psi) for psi in sorted([*even, *near])}
         between = {psi + step / 2: turn.force(psi + step / 2) for psi in even}
         fine = dict(sorted((coarse | between).items()))
-        return all_summits(coarse, fine, turn.force)[1].height
+        return all_summits(coarse=coarse, fine=fine, function=turn.force)[1].height
 
     def dense() -> float:
         even, near = turn.positions()
         step = (even[1] - even[0]) / DENSE
         places = {psi + step * i for psi in even for i in range(DENSE)} | {*near}
         values = {psi: turn.force(psi) for psi in sorted(places)}
-        return all_summits(values, values, turn.force)[1].height
+        return all_summits(coarse=values, fine=values, function=turn.force)[1].height
 
     exact = [dense()]
 
