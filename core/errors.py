@@ -18,6 +18,7 @@ REFUSALS = {
     "larger_than": "must be larger than {field}",
     "less_than": "must be smaller than {limit:g}",
     "less_than_equal": "must be at most {limit:g}",
+    "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
@@ -29,6 +30,7 @@ REFUSALS = {
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",
