@@ -97,7 +97,7 @@ def share(*, successes: int, count: int) -> Estimate:
     --------
     >>> found = share(successes=3122, count=4096)
     >>> round(found.low, 8), round(found.high, 8)
-    (0.74886282, 0.77517762)
+    (0.74886282, 0.77517624)
     """
     rest = (1 - CONFIDENCE) / 2
 
