@@ -249,7 +249,7 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     # Newton on torque^(1/exponent), which is convex and nearly straight for pure powers; pairs
     # that press without load have other laws of growth.
     power = 1.0 if pressed else 1 / setup.exponent
-    step, status = 0, NOT_SOLVED
+    step, status, far = 0, NOT_SOLVED, setup.eccentricity / setup.radius
     carried = slope = gross = 0.0
     for step in range(1, STEPS):  # noqa: B007
         carried, slope, gross = balance(lag, setup, pairs, room)
@@ -266,6 +266,8 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
         if abs(carried - torque) <= EPS * gross or abs(change) <= EPS * abs(lag):
             status = SOLVED
             break
+        if pressed:  # at its dead angle a pair hardly holds: no step beyond what is sought
+            change = min(max(change, -far), far)
         following = lag + change
         if not low < following < high:
             if high == math.inf:
