@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.options import options
-from core.checks import CrankDesign, crank_checks
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import crank_checks
 from core.exploration.solve import solve_for
 from core.fixes import crank_fixes
 from core.hertz import hertz

@@ -29,7 +29,7 @@ tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 exploration         an input solved for a result
-checks              results against limits: checks and verdict
+checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check
 work_precision      error against run time of the methods above
 """

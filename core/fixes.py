@@ -10,7 +10,10 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from core.checks import CRANK, MARGIN, Check, CrankDesign, Verdict, crank_checks, crank_tables
+from core.checks.check import MARGIN, Check, Verdict
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
+from core.checks.pin_contact import CONTACT
 from core.errors import CalculationError
 from core.exploration.solve import Solution, solve_for
 
@@ -101,7 +104,7 @@ class SideEffect:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """One input changed so that a check passes.
+    """One input changed so that a check passes; with clearance, that the pressure does not fail.
 
     Attributes
     ----------
@@ -337,9 +340,16 @@ def crank_fixes(
             elif before is None or (variable == "satellites" and not _even(design)):
                 continue
             else:
+                # the forces that fail are those without clearance, whatever that is
+                base = replace(design, eccentricity=None) if code in CONTACT else design
 
-                def change(value: float, code: str = code, variable: str = variable) -> Check:
-                    return CRANK[code](vary(design=design, variable=variable, value=value))
+                def change(
+                    value: float,
+                    code: str = code,
+                    variable: str = variable,
+                    base: CrankDesign = base,
+                ) -> Check:
+                    return CRANK[code](vary(design=base, variable=variable, value=value))
 
                 def whole_list(value: float, variable: str = variable) -> Verdict:
                     return crank_checks(vary(design=design, variable=variable, value=value))

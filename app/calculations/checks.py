@@ -9,18 +9,8 @@ from app.model import Maybe, RequestModel, ResponseModel, Values, quantity, resu
 from app.problems import pointer
 from app.running import path_of
 from app.units import from_si, shown_unit
-from core.checks import (
-    CHECK_SOURCES,
-    CHECKS,
-    GROUPS,
-    NOT_CONSIDERED,
-    REASONS,
-    STATUSES,
-    Check,
-    Outcome,
-    Status,
-    Verdict,
-)
+from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
+from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED, REASONS
 from core.fixes import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 
@@ -94,7 +84,10 @@ class JudgedFields(RequestModel):
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, without what is for the checks only."""
         own = super().to_core()
-        return {name: value for name, value in own.items() if name not in JudgedFields.model_fields}
+        return {name: value for name, value in own.items() if name not in _JUDGING}
+
+
+_JUDGING = frozenset(JudgedFields.model_fields)
 
 
 class ReasonOut(ResponseModel):
@@ -183,8 +176,9 @@ class JudgedResponse(ResponseModel):
     """An answer with a verdict."""
 
     verdict: Outcome = Field(
-        description="`fail` where a check fails, else `incomplete` where one could not be made, "
-        "else `marginal`, else `pass`; says nothing of what is `not_considered`."
+        description="`fail` where a check fails, else `incomplete` where one could not be made, or "
+        "none is of what the load could break, else `marginal`, else `pass`; says nothing of what "
+        "is `not_considered`."
     )
     governing: Maybe[str] = Field(
         default=None, description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}

@@ -37,7 +37,8 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks import CrankDesign, crank_checks
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import crank_checks
 from core.fixes import crank_fixes
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce

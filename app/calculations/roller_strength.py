@@ -23,7 +23,8 @@ from app.running import run
 from app.sources import OVSYANNIKOV_2019
 from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, note, text, vertical_line
 from app.units import from_si
-from core.checks import Verdict, roller_checks
+from core.checks.check import Verdict
+from core.checks.rollers import roller_checks
 from core.fixes import plain_fixes
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_strength
@@ -40,6 +41,7 @@ _CHECKED = (
     "rollers",
     "sphere_diameter",
     "cylinder_length",
+    "sphere_width",
     "position_tolerance",
     "gaps",
 )
@@ -216,8 +218,8 @@ class RollerStrengthRequest(JudgedFields):
 
     def judge(self, result: RollerStrength) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        own = self.to_core()
-        limits: dict[str, Any] = {name: own.get(name) for name in _JUDGED_BY}
+        design = self.to_core()
+        limits: dict[str, Any] = {name: design.pop(name, None) for name in _JUDGED_BY}
         limits["bending_safety"] = self.requirements.bending_safety
 
         def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
@@ -225,7 +227,6 @@ class RollerStrengthRequest(JudgedFields):
             found = roller_strength(**changed) if result is None else result
             return roller_checks(result=found, **shared, **limits)
 
-        design = self.design()
         verdict = checks(design, result)
         fixes = None
         if "fixes" in self.include:

@@ -21,7 +21,8 @@ from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
-from core.checks import Verdict, shaft_checks
+from core.checks.check import Verdict
+from core.checks.shaft import shaft_checks
 from core.fixes import plain_fixes
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram

@@ -166,7 +166,7 @@ export default {
   verdictWord: {
     pass: "Works", marginal: "Marginal", fail: "Does not work", incomplete: "Not known", impossible: "Not possible",
     passNote: "looked at: {groups}", marginalNote: "the reserve is small, or within the model's error; looked at: {groups}",
-    failNote: "a check is not met", incompleteNote: "something asked is not known", impossibleNote: "it cannot be built; the numbers mean nothing",
+    failNote: "a check is not met", incompleteNote: "something asked is not known, or nothing asked could break", impossibleNote: "it cannot be built; the numbers mean nothing",
   },
   status: {
     pass: "met", marginal: "marginal", fail: "not met", not_checked: "not checked", not_asked: "not asked", not_applicable: "does not apply",

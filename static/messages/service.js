@@ -696,21 +696,21 @@ export default {
       "Contact pressure of the pin",
       "Above it the surface of the pin pits in the long run."
     ],
-    "contact_pressure_hole": [
-      "Contact pressure of the hole",
-      "Above it the surface of the hole pits in the long run."
-    ],
     "contact_shakedown_pin": [
       "Shakedown of the pin",
       "Above it the surface of the pin flows on with every turn."
     ],
-    "contact_shakedown_hole": [
-      "Shakedown of the hole",
-      "Above it the surface of the hole flows on with every turn."
-    ],
     "contact_yield_pin": [
       "First yield of the pin",
       "Above it the pin yields below its surface in the first turns."
+    ],
+    "contact_pressure_hole": [
+      "Contact pressure of the hole",
+      "Above it the surface of the hole pits in the long run."
+    ],
+    "contact_shakedown_hole": [
+      "Shakedown of the hole",
+      "Above it the surface of the hole flows on with every turn."
     ],
     "contact_yield_hole": [
       "First yield of the hole",
@@ -808,6 +808,7 @@ export default {
     "pressure_error": "The limit lies within the error of the pressure",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
+    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "yield_unknown": "No yield strength is known: enter one"
@@ -819,6 +820,7 @@ export default {
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: p = 2.31*Re (Mises)",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
+    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
@@ -829,6 +831,7 @@ export default {
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
     "crankshaft": "crankshaft and balance of masses",
+    "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",
     "friction": "friction, wear and efficiency",
     "gear": "teeth of satellite and ring",
@@ -837,7 +840,8 @@ export default {
     "pin": "bending of the pins",
     "roller_contact": "contact of spheres and holes",
     "satellite_body": "body of the satellite",
-    "shaft_strength": "strength of the shaft"
+    "shaft_strength": "strength of the shaft",
+    "slope": "slope of the shaft, of which no limit is asked"
   },
   "limitSources": {
     "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, of the mean pressure, so that the largest one is on the safe side; as in KISSsoft and MITCalc",

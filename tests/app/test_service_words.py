@@ -13,8 +13,8 @@ from app.main import create_app
 from app.model import NEGLECTED
 from app.problems import TEXTS
 from app.registry import CALCULATIONS
-from core.checks import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
-from core.checks import GROUPS as CHECK_GROUPS
+from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
+from core.checks.kinds import GROUPS as CHECK_GROUPS
 from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS
 from core.results import METHODS, NOTICES
 from core.work_precision.study import SETTINGS

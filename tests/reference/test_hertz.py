@@ -151,7 +151,7 @@ def test_conformal_pressure_closes_the_gap_between_disc_and_hole(load_parameter:
 
     (n = 1 is a rigid motion of the disc). Contact: u_hole - u_disc + dR = C*cos(t).
     """
-    harmonics, points = 1500, 12001
+    harmonics, points = 700, 4001
     b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
     end = 2 * math.atan(b)
     t = np.linspace(-np.pi / 2, np.pi / 2, points)
@@ -171,9 +171,9 @@ def test_conformal_pressure_closes_the_gap_between_disc_and_hole(load_parameter:
     rigid = gap[0] / math.cos(places[0])
     error = gap - rigid * np.cos(places)
     scale = float(np.abs(approach).max())
-    assert np.abs(error[:4]).max() < 2e-4 * scale
+    assert np.abs(error[:4]).max() < 2e-6 * scale
     # beside the contact the disc has not reached the hole
-    assert (error[4:] > 1e-3 * scale).all()
+    assert (error[4:] > 0.1 * scale).all()
 
 
 def test_without_clearance_the_contact_angle_is_the_known_limit() -> None:
@@ -254,29 +254,44 @@ def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
     assert carried == pytest.approx(2e4, rel=0.003)  # R - r << r, and where the arc is taken
 
 
-@pytest.mark.parametrize("degrees", [10, 20, 40, 60, 75, 83])
+@pytest.mark.parametrize("degrees", [5, 10, 20, 40, 60, 75, 78, 83, 84.5])
 def test_the_series_of_a_disc_in_a_hole_gives_persson(degrees: float) -> None:
     half_angle = math.radians(degrees)
     load, pressure = dissimilar.contact(half_angle, 0.0, 0.0)
     b = math.tan(half_angle / 2)
     expected = conformal_pressure(position=0.0, half_angle_tangent=b)
-    assert pressure / load == pytest.approx(expected, rel=2e-4)
+    assert pressure / load == pytest.approx(expected, rel=dissimilar.ERROR)
     # E1**dR/Q of Persson is 2*E**dR/Q
     parameter = 4.0 / load
-    assert conformal_half_angle_tangent(load_parameter=parameter)[0] == pytest.approx(b, rel=1e-3)
+    assert conformal_half_angle_tangent(load_parameter=parameter)[0] == pytest.approx(
+        b, rel=dissimilar.ERROR
+    )
 
 
-@pytest.mark.parametrize("degrees", [5, 10, 20, 30, 45, 60, 70])
+@pytest.mark.parametrize("degrees", [5, 10, 20, 30, 45, 60, 70, 74, 78, 83])
 @pytest.mark.parametrize(
-    ("alpha", "beta"),
-    [(0.0024, 0.0007), (0.39, 0.1), (-0.39, -0.1), (0.39, -0.1), (0.0, 0.2), (0.7, 0.0)],
+    ("alpha", "beta", "widest"),
+    [
+        (0.0024, 0.0007, 85),
+        (0.39, 0.1, 85),
+        (-0.39, -0.1, 82.5),
+        (0.39, -0.1, 85),
+        (0.0, 0.2, 77.5),
+        (0.0, -0.2, 85),
+        (0.7, 0.0, 85),
+        (-0.7, 0.0, 75.5),
+    ],
 )
 def test_other_materials_change_the_conformal_pressure_less_than_stated(
-    degrees: float, alpha: float, beta: float
+    degrees: float, alpha: float, beta: float, widest: float
 ) -> None:
+    """Up to the widest contact that a load makes of these materials, in degrees."""
     load, pressure = dissimilar.contact(math.radians(degrees), alpha, beta)
+    assert (load > 0) == (degrees < widest)
+    if load < 0:
+        return
     ratio, _, _ = conformal_pressure_ratio(load_parameter=4.0 / load)
     same = ratio * math.sqrt(4.0 / load / (2 * math.pi)) * load
     share_alpha, share_beta = MISMATCH_SHARES
     stated = share_alpha * abs(alpha) + share_beta * abs(beta)
-    assert abs(pressure / same - 1) <= stated + 1e-4  # the series itself
+    assert abs(pressure / same - 1) <= stated + dissimilar.ERROR

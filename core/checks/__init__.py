@@ -1,0 +1,16 @@
+"""Checks of a design and its verdict: results against limits, each as data.
+
+A check is a small function of a design, in the table of its machine element. Nothing passes by
+absence: what is asked and not known is `not_checked` and leaves the verdict incomplete, what
+nobody asked is `not_asked`.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+kinds               every check by code: title, formula, reasons, sources, what is left out
+check               a value judged against its limit, and the verdict of all checks
+crank_design        a crank-planetary reducer, as far as it is given
+pin_contact         pressure, shakedown and yield where pin and hole touch
+crank_planetary     cranks, pins, holes and satellite; all checks of the reducer
+rollers             swinging rollers
+shaft               the precessional gear and its shaft
+"""

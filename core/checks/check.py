@@ -1,0 +1,276 @@
+"""A check, how a value is judged against its limit, and the verdict of all checks."""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, get_args
+
+from core.checks.kinds import CHECKS, Kind
+from core.output.pin_geometry import FIT_TOLERANCE
+from core.results import ROUNDING
+
+Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
+Outcome = Literal["pass", "marginal", "fail", "incomplete"]
+
+STATUSES: tuple[Status, ...] = get_args(Status)
+
+MARGIN = 1.1
+"""Torque reserve below which a check is marginal."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """One check of a design.
+
+    Attributes
+    ----------
+    code : str
+        Which, a key of `CHECKS`.
+    status : Status
+        How it went.
+    value, limit : float or None
+        What is compared, in SI units; the limit with the required safety in it.
+    keep : {"below", "above"}
+        On which side of the limit the value has to stay.
+    utilisation : float or None
+        How much of the limit is used, 1 at the limit; None where the limit is 0 or the value not
+        positive.
+    torque_reserve : float or None
+        Factor on the torque at which the value is at its limit; None where it does not depend on
+        it, or is not known.
+    impossible : bool
+        Whether the mechanism cannot exist or move so.
+    warning : bool
+        Whether the check can be marginal at worst.
+    reason : str
+        Why the status is so, where the numbers do not say it: a key of `REASONS`.
+    limit_source, criterion, verified : str
+        Of the limit of a material: source, criterion, how that was seen.
+    at : dict
+        Where the value is reached: satellite, pin, crank_angle (rad).
+    missing : tuple of str
+        Core names of inputs that would have to be given.
+    """
+
+    code: str
+    status: Status
+    value: float | None = None
+    limit: float | None = None
+    keep: Literal["below", "above"] = "below"
+    utilisation: float | None = None
+    torque_reserve: float | None = None
+    impossible: bool = False
+    warning: bool = False
+    reason: str = ""
+    limit_source: str = ""
+    criterion: str = ""
+    verified: str = ""
+    at: Mapping[str, float] = field(default_factory=dict)
+    missing: tuple[str, ...] = ()
+
+    @property
+    def kind(self) -> Kind:
+        """What it is."""
+        return CHECKS[self.code]
+
+    @property
+    def margin(self) -> float | None:
+        """What is left to the limit, below 0 beyond it, in SI units."""
+        if self.value is None or self.limit is None:
+            return None
+        return self.limit - self.value if self.keep == "below" else self.value - self.limit
+
+
+def judged(
+    code: str,
+    value: float,
+    limit: float,
+    *,
+    keep: Literal["below", "above"] = "below",
+    reserve: float | None = None,
+    error: float = 4 * ROUNDING,
+    warning: str = "",
+    **more: Any,
+) -> Check:
+    """A check whose value and limit are known.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    value, limit : float
+        What is compared.
+    keep : {"below", "above"}
+        On which side of the limit the value has to stay.
+    reserve : float, optional
+        Factor on the torque at which it is at its limit.
+    error : float
+        Relative error of the value, of number and model: where the limit lies within, the check
+        is marginal.
+    warning : str
+        Reason where it does not hold, if that is a warning only.
+    **more
+        Other attributes of the check.
+
+    Returns
+    -------
+    Check
+
+    Examples
+    --------
+    >>> judged("contact_pressure_pin", 90.0, 100.0, reserve=1.2).status
+    'pass'
+    >>> judged("contact_pressure_pin", 99.0, 100.0, reserve=1.02).status
+    'marginal'
+    >>> judged("wall_holes", 1.0, 2.0, keep="above").utilisation
+    2.0
+    """
+    part, whole = (value, limit) if keep == "below" else (limit, value)
+    utilisation = part / whole if whole > 0 and part >= 0 else None
+    doubtful = abs(value - limit) <= error * abs(value)
+    status: Status = "pass"
+    if doubtful and reserve is not None:  # without one: sizes that are asked for are there
+        status = "marginal"
+        if error > 1e-9:
+            more.setdefault("reason", "pressure_error")
+    elif part > whole and not doubtful:
+        status = "marginal" if warning else "fail"
+        more.setdefault("reason", warning)
+    elif reserve is not None and reserve < MARGIN and not warning:
+        status = "marginal"
+    return Check(
+        code=code,
+        status=status,
+        value=value,
+        limit=limit,
+        keep=keep,
+        utilisation=utilisation,
+        torque_reserve=reserve,
+        warning=bool(warning),
+        **more,
+    )
+
+
+def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:
+    """A wall or a gap: more than nothing, else the part cannot exist, and at least what is asked.
+
+    Parameters
+    ----------
+    code : str
+        Which check.
+    width : float
+        Width of the wall, m.
+    size : float
+        Size of the parts beside it, m: of which rounding may take `FIT_TOLERANCE`.
+    least : float, optional
+        Least width that is asked, m.
+
+    Returns
+    -------
+    Check
+    """
+    there = width > FIT_TOLERANCE * size
+    found = judged(code, width if there else min(width, 0.0), least or 0.0, keep="above")
+    return found if there else replace(found, status="fail", impossible=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What all checks of a design come to.
+
+    Attributes
+    ----------
+    verdict : Outcome
+        `fail` where a check fails, else `incomplete` where one could not be made, or none is of
+        what the load could break, else `marginal` where one is, else `pass`.
+    governing : str or None
+        Code of the check that decides: the worst failing one, else the one next to its limit.
+    torque_reserve : float or None
+        Factor on the torque at which the first check fails.
+    largest_torque_known : bool
+        Whether the torque alone decides: nothing fails that less torque does not cure, and nothing
+        is unknown.
+    counts : dict of str to int
+        How many checks have each status.
+    not_considered : tuple of str
+        What is not looked at, keys of `NOT_CONSIDERED`.
+    checks : tuple of Check
+        All of them, the one that decides first.
+    """
+
+    verdict: Outcome
+    governing: str | None
+    torque_reserve: float | None
+    largest_torque_known: bool
+    counts: dict[str, int]
+    not_considered: tuple[str, ...]
+    checks: tuple[Check, ...]
+
+    def __getitem__(self, code: str) -> Check:
+        """The check of a code."""
+        return next(each for each in self.checks if each.code == code)
+
+
+def _rank(check: Check) -> tuple[float, ...]:
+    """Order of checks: impossible, failing, marginal, passing, then what is not judged.
+
+    Utilisations of different powers of the torque cannot be compared; its reserve can. What fails
+    whatever the torque comes before.
+    """
+    order = {"fail": 1, "marginal": 2, "pass": 3, "not_checked": 4, "not_asked": 5}
+    place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
+    reserve = check.torque_reserve
+    if reserve is None:
+        reserve = 0.0 if check.status == "fail" else math.inf
+    used = -check.utilisation if check.utilisation is not None else 0.0
+    return place, reserve, used
+
+
+def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Verdict:
+    """The verdict of checks.
+
+    Parameters
+    ----------
+    checks : iterable of Check
+        The checks.
+    not_considered : tuple of str
+        What is not looked at, keys of `NOT_CONSIDERED`.
+
+    Returns
+    -------
+    Verdict
+
+    Examples
+    --------
+    >>> passing = judged("contact_pressure_pin", 50.0, 100.0, reserve=4.0)
+    >>> unknown = Check(code="contact_pressure_hole", status="not_checked")
+    >>> found = verdict([unknown, passing])
+    >>> found.verdict, found.governing, found.torque_reserve
+    ('incomplete', 'contact_pressure_pin', 4.0)
+    """
+    ranked = tuple(sorted(checks, key=_rank))
+    statuses = [each.status for each in ranked]
+    counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
+    decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
+    reserves = [
+        each.torque_reserve
+        for each in decided
+        if each.torque_reserve is not None and not each.warning
+    ]
+    outcome: Outcome = "pass"
+    if counts["fail"]:
+        outcome = "fail"
+    elif counts["not_checked"] or not reserves:  # room alone: nothing that the load could break
+        outcome = "incomplete"
+    elif counts["marginal"]:
+        outcome = "marginal"
+    stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
+    return Verdict(
+        verdict=outcome,
+        governing=decided[0].code if decided else None,
+        torque_reserve=min(reserves, default=None),
+        largest_torque_known=bool(reserves) and not stuck and not counts["not_checked"],
+        counts=counts,
+        not_considered=not_considered,
+        checks=ranked,
+    )

@@ -1,0 +1,155 @@
+"""Checks of a crank-planetary reducer: cranks, contact, fit of pin and hole, walls."""
+
+import cmath
+from collections.abc import Callable
+
+from core.checks.check import Check, Verdict, judged, verdict, wall
+from core.checks.crank_design import CrankDesign
+from core.checks.pin_contact import CONTACT
+from core.output.mechanism import assembly_angles
+
+
+def _dead_centre(design: CrankDesign) -> Check:
+    zones, code = design.mechanism.phases.dead_zones(), "dead_centre"
+    if not zones:
+        return Check(code=code, status="pass", value=0.0, limit=0.0)
+    start = zones[0][0] * design.mechanism.crank_angle_per_wave
+    return judged(code, float(len(zones)), 0.0, impossible=True, at={"crank_angle": start})
+
+
+def _crank_balance(design: CrankDesign) -> Check:
+    angles = design.mechanism.crank_angles
+    off = abs(sum(cmath.exp(1j * angle) for angle in angles)) / len(angles)
+    return judged("crank_balance", off if off > 1e-9 else 0.0, 0.0, warning="unbalanced")
+
+
+def _assembly(design: CrankDesign) -> Check:
+    if design.satellite_teeth is None:
+        return Check(code="assembly", status="not_asked", missing=("satellite_teeth",))
+    angles = assembly_angles(mechanism=design.mechanism, satellite_teeth=design.satellite_teeth)
+    different = sum(not each.identical for each in angles)
+    return judged("assembly", float(different), 0.0, warning="different_parts")
+
+
+def _no_eccentricity(code: str) -> Check:
+    missing = ("eccentricity",)
+    return Check(code=code, status="not_checked", reason="eccentricity_missing", missing=missing)
+
+
+def _interference(design: CrankDesign) -> Check:
+    code, clearance = "interference", design.clearance
+    if clearance is None:
+        return _no_eccentricity(code)
+    assert design.hole_radius is not None
+    needed = design.hole_radius - clearance
+    return judged(code, design.hole_radius, needed, keep="above", impossible=clearance < 0)
+
+
+def _clearance(design: CrankDesign) -> Check:
+    code, clearance = "clearance", design.clearance
+    if clearance is None:
+        return _no_eccentricity(code)
+    return judged(code, max(clearance, 0.0), 0.0, warning="force_law")
+
+
+def _between(
+    code: str, design: CrankDesign, radius: float | None, least: float | None = None
+) -> Check:
+    """The wall or the gap between neighbours on the pin circle."""
+    if design.pitch is None:
+        return Check(code=code, status="not_applicable", reason="one_only")
+    assert radius is not None
+    return wall(code, width=design.pitch - 2 * radius, size=radius, least=least)
+
+
+def _wall_holes(design: CrankDesign) -> Check:
+    return _between("wall_holes", design, design.hole_radius, design.min_wall)
+
+
+def _pins_apart(design: CrankDesign) -> Check:
+    return _between("pins_apart", design, design.pin_radius)
+
+
+def _holes_off_centre(design: CrankDesign) -> Check:
+    assert design.hole_radius is not None and design.pin_circle_radius is not None
+    width = design.pin_circle_radius - design.hole_radius
+    return wall("holes_off_centre", width=width, size=design.hole_radius)
+
+
+def _wall_rim(design: CrankDesign) -> Check:
+    radii = [each for each in (design.outer_radius, design.root_radius) if each is not None]
+    if not radii:
+        return Check(code="wall_rim", status="not_asked", missing=("outer_radius",))
+    assert design.hole_radius is not None and design.pin_circle_radius is not None
+    width = min(radii) - design.pin_circle_radius - design.hole_radius
+    return wall("wall_rim", width=width, size=design.hole_radius, least=design.min_wall)
+
+
+def _wall_bore(design: CrankDesign) -> Check:
+    if design.bore_radius is None:
+        return Check(code="wall_bore", status="not_asked", missing=("bore_radius",))
+    assert design.hole_radius is not None and design.pin_circle_radius is not None
+    width = design.pin_circle_radius - design.hole_radius - design.bore_radius
+    return wall("wall_bore", width=width, size=design.hole_radius, least=design.min_wall)
+
+
+Table = dict[str, Callable[[CrankDesign], Check]]
+
+MECHANISM: Table = {
+    "dead_centre": _dead_centre,
+    "crank_balance": _crank_balance,
+    "assembly": _assembly,
+}
+FIT: Table = {"interference": _interference, "clearance": _clearance}
+PLACE: Table = {
+    "wall_holes": _wall_holes,
+    "pins_apart": _pins_apart,
+    "holes_off_centre": _holes_off_centre,
+}
+SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore}
+CRANK = MECHANISM | CONTACT | FIT | PLACE | SATELLITE
+"""Checks of a crank-planetary reducer, by code."""
+
+
+def crank_tables(design: CrankDesign) -> Table:
+    """The checks that the sections of a design allow.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+
+    Returns
+    -------
+    dict
+        Functions of the design, by code.
+    """
+    tables = dict(MECHANISM)
+    if design.touching:
+        tables |= FIT
+    if design.touching and design.loaded:
+        tables |= CONTACT | PLACE
+        if design.has_body:
+            tables |= SATELLITE
+    return tables
+
+
+def crank_checks(design: CrankDesign) -> Verdict:
+    """All checks of a crank-planetary reducer.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+
+    Returns
+    -------
+    Verdict
+    """
+    missing = {"load": not design.loaded, "contact": not design.touching}
+    missing |= {"satellite_body": not design.has_body}
+    later = ("clearance", "pin", "friction", "gear", "bearing", "crankshaft")
+    return verdict(
+        [check(design) for check in crank_tables(design).values()],
+        (*[name for name, absent in missing.items() if absent], *later),
+    )

@@ -1,0 +1,244 @@
+"""What is checked, why and by which formula; reasons, sources and what is left out, by code."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """What a check is.
+
+    Attributes
+    ----------
+    title : str
+        Its name in English.
+    group : str
+        What it is about, a key of `GROUPS`.
+    unit : str
+        Unit of value and limit as names end in it; empty for plain numbers.
+    formula : str
+        What has to hold.
+    why : str
+        What is wrong where it does not hold, in English.
+    inputs : tuple of str
+        Core names of the inputs that it depends on.
+    source : str
+        Where the formula comes from, a key of `CHECK_SOURCES`.
+    """
+
+    title: str
+    group: str
+    unit: str
+    formula: str
+    why: str
+    inputs: tuple[str, ...]
+    source: str = "geometry"
+
+
+GROUPS = {
+    "mechanism": "Mechanism",
+    "contact": "Contact of pin and hole",
+    "geometry": "Pins and holes",
+    "body": "Satellite",
+    "rollers": "Rollers",
+    "shaft": "Bending of the shaft",
+    "room": "Room for rollers and shaft",
+}
+"""What checks are about, in English, by code."""
+
+CHECK_SOURCES = {
+    "beam": "beam theory (Mohr)",
+    "geometry": "geometry",
+    "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
+    "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
+    "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
+    "p = 2.31*Re (Mises)",
+    "ovsyannikov_2019": "Ovsyannikov et al. 2019",
+    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
+    "least ten times as long as the centre distance, tilted by about 12°",
+    "user": "the limit that was asked",
+    "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
+    "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
+    "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2",
+}
+"""Where the formulas of checks come from, in English, by code."""
+
+REASONS = {
+    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
+    "one",
+    "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
+    "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
+    "drawing of its own",
+    "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
+    "force_law": "With clearance fewer pairs carry at once than the forces assume",
+    "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "no_limit": "No limit was asked",
+    "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "one_only": "There is one only",
+    "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressure_error": "The limit lies within the error of the pressure",
+    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
+    "conformal pressure: the pressure is a rough guide",
+    "tested_limit": "The tested limit of this material counts, not its yield strength",
+    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
+    "to the axis",
+    "unbalanced": "The satellites need a counterweight",
+    "uneven": "Not every roller carries",
+    "yield_unknown": "No yield strength is known: enter one",
+}
+"""Why a status is what it is, where numbers do not say it, in English, by code."""
+
+NOT_CONSIDERED = {
+    "bearing": "bearings",
+    "clearance": "load sharing with clearance and deviations",
+    "contact": "pins and holes",
+    "crankshaft": "crankshaft and balance of masses",
+    "deflection": "deflection of the shaft, of which no limit is asked",
+    "fatigue": "fatigue",
+    "friction": "friction, wear and efficiency",
+    "gear": "teeth of satellite and ring",
+    "line_pressure": "pressure along the contact lines",
+    "load": "load",
+    "pin": "bending of the pins",
+    "roller_contact": "contact of spheres and holes",
+    "satellite_body": "body of the satellite",
+    "shaft_strength": "strength of the shaft",
+    "slope": "slope of the shaft, of which no limit is asked",
+}
+"""What a verdict does not consider, in English, by code."""
+
+_FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
+_CONTACT = (*_FORCE, "contact_length", "pin_radius", "hole_radius", "dynamic_factor")
+_ROLLER = (
+    "output_torque",
+    "hole_circle_radius",
+    "rollers",
+    "diameter",
+    "cylinder_length",
+    "sphere_width",
+    "position_tolerance",
+    "gaps",
+)
+_SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
+
+
+def _contact_kinds(body: str) -> dict[str, Kind]:
+    """Checks of the surface of pin or hole."""
+    inputs = (*_CONTACT, f"{body}_material")
+    return {
+        f"contact_pressure_{body}": Kind(
+            f"Contact pressure of the {body}", "contact", "MPa", "p ≤ p_all/S",
+            f"Above it the surface of the {body} pits in the long run.", inputs, "yanchevsky_2018",
+        ),
+        f"contact_shakedown_{body}": Kind(
+            f"Shakedown of the {body}", "contact", "MPa", "p ≤ 2.31·R_e",
+            f"Above it the surface of the {body} flows on with every turn.",
+            inputs, "johnson_shakedown",
+        ),
+        f"contact_yield_{body}": Kind(
+            f"First yield of the {body}", "contact", "MPa", "p ≤ 1.79·R_e",
+            f"Above it the {body} yields below its surface in the first turns.",
+            inputs, "johnson_yield",
+        ),
+    }  # fmt: skip
+
+
+CHECKS = {
+    "dead_centre": Kind(
+        "Dead centres", "mechanism", "", "Δθ < 180°",
+        "There no pair drives, and no torque is transmitted.",
+        ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
+    ),
+    "crank_balance": Kind(
+        "Balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
+        "Otherwise the satellites shake the reducer with every turn of the crank.",
+        ("satellites", "crank_spacing", "crank_angles"),
+    ),
+    "assembly": Kind(
+        "Satellites that differ", "mechanism", "", "ψ_j = 0",
+        "Otherwise they are different parts that can be exchanged by mistake.",
+        ("satellite_teeth", "ring_teeth", "pins", "crank_spacing", "crank_angles"),
+        "yanchevskiy_2021",
+    ),
+    **_contact_kinds("pin"),
+    **_contact_kinds("hole"),
+    "contact_conformity": Kind(
+        "Width of the contact", "contact", "", "a/r ≤ 0.159",
+        "Above it the pressure by Hertz is off by more than 1 %.",
+        (*_CONTACT, "pin_material", "hole_material"), "hertz",
+    ),
+    "interference": Kind(
+        "Interference of pin and hole", "geometry", "mm", "r_out ≥ r_in + e",
+        "Otherwise pin and satellite cannot be assembled.",
+        ("pin_radius", "hole_radius", "eccentricity"), "yanchevskiy_2021",
+    ),
+    "clearance": Kind(
+        "Clearance of pin and hole", "geometry", "mm", "r_out − r_in − e = 0",
+        "Otherwise fewer pairs carry, each more, and the output has lost motion.",
+        ("pin_radius", "hole_radius", "eccentricity"), "yanchevskiy_2021",
+    ),
+    "wall_holes": Kind(
+        "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",
+        "Otherwise the holes overlap, or the satellite is weak between them.",
+        ("pins", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016",
+    ),
+    "pins_apart": Kind(
+        "Space between pins", "geometry", "mm", "2·R·sin(π/N) − 2·r_in > 0",
+        "Otherwise the pins overlap.", ("pins", "pin_circle_radius", "pin_radius"),
+    ),
+    "holes_off_centre": Kind(
+        "Holes beside the centre", "geometry", "mm", "R − r_out > 0",
+        "Otherwise the holes reach the axis.", ("pin_circle_radius", "hole_radius"),
+    ),
+    "wall_rim": Kind(
+        "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
+        "Otherwise the holes break through the rim of the satellite.",
+        ("outer_radius", "root_radius", "pin_circle_radius", "hole_radius", "min_wall"),
+        "wang_2016",
+    ),
+    "wall_bore": Kind(
+        "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
+        "Otherwise the holes break into the bore of the satellite.",
+        ("bore_radius", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016",
+    ),
+    "roller_stress": Kind(
+        "Bending stress of the rollers", "rollers", "MPa", "σ ≤ R_e/S",
+        "Above it the rollers bend for good.",
+        (*_ROLLER, "stress_concentration", "yield_strength", "bending_safety"),
+        "ovsyannikov_2019",
+    ),
+    "roller_sharing": Kind(
+        "Rollers that carry", "rollers", "", "n_c = n",
+        "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
+    ),
+    "roller_spacing": Kind(
+        "Space between rollers", "rollers", "mm", "2·R·sin(π/n) − D > 0",
+        "Otherwise the spheres overlap.", ("rollers", "hole_circle_radius", "sphere_diameter"),
+    ),
+    "roller_room": Kind(
+        "Rollers beside the centre", "rollers", "mm", "R − D/2 > 0",
+        "Otherwise the rollers reach the axis.", ("hole_circle_radius", "sphere_diameter"),
+    ),
+    "roller_tilt": Kind(
+        "Length of the rollers", "rollers", "mm", "2·l + 3·b ≥ 10·e",
+        "Shorter ones tilt too much against the discs.",
+        ("cylinder_length", "sphere_width", "eccentricity"), "ovsyannikov_2019_length",
+    ),
+    "line_spacing": Kind(
+        "Space between rollers", "room", "mm", "2·R_C·sin(Δφ/2) − 2·ρ > 0",
+        "Otherwise the rollers overlap.", ("roller_circle_radius", "roller_radius", "wheel"),
+    ),
+    "shaft_in_circle": Kind(
+        "Shaft within the rollers", "room", "mm", "R_C − ρ − d/2 > 0",
+        "Otherwise the shaft reaches the rollers.",
+        ("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"),
+    ),
+    "shaft_deflection": Kind(
+        "Deflection of the shaft", "shaft", "mm", "max(Δ_B, Δ_C) ≤ Δ_max",
+        "Above it the mesh is off its place.", (*_SHAFT, "max_deflection"), "beam",
+    ),
+    "shaft_slope": Kind(
+        "Slope of the shaft in its bearings", "shaft", "mrad", "max(θ_B, θ_C) ≤ θ_max",
+        "Above it the bearings carry on their edges.", (*_SHAFT, "max_slope"), "beam",
+    ),
+}  # fmt: skip
+"""Every check by code."""
