@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -21,6 +22,7 @@ from core.output.contact_law import (
 from core.output.loaded_position import LoadedPosition
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
+from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
 from tests.oracles.real_mechanisms import (
     STEEL,
@@ -329,3 +331,29 @@ def test_spikes_are_not_between_the_positions() -> None:
     )
     assert highest <= found.peak_force * (1 + found.accuracy.relative_error)
     assert highest > 0.9 * found.peak_force
+
+
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("torque", [30.0, -30.0])
+def test_the_crank_carries_the_load_and_what_the_contacts_store(exact: bool, torque: float) -> None:
+    """T_in = T*(1/u - d lag/d phi) + dE/d phi, by differences; over a turn the mean is T/u."""
+    real = design(exact=exact, deviations=Deviations(pin_tangential=(-1e-5, *[0.0] * 7)))
+    ratio, step = real.mechanism.ratio, 1e-6
+    angles = np.array([0.1, 1.3, 2.9, 5.0])
+
+    def curves(at: np.ndarray) -> RealCurves:
+        return real_curves(real=real, crank_angle=at, output_torque=torque)
+
+    before, found, after = (curves(angles + off) for off in (-step, 0.0, step))
+    energy = [(each.force**2).sum(axis=0) / 2 / 5e7 for each in (before, after)]
+    slope = (after.rotation - before.rotation) / (2 * step)
+    expected = torque * (1 / ratio - slope) + (energy[1] - energy[0]) / (2 * step)
+    assert found.input_torque == pytest.approx(expected, abs=1e-7)
+    turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
+    assert curves(turn).input_torque.mean() == pytest.approx(torque / ratio, rel=1e-6)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-5, 0.5])
+def test_pressed_pairs_beside_their_dead_angle_have_an_answer(angle: float) -> None:
+    found = solved(design(clearance=-1e-5), angle, 1e-4)
+    assert found.play is None and abs(found.rotation) < 1e-6
