@@ -262,6 +262,18 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
         "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
     },
+    "load-sharing": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 40.0},
+        "contact": {
+            "contact_length_mm": 12.0,
+            "pin_radius_mm": 5.0,
+            "eccentricity_mm": 2.0,
+            "hole_clearance_mm": 0.03,
+        },
+        "deviations": {"pin_tangential_mm": [-0.02, 0.0, 0.0, 0.0, 0.0, 0.0]},
+        "include": ["positions", "over_turn", "ideal"],
+    },
     "roller-strength": _of("ovsyannikov-2019-fig-6"),
     "precession/contact-line": _without(_MESH, "torque_Nm", "reference_z_mm") | {"torque_sign": 1},
     "precession/meshing-load": _MESH,

@@ -338,6 +338,7 @@ class Calculation:
 
 NEGLECTED = {
     "bearing_elasticity": "play and elasticity of the bearings",
+    "bodies_rigid": "what discs, hole walls and carrier deform",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -352,6 +353,7 @@ NEGLECTED = {
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
     "seals": "losses of seals, bearings and teeth",
+    "second_flange": "a second flange at the other end of the pins",
     "shear": "the shear of the shaft",
 }
 """What models leave out, by code."""

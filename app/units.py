@@ -22,6 +22,8 @@ UNITS: dict[str, tuple[str, float]] = {
     "MPa": ("MPa", 1e6),
     "GPa": ("GPa", 1e9),
     "kg_m3": ("kg/m³", 1.0),
+    "Nm_per_arcmin": ("N·m/′", 10_800 / math.pi),
+    "arcmin": ("′", math.pi / 10_800),
     "mrad": ("mrad", 1e-3),
     "deg": ("°", DEGREE),
     "rpm": ("rpm", math.pi / 30),

@@ -23,8 +23,9 @@ results             accuracy and validity notices that every result carries
 materials           elastic materials, effective modulus, a small table with sources
 quadrature          integration rules with honest error estimates
 load_sharing        one displacement shared by many unilateral contacts
-output              the output mechanism: pins in the holes of satellites on cranks
 hertz               line contact of pin and hole, and where Hertz stops being valid
+output              the output mechanism: pins in the holes of satellites on cranks
+tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 exploration         an input solved for a result

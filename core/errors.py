@@ -18,6 +18,7 @@ REFUSALS = {
     "larger_than": "must be larger than {field}",
     "less_than": "must be smaller than {limit:g}",
     "less_than_equal": "must be at most {limit:g}",
+    "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
@@ -29,6 +30,7 @@ REFUSALS = {
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",
@@ -37,10 +39,18 @@ REFUSALS = {
 """What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
 
 IMPOSSIBLE = {
+    "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
+    "pin: Hertz's law of contact does not reach so far",
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
+    "lost_in_space": "The output would turn by more than the eccentricity allows: the contacts "
+    "are too soft, the clearance too large or the position a dead centre",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
     "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
     "where the load has no arm about the axis",
+    "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
+    "deviation leaves nothing of a radius",
+    "not_balanced": "The forces cannot be balanced within the range of numbers",
+    "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
 }
 """What cannot be, by code: a sentence without its full stop."""

@@ -31,9 +31,17 @@ NOTICES = {
     "interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
+    "large_rotation": "The output turns by {share:.2g} of the eccentricity under load: clearance "
+    "or compliance is large for such a mechanism.",
+    "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for "
+    "the others is left out, 1 to 2 % of the largest force.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "pressed_without_load": "Pins and holes press without load: there is no play, and the "
+    "mechanism can be assembled only by force.",
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches "
     "along a narrow strip, where pressure times speed is higher.",
+    "reference_depth": "The reference depth is {ratio:.3g} times the hole's radius; from {low} to "
+    "{high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
     "centrifugally cast CuSn12-C-GZ is a material of its own.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
@@ -76,7 +84,10 @@ METHODS = {
     "multiple_sorting": "sorting in multiple precision",
     "multiple_tanh_sinh": "tanh-sinh quadrature in multiple precision",
     "newton": "Newton",
+    "newton_bracket": "Newton's method in a bracket",
     "sampling": "sampling",
+    "sampling_dense": "four times as many samples, every summit narrowed by golden section",
+    "sampling_zoomed": "sampling, every summit narrowed by golden section",
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",

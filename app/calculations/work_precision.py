@@ -6,6 +6,7 @@ from pydantic import Field
 
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
+from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
 from app.calculations.roller_strength import RollerStrengthRequest
@@ -17,6 +18,7 @@ from app.units import to_si
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
+from core.work_precision.load_sharing import real_peak_study
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
@@ -130,6 +132,17 @@ class ShaftDeflectionStudy(Study):
         )
 
 
+class LoadSharingStudy(Study):
+    """Peak force with clearance and errors."""
+
+    calculation: Literal["load-sharing"]
+    input: LoadSharingRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return real_peak_study(real=self.input.real(), output_torque=self.input.torque)
+
+
 def _refuse_many(rollers: int) -> None:
     if rollers > MAX_ROLLERS:
         raise InvalidInput("rollers", rollers, "service_limit", limit=MAX_ROLLERS)
@@ -141,7 +154,8 @@ WorkPrecisionRequest = Annotated[
     | ContactLineStudy
     | MeshingLoadStudy
     | RollerSharingStudy
-    | ShaftDeflectionStudy,
+    | ShaftDeflectionStudy
+    | LoadSharingStudy,
     Field(discriminator="calculation"),
 ]
 

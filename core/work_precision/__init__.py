@@ -1,8 +1,9 @@
 """Error against run time of the methods for one's own input.
 
 Each study runs the methods that an engineer might use at several settings, measures the run time
-of each (median of repeated runs) and its error against a reference of 40 digits, and marks the
-method that the calculators use. What cannot be had on the input is left out.
+of each (median of repeated runs) and its error against a reference of 40 digits (12 with
+clearance), and marks the method that the calculators use. What cannot be had on the input is left
+out.
 
 Modules, in reading order
 -------------------------
@@ -13,4 +14,5 @@ total_force    mean total force: equal steps, and rules between switching angles
 mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton
 shaft          Mohr's integral in closed form and by quadrature
+load_sharing   peak with clearance and errors: sampling against narrowed summits
 """

@@ -15,6 +15,7 @@ REFERENCE_DIGITS = 40
 SETTINGS = {
     "default": "default",
     "level": "level {value}",
+    "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps",
 }

@@ -505,6 +505,30 @@ export default {
       why: "Two pins cannot stand in one place.",
       mend: "Enlarge the pin circle, or take fewer or thinner pins.",
     },
+    large_rotation: {
+      title: "Large rotation under load",
+      tests: "Whether the output turns by little of the eccentricity under load.",
+      why: "Clearance or compliance is large for such a mechanism: pins leave the places at which the parts are meant to bear.",
+      mend: "Lower the clearance or the load, or stiffen the contacts.",
+    },
+    pin_bending_uncoupled: {
+      title: "Pin bent by several satellites",
+      tests: "Whether each loaded pin is loaded by one satellite only.",
+      why: "How the force of one satellite bends the pin for the others is left out: 1 to 2 % of the largest force.",
+      mend: "Keep the difference in mind, or stiffen the pins.",
+    },
+    pressed_without_load: {
+      title: "Pressed without load",
+      tests: "Whether pins and holes are free of each other without load.",
+      why: "Errors or interference use up the clearance: there is no play, and assembly needs force.",
+      mend: "Enlarge the clearance, or tighten the tolerances of place.",
+    },
+    reference_depth: {
+      title: "Reference depth out of range",
+      tests: "Whether the depth to which the hole's approach is counted is near the hole's radius.",
+      why: "A half-space stands for the hole only there; the stiffness is off elsewhere.",
+      mend: "Take a depth of half to one and a half hole radii, or leave it out.",
+    },
     sand_cast: {
       title: "Sand-cast bronze",
       tests: "Whether the bronze is the centrifugally cast one, whose limit is known.",

@@ -12,6 +12,7 @@ export default {
     "larger_than": "must be larger than {field}",
     "less_than": "must be less than {limit}",
     "less_than_equal": "must be at most {limit}",
+    "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
@@ -21,19 +22,26 @@ export default {
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
     "too_short": "must have at least {limit} entries",
     "too_short_range": "must be larger: no driving phase is that short",
+    "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the pin: Hertz's law of contact does not reach so far",
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
+    "lost_in_space": "The output would turn by more than the eccentricity allows: the contacts are too soft, the clearance too large or the position a dead centre",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
     "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, where the load has no arm about the axis",
+    "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a deviation leaves nothing of a radius",
+    "not_balanced": "The forces cannot be balanced within the range of numbers",
+    "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
     "dust": "must be 0 or at least {limit} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
+    "hole_disagrees": "must be pin radius + eccentricity + clearance, {expected}, or left out",
     "int_type": "must be a whole number",
     "json_invalid": "is not valid JSON: {error}",
     "list_type": "must be a list",
@@ -43,6 +51,7 @@ export default {
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "not_valid": "is not valid",
+    "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
@@ -64,8 +73,12 @@ export default {
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
+    "large_rotation": "The output turns by {share} of the eccentricity under load: clearance or compliance is large for such a mechanism.",
+    "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for the others is left out, 1 to 2 % of the largest force.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
+    "pressed_without_load": "Pins and holes press without load: there is no play, and the mechanism can be assembled only by force.",
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches along a narrow strip, where pressure times speed is higher.",
+    "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
@@ -76,6 +89,7 @@ export default {
   },
   "neglected": {
     "bearing_elasticity": "play and elasticity of the bearings",
+    "bodies_rigid": "what discs, hole walls and carrier deform",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -90,6 +104,7 @@ export default {
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
     "seals": "losses of seals, bearings and teeth",
+    "second_flange": "a second flange at the other end of the pins",
     "shear": "the shear of the shaft"
   },
   "figures": {
@@ -125,11 +140,14 @@ export default {
     "error_in_time_chosen": "{method}: error {error} in {time}",
     "hertz": "Hertz",
     "hole": "hole",
+    "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
+    "lag": "Lag of the output",
     "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
     "length_ratio": "Length over diameter l/d",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
     "loss": "Loss",
+    "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
     "nonuniformity": "Non-uniformity Ψ",
@@ -142,9 +160,12 @@ export default {
     "pin": "pin",
     "plane_xz": "plane xz",
     "plane_yz": "plane yz",
+    "play_from": "Play, from",
+    "play_to": "Play, to",
     "position_error": "Relative position error δ",
     "pressure_hover": "{name}<br>{pressure} at {place}",
     "relative_error": "Relative error",
+    "reverse_lag": "Lag under reverse torque",
     "roller_angle": "φ₁ = {angle}",
     "roller_circle": "Circle of the roller axes",
     "run_time": "Run time",
@@ -156,6 +177,9 @@ export default {
     "stiffness_ratio": "Stiffness c/(b·E)",
     "stress_hover": "{name}: {stress} at l/d = {length}",
     "tolerance": "χ = {tolerance}",
+    "torque": "Torque",
+    "torque_at_lag": "{torque} at a lag of {lag}",
+    "torque_over_lag": "Torque over lag at {angle}",
     "used": "Used by the calculator"
   },
   "methods": {
@@ -182,7 +206,10 @@ export default {
     "multiple_sorting": "sorting in multiple precision",
     "multiple_tanh_sinh": "tanh-sinh quadrature in multiple precision",
     "newton": "Newton",
+    "newton_bracket": "Newton's method in a bracket",
     "sampling": "sampling",
+    "sampling_dense": "four times as many samples, every summit narrowed by golden section",
+    "sampling_zoomed": "sampling, every summit narrowed by golden section",
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
@@ -203,6 +230,7 @@ export default {
   "settings": {
     "default": "default",
     "level": "level {value}",
+    "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps"
   },
@@ -231,17 +259,25 @@ export default {
       "Eccentricity",
       "Eccentricity of the cranks; where it may be left out: hole radius − pin radius."
     ],
+    "contact.hole_radius_mm": [
+      "Hole radius",
+      "Radius of the hole in the satellite: pin radius + eccentricity."
+    ],
+    "contact.pin_radius_mm": [
+      "Pin radius",
+      "Radius of the pin, or of its sleeve."
+    ],
     "contact_length_mm": [
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
     ],
-    "crank_angle_deg": [
-      "Crank angle",
-      "Crank angle of the section geometry."
-    ],
     "crank_angles_deg": [
       "Crank angles",
       "Angle of each crank, one for each satellite, instead of an even spacing."
+    ],
+    "crank_phase_deg": [
+      "Crank phases",
+      "Angle of each crank, positive ahead."
     ],
     "crank_spacing_deg": [
       "Crank spacing",
@@ -250,6 +286,22 @@ export default {
     "cylinder_length_mm": [
       "Cylinder length",
       "Length of one cylinder, from the middle sphere to the end sphere."
+    ],
+    "deviations.eccentricity_mm": [
+      "Eccentricities",
+      "Of each crank."
+    ],
+    "deviations.hole_radius_mm": [
+      "Hole radii",
+      "Of each hole's radius."
+    ],
+    "deviations.pin_radius_mm": [
+      "Pin radii",
+      "Of each pin's radius."
+    ],
+    "disc_phase_deg": [
+      "Disc phases",
+      "Angle of each disc's holes against its teeth, positive ahead."
     ],
     "distribution_factor": [
       "Distribution factor",
@@ -262,6 +314,10 @@ export default {
     "efficiency": [
       "Efficiency",
       "Efficiency of the reducer, needed with the input torque."
+    ],
+    "exponent": [
+      "Exponent",
+      "Force ∝ approachⁿ, for the power law."
     ],
     "force_N": [
       "Contact force",
@@ -279,17 +335,29 @@ export default {
       "Gaps",
       "Gap of each roller before it carries, instead of the worst case of a tolerance."
     ],
+    "geometry": [
+      "Geometry",
+      "Exact, or first order in lag and deviations as in the papers."
+    ],
     "hole_circle_radius_mm": [
       "Hole circle radius",
       "Radius of the circle of the rollers' holes."
+    ],
+    "hole_clearance_mm": [
+      "Clearance",
+      "Radial clearance: hole radius − pin radius − eccentricity; negative is interference."
     ],
     "hole_material": [
       "Hole material",
       "A name of the table of materials, or values."
     ],
-    "hole_radius_mm": [
-      "Hole radius",
-      "Radius of the hole in the satellite: pin radius + eccentricity."
+    "hole_radial_mm": [
+      "Holes outward",
+      "Of each hole, outward, a list for each satellite."
+    ],
+    "hole_tangential_mm": [
+      "Holes along the circle",
+      "The same in the driving sense."
     ],
     "initial_crank_angle_deg": [
       "Initial wave angle",
@@ -303,6 +371,10 @@ export default {
       "Input torque",
       "Torque on the crankshaft; T = T₁·u·η."
     ],
+    "kind": [
+      "Law of contact",
+      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
+    ],
     "length_mm": [
       "Length",
       ""
@@ -315,6 +387,14 @@ export default {
       "Rollers",
       "Number of rollers."
     ],
+    "lost_motion_torque_share": [
+      "Torque of the lost motion",
+      "Share of the torque, in both directions, under which the lost motion is taken."
+    ],
+    "material": [
+      "Material of the pin",
+      "A name of the table of materials, or values; that of the contact where not given."
+    ],
     "max_deflection_mm": [
       "Largest deflection",
       "Largest deflection of the shaft at its bearings."
@@ -322,6 +402,10 @@ export default {
     "max_slope_mrad": [
       "Largest slope",
       "Largest slope of the shaft in its bearings."
+    ],
+    "mechanism.crank_angle_deg": [
+      "Crank angle",
+      "Crank angle of the section geometry."
     ],
     "min_wall_mm": [
       "Least wall",
@@ -363,9 +447,13 @@ export default {
       "Pin material",
       "A name of the table of materials, or values."
     ],
-    "pin_radius_mm": [
-      "Pin radius",
-      "Radius of the pin, or of its sleeve."
+    "pin_radial_mm": [
+      "Pins outward",
+      "Of each pin, outward."
+    ],
+    "pin_tangential_mm": [
+      "Pins along the circle",
+      "Of each pin, in the driving sense."
     ],
     "pins": [
       "Pins",
@@ -387,6 +475,10 @@ export default {
       "Position tolerance",
       "Positional tolerance of the holes; the worst case has one hole ahead in each part."
     ],
+    "positions.crank_angle_deg": [
+      "Crank angles",
+      "Crank angles of the positions; the curve of the lag is taken at the first."
+    ],
     "ratio": [
       "Ratio",
       "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
@@ -394,6 +486,18 @@ export default {
     "ratio_u12": [
       "Ratio",
       "Ratio of the mesh with the input shaft held."
+    ],
+    "reference_approach_mm": [
+      "Reference approach",
+      "The approach under the reference force."
+    ],
+    "reference_depth_mm": [
+      "Reference depth",
+      "Depth to which the approach of the hole is counted; the hole's radius where not given."
+    ],
+    "reference_force_N": [
+      "Reference force",
+      "A force whose approach is known, for the power law."
     ],
     "reference_z_mm": [
       "Place of C",
@@ -443,6 +547,10 @@ export default {
       "Samples",
       "Number of points of each curve."
     ],
+    "satellite_positions_mm": [
+      "Places of the satellites",
+      "Distance of the middle of each satellite from the support."
+    ],
     "satellite_teeth": [
       "Satellite teeth",
       "Number of teeth of a satellite; gives the ratio and the assembly angles."
@@ -471,6 +579,10 @@ export default {
       "Sleeves on the pins",
       "Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed."
     ],
+    "span_mm": [
+      "Span",
+      "Distance of the two supports."
+    ],
     "sphere_diameter_mm": [
       "Sphere diameter",
       "Diameter of the spherical parts."
@@ -479,17 +591,33 @@ export default {
       "Sphere width",
       "Width of a spherical part along the roller."
     ],
+    "stiffness_N_per_mm": [
+      "Contact stiffness",
+      "Stiffness of a pair, for the linear law."
+    ],
     "stress_concentration": [
       "Stress concentration",
       "Stress concentration at the step beside the middle sphere."
+    ],
+    "support": [
+      "Support",
+      "Held at one end, simply supported at both, or clamped at both."
     ],
     "torque_Nm": [
       "Torque",
       "Torque on the central wheel; its sign chooses the loaded flanks."
     ],
+    "torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back."
+    ],
     "torque_sign": [
       "Sign of the torque",
       "Chooses the loaded flank of rollers whose limits are given in z."
+    ],
+    "torques_Nm": [
+      "Torques",
+      "Torques of the curve of the lag, negative in reverse; shares of the load where not given."
     ],
     "wear_rate_mm3_per_Nm": [
       "Wear coefficient",
@@ -750,6 +878,7 @@ export default {
     "cyclogram": "Cyclogram",
     "crank-planetary": "Crank-planetary reducer",
     "output-efficiency": "Efficiency of the output mechanism",
+    "load-sharing": "Load sharing with clearance and errors",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",
     "precession/shaft-deflection": "Shaft of the precessional gear",

@@ -5,6 +5,8 @@ import math
 import plotly.graph_objects as go
 import pytest
 
+from app.examples import REQUESTS
+
 pytestmark = pytest.mark.anyio
 
 MECHANISM = {"pins": 3, "ratio": 20, "crank_spacing_deg": 90}
@@ -74,6 +76,28 @@ async def test_simpson_converges_with_the_fourth_power(api):
     simpson = [p["relative_error"] for p in points if p["method"] == "Simpson in phi"]
     rate = math.log(simpson[0] / simpson[1]) / math.log(4)
     assert rate == pytest.approx(4, abs=0.3)
+
+
+async def test_samples_miss_the_real_peak_downwards_and_narrowed_summits_do_not(api):
+    body = {"calculation": "load-sharing", "input": REQUESTS["load-sharing"]}
+    answer = (await api.post("work-precision", json=body)).json()
+    assert answer["reference"]["digits"] == 12
+    assert answer["chosen"] in answer["points"]
+    assert answer["chosen"]["relative_error"] < 1e-9
+    sampling = [point for point in answer["points"] if point["method"] == "sampling"]
+    assert [point["evaluations"] for point in sampling] == [24, 60, 120, 360, 720, 1440, 2880]
+    errors = [point["relative_error"] for point in sampling]
+    assert errors == sorted(errors, reverse=True) and errors[0] > 20 * errors[-1] > 0
+    times = [point["run_time_us"] for point in sampling]
+    assert times[-1] > 20 * times[0]
+
+
+async def test_a_study_of_the_real_peak_has_a_limit(api):
+    own = REQUESTS["load-sharing"]
+    many = {**own, "mechanism": {**own["mechanism"], "pins": 19}, "deviations": {}}
+    response = await api.post("work-precision", json={"calculation": "load-sharing", "input": many})
+    error = response.json()["errors"][0]
+    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 18)
 
 
 @pytest.mark.parametrize("calculation", ["peak_force", "roller_sharing"])

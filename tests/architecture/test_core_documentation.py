@@ -56,6 +56,9 @@ ORDERED = {
 """Functions whose arguments have an order of their own: a polynomial's coefficients, the ends of a
 stretch, what NumPy's `where` takes, a check's value and limit."""
 
+KERNELS = {"core.output.sharing_kernel", "core.output.sharing_pairs"}
+"""Loops that are compiled as well, which knows no arguments by keyword; not for other packages."""
+
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
 DATACLASSES = [cls for cls in CLASSES if dataclasses.is_dataclass(cls)]
@@ -93,7 +96,8 @@ def test_documented_parameters_are_the_signature(function):
     actual = [
         name for name in inspect.signature(function).parameters if name not in {"self", "cls"}
     ]
-    if documented or (function in FUNCTIONS and len(actual) > 1):
+    inner = function.__module__ in KERNELS
+    if documented or (function in FUNCTIONS and len(actual) > 1 and not inner):
         assert documented == actual
 
 
@@ -111,7 +115,7 @@ def test_inputs_and_results_are_frozen(cls):
 @pytest.mark.parametrize("function", FUNCTIONS, ids=identity)
 def test_several_arguments_are_given_by_keyword(function):
     """Two floats in the wrong order would pass unseen."""
-    if identity(function) in ORDERED:
+    if identity(function) in ORDERED or function.__module__ in KERNELS:
         return
     positional = [
         parameter.name

@@ -217,6 +217,35 @@ async def output_efficiency(body: Body, answer: Body, ask: Ask) -> None:
         equal(half["efficiency"], efficiency, "efficiency at half the speed", error)
 
 
+async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
+    """The forces carry the torque and push; the turn has the positions between its extremes."""
+    load, radius = body["load"], body["load"]["pin_circle_radius_mm"] / 1e3
+    torque = load.get("output_torque_Nm")
+    if torque is None:
+        torque = load["input_torque_Nm"] * load["efficiency"] * ratio(body["mechanism"])
+    torque *= -1 if load.get("torque_direction") == "reverse" else 1
+    turn = answer.get("over_turn")
+    for position in answer["positions"]:
+        forces = [force for row in position["force_N"] for force in row]
+        largest, count = max(forces), sum(force > 0 for force in forces)
+        expect(min(forces) >= 0 and position["loaded_pairs"] == count, "loaded", count)
+        room = count * position["force_error_N"] * radius
+        held = sum(position["satellite_torque_Nm"])
+        equal(held, torque, "torque", size=sum(forces) * radius + room / ROUNDING)
+        expect(position["stiffness_Nm_per_arcmin"] > 0, "stiffness")
+        if "play_arcmin" in position:
+            low, high = position["play_arcmin"]
+            expect(low <= high + 2 * position["play_error_arcmin"], "play", low, high)
+        else:
+            expect("interference_mm" in position, "pressed")
+        if turn:
+            room = 1 + answer["accuracy"]["relative_error"] + 1e-6
+            expect(largest <= turn["peak_force_N"] * room, "peak", largest, turn["peak_force_N"])
+    if turn:
+        expect(0 <= turn["backlash_min_arcmin"] <= turn["backlash_max_arcmin"], "backlash")
+        expect(turn["loaded_pairs_min"] <= turn["loaded_pairs_max"], "loaded pairs")
+
+
 async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
     """The rollers' forces carry the torque and follow from one displacement."""
     error = answer["accuracy"]["relative_error"]
@@ -335,6 +364,7 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "hertz": hertz,
     "crank-planetary": crank_planetary,
     "output-efficiency": output_efficiency,
+    "load-sharing": load_sharing,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

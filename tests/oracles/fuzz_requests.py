@@ -208,6 +208,38 @@ def output_efficiency(r: Draw) -> Body:
     return body | {"contact": contact, "friction": friction}
 
 
+def load_sharing(r: Draw) -> Body:
+    """Clearance, any law, deviations and bending pins at times; a turn where it is short."""
+    number = r.number
+    torque = load(r)
+    del torque["include"]
+    torque.pop("samples", None)
+    body: Body = {"mechanism": mechanism(r), "load": torque}
+    torque["torque_direction"] = r.choice(("driving", "reverse"))
+    sizes = ("contact_length_mm", "pin_radius_mm", "eccentricity_mm")
+    contact = {name: number("RealContactFields", name) for name in sizes}
+    contact["hole_clearance_mm"] = contact["eccentricity_mm"] * r.choice(
+        (0.0, r.uniform(-0.02, 0.1), r.log_uniform(1e-9, 1))
+    )
+    law: Body = {"kind": r.choice(("hertz", "palmgren", "linear", "power"))}
+    if law["kind"] == "linear":
+        law["stiffness_N_per_mm"] = number("ContactLawFields", "stiffness_N_per_mm", (1e4, 1e6))
+    if law["kind"] == "power":
+        law["exponent"] = r.choice((0.5, 1, 10 / 9, 3))
+        law["reference_force_N"] = number("ContactLawFields", "reference_force_N", (100, 1e4))
+        usual = (1e-3, 0.1)
+        law["reference_approach_mm"] = number("ContactLawFields", "reference_approach_mm", usual)
+    body |= {"contact": contact, "contact_law": law, "crank_angle_deg": [r.uniform(-360, 360)]}
+    pins = body["mechanism"]["pins"]
+    if r.chance(0.4) and pins <= 1000:
+        size = r.choice((1e-3, 0.02, 1.0))
+        body["deviations"] = {"pin_radial_mm": [r.uniform(-size, size) for _ in range(pins)]}
+    body["include"] = ["positions"] + [each for each in ("ideal", "pressure") if r.chance(0.2)]
+    if pins <= 4 and r.chance(0.1):
+        body["include"].append("over_turn")
+    return body
+
+
 def roller_strength(r: Draw) -> Body:
     """Rollers with a tolerance or with gaps."""
     model = "RollerStrengthRequest"
@@ -312,6 +344,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "hertz": hertz,
     "crank-planetary": crank_planetary,
     "output-efficiency": output_efficiency,
+    "load-sharing": load_sharing,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -3,6 +3,7 @@
 from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
 from tests.oracles.answers.hertz import HERTZ
+from tests.oracles.answers.load_sharing import LOAD_SHARING
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
 from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
 from tests.oracles.answers.rollers import ROLLER_STRENGTH
@@ -13,6 +14,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     GEOMETRY,
     HERTZ,
     OUTPUT_EFFICIENCY,
+    LOAD_SHARING,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,

@@ -1,0 +1,326 @@
+"""Load sharing with clearance, deviations and elasticity: request and answer."""
+
+import math
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from app.calculations.contact_force import CurveFields
+from app.calculations.load_sharing_answer import (
+    LoadSharingResponse,
+    OverTurnOut,
+    PositionOut,
+    RealCurvesOut,
+    StiffnessCurveOut,
+)
+from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
+from app.calculations.mechanism import Angle, MechanismFields
+from app.calculations.real_mechanism import (
+    BentPinFields,
+    ContactLawFields,
+    DeviationsFields,
+    RealContactFields,
+    RealLoadFields,
+)
+from app.model import (
+    SIZE,
+    Calculation,
+    Maybe,
+    Values,
+    accuracy_values,
+    quantity,
+    warning,
+)
+from app.running import run
+from app.settings import Settings
+from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
+from app.theme import Figure, Theme
+from app.units import from_si, to_si
+from core.errors import InvalidInput
+from core.output.contact_force import drawing_angles, force_curves, force_peak
+from core.output.contact_law import law_kind
+from core.output.loaded_position import loaded_position
+from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
+from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.results import Accuracy, Notice
+
+Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
+
+MAX_TURN_PAIRS = 1000
+"""Most pairs over the turn: some thousand positions are solved."""
+
+MAX_POSITIONS = 1000
+"""Most crank angles of one request."""
+
+MAX_FORCES = 100_000
+"""Most forces of positions, and of curves: angles times pairs."""
+
+SHARES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 1.0)
+"""Shares of the torque at which the curve of the lag is drawn, and is sent where none are given."""
+
+DRAWN_SAMPLES = 361
+"""Crank angles of the figure's curves."""
+
+Torque = Annotated[float, Field(ge=-SIZE["le"], le=SIZE["le"])]
+
+
+class LoadSharingRequest(CurveFields):
+    """Mechanism, load and contact as the parts are made, and which results are wanted."""
+
+    LONG = True
+
+    mechanism: MechanismFields
+    load: RealLoadFields
+    contact: RealContactFields
+    contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
+    deviations: Maybe[DeviationsFields] = None
+    pin: Maybe[BentPinFields] = None
+    geometry: Literal["exact", "first_order"] = quantity(
+        "Geometry",
+        symbol="",
+        group="contact_law",
+        default="exact",
+        help="Exact, or first order in lag and deviations as in the papers.",
+    )
+    lost_motion_torque_share: float = quantity(
+        "Torque of the lost motion",
+        symbol="",
+        group="load",
+        default=0.03,
+        ge=1e-6,
+        le=1,
+        step=0.01,
+        advanced=True,
+        help="Share of the torque, in both directions, under which the lost motion is taken.",
+    )
+    crank_angle_deg: list[Angle] = quantity(
+        "Crank angles",
+        symbol="φ",
+        group="positions",
+        default=[0.0],
+        min_length=1,
+        max_length=MAX_POSITIONS,
+        help="Crank angles of the positions; the curve of the lag is taken at the first.",
+    )
+    torques_Nm: Maybe[list[Torque]] = quantity(
+        "Torques",
+        symbol="T",
+        group="positions",
+        default=None,
+        min_length=1,
+        max_length=MAX_POSITIONS,
+        help="Torques of the curve of the lag, negative in reverse; shares of the load where not "
+        "given.",
+    )
+    include: list[Section] = Field(
+        default=["positions"],
+        min_length=1,
+        max_length=6,
+        description="Results: what is not named is not computed. `pressure` is that of every pair, "
+        "in the positions and over the turn.",
+    )
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits, what takes too long, and lists of deviations
+        that do not fit the mechanism.
+        """
+        self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
+        pairs = self.mechanism.pairs
+        for section, limit in (
+            ("over_turn", MAX_TURN_PAIRS),
+            ("positions", MAX_FORCES // len(self.crank_angle_deg)),
+            ("stiffness_curve", MAX_FORCES // len(self.torques)),
+            ("curves", MAX_FORCES // self.samples),
+        ):
+            if section in self.include and pairs > limit:
+                self._refuse_pairs(limit)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+
+    def _refuse_pairs(self, limit: int) -> None:
+        most = self.mechanism.most_pins(limit)
+        raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """The mechanism, built once."""
+        return self.mechanism.mechanism()
+
+    @cached_property
+    def torque(self) -> float:
+        """Torque with the sign of its direction, N*m."""
+        return self.load.signed_torque(self.load.torque(self.built))
+
+    @property
+    def torques(self) -> list[float]:
+        """Torques of the curve of the lag, N*m."""
+        if self.torques_Nm is not None:
+            return self.torques_Nm
+        return [share * abs(self.torque) for share in SHARES]
+
+    @property
+    def crank_angles(self) -> list[float]:
+        """Crank angles of the positions, rad."""
+        angles: list[float] = to_si("crank_angle_deg", self.crank_angle_deg)
+        return angles
+
+    def real(self) -> RealMechanism:
+        """The mechanism as it is made, in SI units."""
+        return RealMechanism(
+            mechanism=self.built,
+            pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
+            **self.contact.sizes(),
+            law=self.contact_law.law(),
+            pin=None if self.pin is None else self.pin.held(self.contact),
+            deviations=Deviations() if self.deviations is None else self.deviations.deviations(),
+            exact=self.geometry == "exact",
+        )
+
+    def solve_all(self) -> "Solved":
+        """What is asked for."""
+        real, asked, solved = self.real(), {*self.include}, Solved()
+        pressed = "pressure" in asked
+
+        def pressures(force: tuple[tuple[float, ...], ...]) -> Any:
+            return from_si("pressure_MPa", real.pressures(force)) if pressed else None
+
+        if "over_turn" in asked:
+            turn = over_turn(
+                real=real,
+                output_torque=self.torque,
+                lost_motion_share=self.lost_motion_torque_share,
+            )
+            solved.take(turn.accuracy, turn.notices)
+            each_pair = pressures(turn.pair_force)
+            solved.values["over_turn"] = OverTurnOut.values(turn, pressure_MPa=each_pair)
+        if "positions" in asked or (pressed and "over_turn" not in asked):
+            solved.values["positions"] = positions = []
+            for angle in self.crank_angles:
+                found = loaded_position(real=real, crank_angle=angle, output_torque=self.torque)
+                solved.take(found.accuracy, found.notices)
+                positions.append(PositionOut.values(found, pressure_MPa=pressures(found.force)))
+        if "curves" in asked:
+            curves = self.curves(real, 2 * math.pi, self.samples)
+            solved.take(curves.accuracy)
+            solved.values["curves"] = RealCurvesOut.values(curves, pairs=self.pairs_of_curves())
+        if "stiffness_curve" in asked:
+            lag = self.lag_curve(real)
+            solved.take(lag.accuracy)
+            solved.values["stiffness_curve"] = StiffnessCurveOut.values(lag)
+        if "ideal" in asked:
+            ideal = force_peak(self.built, law_kind(real.law)[1])
+            solved.take(ideal.accuracy)
+            peak = ideal.peak_force_ratio * abs(self.torque) / real.pin_circle_radius
+            solved.values["ideal"] = {"peak_force_N": peak}
+            if "over_turn" in asked:
+                solved.values["ideal"]["ratio"] = turn.peak_force / peak
+        return solved
+
+    def pairs_of_curves(self) -> list[Values]:
+        """Numbers of the pairs, satellite by satellite."""
+        own = self.mechanism
+        return [
+            {"satellite": j + 1, "pin": n + 1}
+            for j in range(own.satellites)
+            for n in range(own.pins)
+        ]
+
+    def curves(self, real: RealMechanism, end: float, samples: int) -> RealCurves:
+        """Forces and lags at evenly spaced crank angles up to an end, rad."""
+        angles = np.linspace(0.0, end, samples)
+        return real_curves(real=real, crank_angle=angles, output_torque=self.torque)
+
+    def lag_curve(self, real: RealMechanism) -> StiffnessCurve:
+        """Lag over torque at the first crank angle."""
+        return stiffness_curve(real=real, crank_angle=self.crank_angles[0], torques=self.torques)
+
+    def solve_for_drawing(self) -> Drawn:
+        """All that the figure shows."""
+        real = self.real()
+        angles, _ = drawing_angles(mechanism=self.built)
+        curves = self.curves(real, float(angles[-1]), DRAWN_SAMPLES)
+        hardest = [real.hardest(force.tolist()) for force in curves.force.T]
+        turned = 0.0 if self.torque > 0 else math.pi  # what drives is what the other way brakes
+        start = self.built.initial_crank_angle + turned
+        ideal = force_curves(
+            mechanism=replace(self.built, initial_crank_angle=start),
+            crank_angle=curves.crank_angle,
+            reference=abs(self.torque) / real.pin_circle_radius,
+            force_exponent=law_kind(real.law)[1],
+        )
+        return Drawn(
+            curves=curves,
+            ideal=ideal.force,
+            pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
+            pressure=np.array([each.max_pressure for each in hardest if each is not None]),
+            lag_curve=self.lag_curve(real),
+        )
+
+
+@dataclass(slots=True)
+class Solved:
+    """Sections of an answer, and what they say of their accuracy and limits."""
+
+    values: Values = field(default_factory=dict)
+    accuracies: list[Accuracy] = field(default_factory=list)
+    notices: dict[str, Notice] = field(default_factory=dict)
+
+    def take(self, accuracy: Accuracy, notices: tuple[Notice, ...] = ()) -> None:
+        """Note what a section says; of notices alike the first, which is the turn's."""
+        self.accuracies.append(accuracy)
+        for notice in notices:
+            self.notices.setdefault(notice.code, notice)
+
+    def answer(self, run_time_us: float) -> Values:
+        """The answer: accuracy by the worst section."""
+        worst = Accuracy(
+            self.accuracies[0].method,
+            max(float(each.relative_error) for each in self.accuracies),
+            sum(each.evaluations for each in self.accuracies),
+        )
+        values = self.values | {"accuracy": accuracy_values(worst, run_time_us)}
+        if self.notices:
+            values["warnings"] = [*map(warning, self.notices.values())]
+        return values
+
+
+def solve(body: LoadSharingRequest) -> Values:
+    """Forces, lag, play and stiffness of the output mechanism with clearance, deviations and
+    elasticity, at crank angles and over the turn.
+    """
+    solved, run_time_us = run(body, body.solve_all)
+    return solved.answer(run_time_us)
+
+
+def figure(body: LoadSharingRequest, theme: Theme = "light") -> Figure:
+    """Forces with the ideal ones behind them, lag, pressure and lag over torque, for Plotly.js."""
+    run(body, body.mechanism.refuse_undrawable)
+    drawn, _ = run(body, body.solve_for_drawing)
+    return load_sharing_figure(drawn, theme)
+
+
+CALCULATION = Calculation(
+    name="load-sharing",
+    title="Load sharing with clearance and errors",
+    tag="crank-planetary",
+    request=LoadSharingRequest,
+    answer=LoadSharingResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, JOHNSON_1985, HARRIS),
+    neglects=(
+        "bearing_elasticity",
+        "bodies_rigid",
+        "edge_pressure",
+        "friction",
+        "heat",
+        "misalignment",
+        "second_flange",
+    ),
+)

@@ -1,0 +1,139 @@
+"""Answer of the load sharing with clearance and errors."""
+
+from app.calculations.contact_force import PairOut
+from app.model import AccuracyOut, Maybe, ResponseModel, WarningOut, result
+
+
+class PositionOut(ResponseModel):
+    """The mechanism at one crank angle under load."""
+
+    crank_angle_deg: float = result("Crank angle.", symbol="φ")
+    rotation_arcmin: float = result(
+        "Lag of the output behind its ideal angle, clearance included; negative in reverse.",
+        symbol="θ",
+    )
+    force_N: list[list[float]] = result(
+        "Force of each pair, a list for each satellite.", symbol="F_jn", equation="ΣF·h = T"
+    )
+    satellite_torque_Nm: list[float] = result(
+        "What each satellite adds to the torque; negative where others drag it.", symbol="T_j"
+    )
+    loaded_pairs: int = result("Number of pairs with a force.")
+    play_arcmin: Maybe[list[float]] = result(
+        "From where to where the unloaded output can turn; absent where pairs press without load.",
+        default=None,
+        symbol="θ₋, θ₊",
+    )
+    interference_mm: Maybe[float] = result(
+        "Smallest possible worst approach of the unloaded pairs, where they press.",
+        default=None,
+        symbol="δ",
+    )
+    stiffness_Nm_per_arcmin: float = result(
+        "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
+    )
+    max_pressure_MPa: float = result(
+        "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
+    )
+    pressure_MPa: Maybe[list[list[float]]] = result(
+        "Largest Hertz pressure of each pair, where asked.", default=None, symbol="p_0"
+    )
+    rotation_error_arcmin: float = result("Bound of the error of the rotation.")
+    play_error_arcmin: float = result("Bound of the error of the play.")
+    force_error_N: float = result("Bound of the error of each force.")
+
+
+class OverTurnOut(ResponseModel):
+    """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
+
+    peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
+    peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")
+    peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
+    peak_pair: PairOut = result("The pair that carries it there.")
+    backlash_max_arcmin: float = result(
+        "Largest play of the unloaded output, 0 where pairs press; of uniform clearance and an "
+        "even number of pins 2c/(R·cos(π/N)) in first order.",
+        symbol="θ₊ − θ₋",
+    )
+    backlash_min_arcmin: float = result("Least play of the unloaded output.", symbol="θ₊ − θ₋")
+    lost_motion_arcmin: float = result(
+        "Largest rotation between the two directions of a share of the torque.",
+        equation="θ(+3 % T) − θ(−3 % T)",
+    )
+    transmission_error_arcmin: float = result("Largest less least lag under load.", symbol="TE")
+    unloaded_transmission_error_arcmin: float = result(
+        "The same of the lag at which the first pair touches.", symbol="TE₀"
+    )
+    stiffness_min_Nm_per_arcmin: float = result("Least stiffness.", symbol="dT/dθ")
+    stiffness_max_Nm_per_arcmin: float = result("Largest stiffness.", symbol="dT/dθ")
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    max_pressure_MPa: float = result(
+        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    )
+    pressure_MPa: Maybe[list[list[float]]] = result(
+        "Largest Hertz pressure of each pair, a list for each satellite, where asked.",
+        default=None,
+        symbol="p_0",
+    )
+    input_torque_ripple_Nm: float = result(
+        "Largest less least torque that turns the crank, without friction.",
+        equation="T/u + (1 + 1/u)·ΣF·∂δ/∂ψ",
+    )
+    pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    angle_error_arcmin: float = result(
+        "Estimate of the error of backlash, lost motion and transmission errors."
+    )
+    stiffness_error: float = result("Estimate of the relative error of the stiffnesses.")
+    pair_error: float = result("Estimate of the error of the pairs' forces, over the peak.")
+    ripple_error_Nm: float = result("Estimate of the error of the ripple.")
+
+
+class RealCurvesOut(ResponseModel):
+    """The mechanism over one turn of the crank, at evenly spaced angles."""
+
+    crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
+    force_N: list[list[float]] = result("Forces, a list for each pair.", symbol="F_jn")
+    pairs: list[PairOut] = result("The pairs, in the order of the forces.")
+    rotation_arcmin: list[float] = result("Lag under the torque.", symbol="θ")
+    reverse_rotation_arcmin: list[float] = result("Lag under the torque the other way.", symbol="θ")
+    play_from_arcmin: list[float] = result("Least lag of the unloaded output.", symbol="θ₋")
+    play_to_arcmin: list[float] = result("Largest lag of the unloaded output.", symbol="θ₊")
+    stiffness_Nm_per_arcmin: list[float] = result("Torque over rotation.", symbol="dT/dθ")
+    input_torque_Nm: list[float] = result(
+        "Torque that turns the crank, without friction.", symbol="T₁"
+    )
+
+
+class StiffnessCurveOut(ResponseModel):
+    """Lag over torque at the first crank angle."""
+
+    crank_angle_deg: float = result("Crank angle.", symbol="φ")
+    torque_Nm: list[float] = result("Torques, negative in reverse.", symbol="T")
+    rotation_arcmin: list[float] = result("Lag under each.", symbol="θ")
+    stiffness_Nm_per_arcmin: list[float] = result("Slope at each.", symbol="dT/dθ")
+
+
+class IdealOut(ResponseModel):
+    """The same mechanism without clearance and deviations, in first order."""
+
+    peak_force_N: float = result(
+        "Largest force by the exponent of the contact law, 10/9 for Hertz and Palmgren.",
+        symbol="F_max",
+        equation="2021, eq. 10",
+    )
+    ratio: Maybe[float] = result(
+        "Real peak over the ideal one, where the turn is asked.", default=None
+    )
+
+
+class LoadSharingResponse(ResponseModel):
+    """What is asked of the mechanism as it is made."""
+
+    positions: Maybe[list[PositionOut]] = result("At the crank angles.", default=None)
+    over_turn: Maybe[OverTurnOut] = result("Over the turn.", default=None)
+    curves: Maybe[RealCurvesOut] = result("Curves over the turn.", default=None)
+    stiffness_curve: Maybe[StiffnessCurveOut] = result("Lag over torque.", default=None)
+    ideal: Maybe[IdealOut] = result("Without clearance and deviations.", default=None)
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None

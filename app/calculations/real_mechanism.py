@@ -1,0 +1,398 @@
+"""The output mechanism as it is made, as a request gives it."""
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+
+from pydantic import ConfigDict, Field, model_validator
+
+from app.calculations.contact_force import TorqueFields
+from app.calculations.hertz import ContactFields, Material, material_of
+from app.calculations.mechanism import MAX_SATELLITES
+from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.problems import ErrorItem, invalid_input
+from app.units import to_si
+from core.materials import ElasticMaterial
+from core.output.contact_law import (
+    MAX_EXPONENT,
+    MIN_EXPONENT,
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+    Support,
+)
+from core.output.real_mechanism import Deviations
+
+Kind = Literal["hertz", "palmgren", "linear", "power"]
+
+BY_KIND: dict[Kind, tuple[str, ...]] = {
+    "hertz": (),
+    "palmgren": (),
+    "linear": ("stiffness_N_per_mm",),
+    "power": ("exponent", "reference_force_N", "reference_approach_mm"),
+}
+"""What each kind of contact law needs; a field of another kind does not belong to it."""
+
+ONLY_HERTZ = "reference_depth_mm"
+
+Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
+Phase = Annotated[float, Field(ge=-360, le=360)]
+
+MAX_LISTED_PINS = 1000
+"""Most pins whose deviations are listed one by one."""
+
+
+class RealLoadFields(TorqueFields):
+    """Torque, its direction, and its lever; the force exponent is that of the contact law."""
+
+    torque_direction: Literal["driving", "reverse"] = quantity(
+        "Direction of the torque",
+        symbol="",
+        group="load",
+        default="driving",
+        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+    )
+
+    def signed_torque(self, torque: float) -> float:
+        """A torque with the sign of its direction, N*m."""
+        return -torque if self.torque_direction == "reverse" else torque
+
+
+class RealContactFields(ContactFields):
+    """Pin, hole, crank and clearance. Forces and pressures are those at the torque: the dynamic
+    factor is for checks.
+    """
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+
+    hole_radius_mm: Maybe[float] = quantity(  # type: ignore[assignment]
+        "Hole radius",
+        symbol="r_out",
+        group="contact",
+        default=None,
+        **SIZE,
+        step=0.5,
+        help="Radius of the hole in the satellite: pin radius + eccentricity.",
+    )
+    eccentricity_mm: float = quantity(
+        "Eccentricity",
+        symbol="e",
+        group="contact",
+        **SIZE,
+        step=0.5,
+        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
+    )
+    hole_clearance_mm: Maybe[Deviation] = quantity(
+        "Clearance",
+        symbol="c",
+        group="contact",
+        default=None,
+        step=0.005,
+        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
+    )
+    distribution_factor: float = quantity(
+        "Distribution factor",
+        symbol="K_α",
+        group="contact",
+        default=1.0,
+        ge=1e-12,
+        le=1,
+        step=0.05,
+        help="Factor of uneven load sharing between the pairs.",
+    )
+
+    @model_validator(mode="after")
+    def _radii_agree(self) -> Self:
+        hole, clearance = self.hole_radius_mm, self.hole_clearance_mm
+        if hole is None or clearance is None:
+            return self
+        off = self._difference(hole) - Decimal(repr(clearance))
+        if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
+            expected = float(Decimal(repr(hole)) - off)
+            raise field_error("hole_radius_mm", "hole_disagrees", expected=expected)
+        return self
+
+    def _difference(self, hole: float) -> Decimal:
+        """Clearance by the radii, in decimals as they were typed: no digit is lost."""
+        pin, eccentricity = self.pin_radius_mm, self.eccentricity_mm
+        return Decimal(repr(hole)) - Decimal(repr(pin)) - Decimal(repr(eccentricity))
+
+    def clearance_mm(self) -> float:
+        """Radial clearance: given, or by the radii; none where neither is given."""
+        if self.hole_clearance_mm is not None:
+            return self.hole_clearance_mm
+        return 0.0 if self.hole_radius_mm is None else float(self._difference(self.hole_radius_mm))
+
+    def sizes(self) -> dict[str, Any]:
+        """Sizes and materials in SI units, as the core's arguments."""
+        return {
+            "contact_length": to_si("contact_length_mm", self.contact_length_mm),
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
+            "clearance": to_si("clearance_mm", self.clearance_mm()),
+            "pin_material": material_of(self.pin_material),
+            "hole_material": material_of(self.hole_material),
+        }
+
+
+def _law_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What each kind of law needs, and that it takes nothing of the others."""
+    request_schema(schema, model)
+    names = [*(name for some in BY_KIND.values() for name in some), ONLY_HERTZ]
+    schema["allOf"] = [
+        {
+            "if": {"properties": {"kind": {"const": kind}}}
+            | ({} if kind == "hertz" else {"required": ["kind"]}),
+            "then": ({"required": [*needed]} if needed else {})
+            | {"not": {"anyOf": [{"required": [name]} for name in _strange(kind, names)]}},
+        }
+        for kind, needed in BY_KIND.items()
+    ]
+
+
+def _strange(kind: Kind, names: list[str]) -> list[str]:
+    own = (*BY_KIND[kind], ONLY_HERTZ) if kind == "hertz" else BY_KIND[kind]
+    return [name for name in names if name not in own]
+
+
+class ContactLawFields(RequestModel):
+    """How a pair gives under a force."""
+
+    kind: Kind = quantity(
+        "Law of contact",
+        symbol="",
+        group="contact_law",
+        default="hertz",
+        help="Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power.",
+    )
+    reference_depth_mm: Maybe[float] = quantity(
+        "Reference depth",
+        symbol="t",
+        group="contact_law",
+        default=None,
+        **SIZE,
+        step=1,
+        advanced=True,
+        help="Depth to which the approach of the hole is counted; the hole's radius where not "
+        "given.",
+    )
+    stiffness_N_per_mm: Maybe[float] = quantity(
+        "Contact stiffness",
+        symbol="k",
+        group="contact_law",
+        default=None,
+        **SIZE,
+        step=1000,
+        help="Stiffness of a pair, for the linear law.",
+    )
+    exponent: Maybe[float] = quantity(
+        "Exponent",
+        symbol="n",
+        group="contact_law",
+        default=None,
+        ge=MIN_EXPONENT,
+        le=MAX_EXPONENT,
+        step=0.1,
+        help="Force ∝ approachⁿ, for the power law.",
+    )
+    reference_force_N: Maybe[float] = quantity(
+        "Reference force",
+        symbol="F_ref",
+        group="contact_law",
+        default=None,
+        **SIZE,
+        step=100,
+        help="A force whose approach is known, for the power law.",
+    )
+    reference_approach_mm: Maybe[float] = quantity(
+        "Reference approach",
+        symbol="δ_ref",
+        group="contact_law",
+        default=None,
+        **SIZE,
+        step=0.001,
+        help="The approach under the reference force.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_law_schema)
+
+    @model_validator(mode="after")
+    def _fields_of_the_kind(self) -> Self:
+        for name in BY_KIND[self.kind]:
+            if getattr(self, name) is None:
+                raise field_error(name, "needed_beside", field="kind")
+        for name in _strange(self.kind, [*type(self).model_fields][1:]):
+            if getattr(self, name) is not None:
+                raise field_error(name, "of_another_kind", kind=self.kind)
+        return self
+
+    def law(self) -> ContactLaw:
+        """The law in SI units."""
+        own = self.to_core()
+        kinds = {"hertz": HertzLaw, "palmgren": PalmgrenLaw, "linear": LinearLaw, "power": PowerLaw}
+        return kinds[own.pop("kind")](**own)  # type: ignore[no-any-return]
+
+
+def _support_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """Two supports need their span."""
+    request_schema(schema, model)
+    schema["if"] = {"properties": {"support": {"enum": ["supported", "fixed"]}}}
+    schema["then"] = {"required": ["span_mm"]}
+
+
+class BentPinFields(RequestModel):
+    """How the pins are held, and where the satellites load them."""
+
+    diameter_mm: Maybe[float] = quantity(
+        "Pin diameter",
+        symbol="d",
+        group="pin",
+        default=None,
+        **SIZE,
+        step=0.5,
+        help="Diameter of the pin itself, inside its sleeve where it has one.",
+    )
+    support: Support = quantity(
+        "Support",
+        symbol="",
+        group="pin",
+        help="Held at one end, simply supported at both, or clamped at both.",
+    )
+    span_mm: Maybe[float] = quantity(
+        "Span",
+        symbol="L",
+        group="pin",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Distance of the two supports.",
+    )
+    satellite_positions_mm: list[Annotated[float, Field(**SIZE)]] = quantity(
+        "Places of the satellites",
+        symbol="z",
+        group="pin",
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        help="Distance of the middle of each satellite from the support.",
+    )
+    material: Maybe[Material] = quantity(
+        "Material of the pin",
+        symbol="",
+        group="pin",
+        default=None,
+        help="A name of the table of materials, or values; that of the contact where not given.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_support_schema)
+
+    @model_validator(mode="after")
+    def _span_of_two_supports(self) -> Self:
+        if self.support != "cantilever" and self.span_mm is None:
+            raise field_error("span_mm", "needed_beside", field="support")
+        return self
+
+    def held(self, contact: RealContactFields) -> PinSupport:
+        """The pin in SI units."""
+        own = self.to_core()
+        diameter = own.get("diameter", 2 * to_si("radius_mm", contact.pin_radius_mm))
+        given: ElasticMaterial = material_of(self.material or contact.pin_material)
+        return PinSupport(
+            support=self.support,
+            diameter=diameter,
+            satellite_positions=tuple(own["satellite_positions"]),
+            material=given,
+            span=own.get("span"),
+        )
+
+
+def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:
+    return quantity(
+        title,
+        symbol=symbol,
+        group="deviations",
+        default=None,
+        step=0.001,
+        min_length=1,
+        max_length=most,
+        help=help,
+    )
+
+
+Row = list[Deviation]
+Table = list[Annotated[Row, Field(min_length=1, max_length=MAX_LISTED_PINS)]]
+
+
+class DeviationsFields(RequestModel):
+    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc. Positive: outward, in the driving sense, larger, ahead.
+    """
+
+    pin_radial_mm: Maybe[Row] = _deviation("Pins outward", "ρ", "Of each pin, outward.")
+    pin_tangential_mm: Maybe[Row] = _deviation(
+        "Pins along the circle", "τ", "Of each pin, in the driving sense."
+    )
+    pin_radius_mm: Maybe[Row] = _deviation("Pin radii", "Δr", "Of each pin's radius.")
+    hole_radial_mm: Maybe[Table] = _deviation(
+        "Holes outward", "ρ_j", "Of each hole, outward, a list for each satellite.", MAX_SATELLITES
+    )
+    hole_tangential_mm: Maybe[Table] = _deviation(
+        "Holes along the circle", "τ_j", "The same in the driving sense.", MAX_SATELLITES
+    )
+    hole_radius_mm: Maybe[Table] = _deviation(
+        "Hole radii", "Δr_j", "Of each hole's radius.", MAX_SATELLITES
+    )
+    eccentricity_mm: Maybe[Row] = _deviation(
+        "Eccentricities", "Δe", "Of each crank.", MAX_SATELLITES
+    )
+    crank_phase_deg: Maybe[list[Phase]] = _deviation(
+        "Crank phases", "Δα", "Angle of each crank, positive ahead.", MAX_SATELLITES
+    )
+    disc_phase_deg: Maybe[list[Phase]] = _deviation(
+        "Disc phases",
+        "η",
+        "Angle of each disc's holes against its teeth, positive ahead.",
+        MAX_SATELLITES,
+    )
+
+    def deviations(self) -> Deviations:
+        """The deviations in SI units."""
+
+        def fixed(value: Any) -> Any:
+            return tuple(map(fixed, value)) if isinstance(value, list) else value
+
+        return Deviations(**{name: fixed(value) for name, value in self.to_core().items()})
+
+    def refuse_other_lengths(self, pins: int, satellites: int) -> None:
+        """Refuse lists that do not fit the mechanism.
+
+        Raises
+        ------
+        Problem
+            If there are.
+        """
+        wrong = [
+            ErrorItem(
+                f"/deviations/{place}", "different_length", {"expected": want, "actual": have}
+            )
+            for place, want, have in self._lengths(pins, satellites)
+            if want != have
+        ]
+        if wrong:
+            raise invalid_input(wrong)
+
+    def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
+        for name, value in self:
+            if value is None:
+                continue
+            if not name.startswith("hole"):
+                yield name, pins if name.startswith("pin") else satellites, len(value)
+                continue
+            yield name, satellites, len(value)
+            for index, row in enumerate(value):
+                yield f"{name}/{index}", pins, len(row)
+
+
+assert {*get_args(Kind)} == {*BY_KIND}

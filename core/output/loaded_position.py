@@ -1,0 +1,220 @@
+"""One position of the mechanism as it is made: forces, lag, play, stiffness, pressures."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray, check_finite
+from core.errors import InvalidInput
+from core.hertz import HertzContact
+from core.output.contact_law import HertzLaw
+from core.output.real_mechanism import RealMechanism
+from core.output.sharing_kernel import at, interference
+from core.results import Accuracy, Notice, poorly_known
+
+LARGE_ROTATION = 0.1
+"""Movement of the pins over the eccentricity above which the position is a strange one."""
+
+DEPTHS = 0.5, 1.5
+"""Reference depths over the hole's radius within which a half-space stands for a hole."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoadedPosition:
+    """The mechanism at one crank angle under load.
+
+    Attributes
+    ----------
+    crank_angle : float
+        As asked, rad.
+    rotation : float
+        Lag of the output behind its ideal angle, rad; negative in reverse.
+    force : tuple of tuple of float, K x N
+        Force of each pair, N.
+    satellite_torque : tuple of float, K
+        Share of each satellite in the torque, N*m; negative where others drag it.
+    loaded_pairs : int
+        Number of pairs with a force.
+    play : (float, float) or None
+        Least and largest lag of the unloaded output, rad; None where pairs press without load.
+    interference : float or None
+        Smallest possible worst approach of the unloaded pairs, m, where they press.
+    stiffness : float
+        Torque over rotation dT/dtheta, N*m/rad.
+    max_pressure : float or None
+        Largest Hertz pressure of the pairs, Pa, where the materials are known.
+    rotation_error, play_error : float
+        Bounds of the errors of rotation and play, rad.
+    force_error : float
+        Bound of the error of each force, N.
+    accuracy : Accuracy
+        Of the forces, over the largest.
+    notices : tuple of Notice
+        Limits that are strained.
+    """
+
+    crank_angle: float
+    rotation: float
+    force: tuple[tuple[float, ...], ...]
+    satellite_torque: tuple[float, ...]
+    loaded_pairs: int
+    play: tuple[float, float] | None
+    interference: float | None
+    stiffness: float
+    max_pressure: float | None
+    rotation_error: float
+    play_error: float
+    force_error: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def loaded_position(
+    *, real: RealMechanism, crank_angle: float, output_torque: float
+) -> LoadedPosition:
+    """Forces of all pairs, lag, play and stiffness at one crank angle.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    crank_angle : float
+        Crank angle, rad.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+
+    Returns
+    -------
+    LoadedPosition
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+
+    Notes
+    -----
+    Left out: friction, speed, tilting and edge load, deformation of discs and carrier, a second
+    flange, growth by heat, play and compliance of mesh and bearings. First order, no clearance:
+    Yanchevskiy and Niekhoroshykh 2021, eq. (10), with the law's exponent.
+
+    Examples
+    --------
+    Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
+
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
+    >>> real = RealMechanism(
+    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    >>> found = loaded_position(real=real, crank_angle=0.0, output_torque=30.0)
+    >>> found.loaded_pairs, round(max(found.force[0]), 4)
+    (3, 957.1068)
+    """
+    check_finite(crank_angle=crank_angle, output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    direction = math.copysign(1.0, output_torque)
+    setup, room = real.setup(direction), real.room()
+    psi = real.wave(crank_angle)
+    # The wave angle of a far crank angle is as rough as that.
+    found = real.solved(psi, abs(output_torque), setup, room)
+    pins = setup.pins
+    rows = range(0, pins * setup.satellites, pins)
+    force = np.array(room.force)
+    largest = float(force.max())
+    pressed = found.low > found.high + found.play_error
+    contact = real.hardest(room.force)
+    play = tuple(sorted((direction * found.low + 0.0, direction * found.high + 0.0)))
+    torques = [
+        direction * math.fsum(room.force[k] * room.lever[k] for k in range(i, i + pins))
+        for i in rows
+    ]
+    accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
+    return LoadedPosition(
+        crank_angle=crank_angle,
+        rotation=direction * found.lag,
+        force=real.rows(room.force),
+        satellite_torque=tuple(torques),
+        loaded_pairs=int((force > 0).sum()),
+        play=None if pressed else (play[0], play[1]),
+        interference=least_interference(real=real, psi=psi) if pressed else None,
+        stiffness=found.stiffness,
+        max_pressure=None if contact is None else contact.max_pressure,
+        rotation_error=found.lag_error,
+        play_error=found.play_error,
+        force_error=found.force_error,
+        accuracy=accuracy,
+        notices=(
+            *notices(real=real, lag=abs(found.lag), pressed=pressed, contact=contact),
+            *_bent_together(real, force.reshape(-1, pins)),
+            *poorly_known(accuracy),
+        ),
+    )
+
+
+def least_interference(*, real: RealMechanism, psi: float) -> float:
+    """Smallest possible worst approach of the unloaded pairs at a wave angle, m.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    psi : float
+        Wave angle, rad.
+
+    Returns
+    -------
+    float
+        Positive where pairs press without load.
+    """
+    setup, room = real.setup(1.0), real.room()
+    at(psi, setup, real.pairs, room)
+    far = real.eccentricity / real.pin_circle_radius
+    return interference(-far, far, setup, real.pairs, room)
+
+
+def notices(
+    *, real: RealMechanism, lag: float, pressed: bool, contact: HertzContact | None
+) -> tuple[Notice, ...]:
+    """Limits that a position strains.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    lag : float
+        Size of the lag, rad.
+    pressed : bool
+        Whether pairs press without load.
+    contact : HertzContact or None
+        The contact with the largest pressure.
+
+    Returns
+    -------
+    tuple of Notice
+    """
+    found = []
+    if lag * real.pin_circle_radius > LARGE_ROTATION * real.eccentricity:
+        share = lag * real.pin_circle_radius / real.eccentricity
+        found.append(Notice("large_rotation", {"share": share}))
+    if pressed:
+        found.append(Notice("pressed_without_load"))
+    if isinstance(real.law, HertzLaw) and real.law.reference_depth is not None:
+        ratio = real.law.reference_depth / (real.pin_radius + real.eccentricity + real.clearance)
+        if not DEPTHS[0] <= ratio <= DEPTHS[1]:
+            low, high = DEPTHS
+            found.append(Notice("reference_depth", {"ratio": ratio, "low": low, "high": high}))
+    if contact is not None:
+        found += contact.notices
+    return tuple(found)
+
+
+def _bent_together(real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
+    """Notice that pins are loaded by several satellites, whose bending is taken one by one."""
+    together = real.pin is not None and ((force > 0).sum(axis=0) > 1).any()
+    return (Notice("pin_bending_uncoupled"),) if together else ()

@@ -1,0 +1,274 @@
+"""The mechanism as it is made, over the turn: peak, backlash, lost motion, transmission error.
+
+Everything depends on the wave angle alone and repeats with its turn; with deviations it has no
+shorter period. Forces have kinks and play has cusps where pairs take over from each other, and
+extremes like to sit there: summits are narrowed by golden section, which asks for no derivative.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from core.arrays import check_finite
+from core.errors import InvalidInput
+from core.output.contact_force import PairNumber
+from core.output.loaded_position import notices
+from core.output.real_mechanism import RealMechanism
+from core.output.summits import PLACE, all_summits, highest, summits
+from core.output.turn import Pose, Turn
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+TIE = 1e-9
+"""Relative difference below which two summits are one peak, reported at the first crank angle."""
+
+
+@dataclass(frozen=True, slots=True)
+class OverTurn:
+    """Extremes over the turn of the wave.
+
+    Attributes
+    ----------
+    peak_force : float
+        Largest force of all pairs, N.
+    peak_force_ratio : float
+        Over F0 = T/R, dimensionless.
+    peak_crank_angle : float
+        First crank angle >= 0 at which it occurs, rad.
+    peak_pair : PairNumber
+        The pair that carries it there.
+    backlash_max, backlash_min : float
+        Largest and least play of the unloaded output, rad; 0 where pairs press.
+    lost_motion : float
+        Largest difference of the lags under a share of the torque in both directions, rad.
+    transmission_error : float
+        Largest less least lag under load, rad.
+    unloaded_transmission_error : float
+        The same of the lag at which the first pair touches, rad.
+    stiffness_min, stiffness_max : float
+        Least and largest torsional stiffness, N*m/rad.
+    loaded_pairs_min, loaded_pairs_max : int
+        Least and largest number of pairs that carry.
+    max_pressure : float or None
+        Largest Hertz pressure, Pa, where the materials are known.
+    pair_force : tuple of tuple of float, K x N
+        Largest force of each pair, N.
+    input_torque_ripple : float
+        Largest less least torque that turns the crank, without friction, N*m.
+    pressed_without_load : bool
+        Whether pairs press without load anywhere.
+    angle_error : float
+        Estimate of the error of backlash, lost motion and transmission errors, rad.
+    stiffness_error : float
+        Estimate of the relative error of the stiffnesses, dimensionless.
+    pair_error : float
+        Estimate of the relative error of the pairs' forces, over the peak, dimensionless.
+    ripple_error : float
+        Estimate of the error of the ripple, N*m.
+    accuracy : Accuracy
+        Of the peak force: what twice as many positions change, and rounding. An honest estimate,
+        no proof.
+    notices : tuple of Notice
+        Limits that are strained.
+    """
+
+    peak_force: float
+    peak_force_ratio: float
+    peak_crank_angle: float
+    peak_pair: PairNumber
+    backlash_max: float
+    backlash_min: float
+    lost_motion: float
+    transmission_error: float
+    unloaded_transmission_error: float
+    stiffness_min: float
+    stiffness_max: float
+    loaded_pairs_min: int
+    loaded_pairs_max: int
+    max_pressure: float | None
+    pair_force: tuple[tuple[float, ...], ...]
+    input_torque_ripple: float
+    pressed_without_load: bool
+    angle_error: float
+    stiffness_error: float
+    pair_error: float
+    ripple_error: float
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def _crank_angle(real: RealMechanism, psi: float) -> float:
+    """First crank angle >= 0 of a wave angle, rad."""
+    off = (psi - real.mechanism.initial_crank_angle) % (2 * math.pi)
+    if off > 2 * math.pi - 100 * PLACE:
+        off = 0.0
+    return off / (1 + 1 / real.mechanism.ratio)
+
+
+def over_turn(
+    *, real: RealMechanism, output_torque: float, lost_motion_share: float = 0.03
+) -> OverTurn:
+    """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+    lost_motion_share : float
+        Share of the torque under which the lost motion is taken, 0 < share <= 1.
+
+    Returns
+    -------
+    OverTurn
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+
+    Notes
+    -----
+    Two pins whose errors nearly use up the clearance make the force a row of spikes narrower than
+    any grid, so every summit of the grid is narrowed, and the grid is dense where pairs take up.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
+    >>> real = RealMechanism(
+    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    >>> turn = over_turn(real=real, output_torque=30.0)
+    >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
+    (957.1068, 0.0021647844, 0.002)
+    """
+    check_finite(output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    if not lost_motion_share > 0:
+        raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
+    if not lost_motion_share <= 1:
+        raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
+    turn = Turn(real, output_torque)
+    grid, near = turn.positions()
+    step = grid[1] - grid[0]
+    poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
+    coarse = {psi: pose.force for psi, pose in poses.items()}
+    rough_forces = turn.pair_force
+    poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
+    fine = {psi: poses[psi].force for psi in sorted(poses)}
+    found, top, rough = all_summits(coarse=coarse, fine=fine, function=turn.force)
+    peak = top.height
+    place = min(
+        (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
+        key=lambda psi: _crank_angle(real, psi),
+    )
+    for each in {psi for summit in found for psi in summit.alike}:
+        turn.force(each)  # of every pair
+    turn.force(place)
+    force = turn.room.force
+    pair = force.index(max(force))
+    contact = real.contact(pair, peak)
+    max_pressure = None
+    if contact is not None:
+        max_pressure = contact.max_pressure
+        if max(turn.curved) > min(turn.curved) * (1 + 1e-12):
+            values = {psi: poses[psi].pressure for psi in fine}
+            pressure = max(
+                summit.height
+                for summit in summits(values=values, function=lambda psi: turn.pose(psi).pressure)
+            )
+            max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
+
+    def extreme(
+        value: Callable[[Pose], float],
+        at_place: Callable[[float], float],
+        sign: int = 1,
+        jumps: bool = False,
+    ) -> tuple[float, float]:
+        """Largest value over the turn, or least for the sign -1, and an estimate of its error; on
+        the high side of a jump nothing is missed.
+        """
+        whole = {psi: sign * value(poses[psi]) for psi in fine}
+        part = {psi: whole[psi] for psi in coarse}
+        top, missed = highest(coarse=part, fine=whole, function=lambda psi: sign * at_place(psi))
+        return sign * top.height, missed + (0.0 if jumps else top.error)
+
+    def spread(
+        value: Callable[[Pose], float], at_place: Callable[[float], float]
+    ) -> tuple[float, float]:
+        """Largest less least value over the turn, and an estimate of its error."""
+        (high, off), (low, other) = (extreme(value, at_place, sign) for sign in (1, -1))
+        return high - low, off + other
+
+    lag = spread(lambda pose: pose.lag, lambda psi: turn.pose(psi).lag)
+    every = poses.values()
+    pressed = any(pose.low > pose.high + pose.play_error for pose in every)
+    unloaded = 0.0, 0.0
+    if not pressed:
+        unloaded = spread(lambda pose: pose.high, lambda psi: turn.played(psi)[1])
+    backlash = [
+        extreme(lambda pose: max(pose.high - pose.low, 0.0), turn.backlash, sign)
+        for sign in (1, -1)
+    ]
+    lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
+    most_lost, missed_lost = highest(
+        coarse=dict([*lost.items()][::2]),
+        fine=lost,
+        function=lambda psi: turn.lost(psi, lost_motion_share),
+    )
+    stiff = [
+        extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign, True)
+        for sign in (1, -1)
+    ]
+    ripple = spread(lambda pose: pose.input_torque, lambda psi: turn.pose(psi).input_torque)
+    rounding = max(pose.lag_error for pose in every) + 2 * max(pose.play_error for pose in every)
+    unsure = max(pose.force_error for pose in every)
+    accuracy = Accuracy(
+        "sampling_zoomed",
+        (abs(peak - rough) + top.error + unsure) / peak,
+        turn.evaluations,
+    )
+    return OverTurn(
+        peak_force=peak,
+        peak_force_ratio=peak * real.pin_circle_radius / abs(output_torque),
+        peak_crank_angle=_crank_angle(real, place),
+        peak_pair=PairNumber(pair // turn.setup.pins + 1, pair % turn.setup.pins + 1),
+        backlash_max=backlash[0][0],
+        backlash_min=backlash[1][0] + 0.0,
+        lost_motion=most_lost.height,
+        transmission_error=lag[0],
+        unloaded_transmission_error=unloaded[0],
+        stiffness_min=stiff[1][0],
+        stiffness_max=stiff[0][0],
+        loaded_pairs_min=min(pose.loaded for pose in every),
+        loaded_pairs_max=max(pose.loaded for pose in every),
+        max_pressure=max_pressure,
+        pair_force=real.rows(turn.pair_force),
+        input_torque_ripple=ripple[0],
+        pressed_without_load=pressed,
+        angle_error=rounding
+        + max(
+            lag[1],
+            unloaded[1],
+            *[off for _, off in backlash],
+            missed_lost + most_lost.error,
+        ),
+        stiffness_error=max(off / value for value, off in stiff) + 8 * ROUNDING,
+        pair_error=max(map(float.__sub__, turn.pair_force, rough_forces)) / peak,
+        ripple_error=ripple[1] + 2 * unsure * len(force) * real.eccentricity,
+        accuracy=accuracy,
+        notices=(
+            *notices(
+                real=real,
+                lag=max(abs(pose.lag) for pose in every),
+                pressed=pressed,
+                contact=contact,
+            ),
+            *poorly_known(accuracy),
+        ),
+    )

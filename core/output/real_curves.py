@@ -1,0 +1,186 @@
+"""Curves of the mechanism as it is made: over the crank angle, and of the lag over the torque."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import InvalidInput
+from core.output.real_mechanism import RealMechanism
+from core.output.sharing_kernel import wave_torque
+from core.results import Accuracy
+
+
+@dataclass(frozen=True, slots=True)
+class RealCurves:
+    """The mechanism under load at crank angles.
+
+    Attributes
+    ----------
+    crank_angle : array, M
+        Crank angles, rad.
+    force : array, K*N x M
+        Force of each pair, satellite by satellite, N.
+    rotation, reverse_rotation : array, M
+        Lag of the output under the torque, and under the same torque the other way, rad.
+    play_from, play_to : array, M
+        Limits of the play of the unloaded output, rad; the middle between them, twice, where pairs
+        press without load.
+    stiffness : array, M
+        Torque over rotation, N*m/rad.
+    input_torque : array, M
+        Torque that turns the crank, without friction, N*m.
+    accuracy : Accuracy
+        Of the forces, over the largest.
+    """
+
+    crank_angle: FloatArray
+    force: FloatArray
+    rotation: FloatArray
+    reverse_rotation: FloatArray
+    play_from: FloatArray
+    play_to: FloatArray
+    stiffness: FloatArray
+    input_torque: FloatArray
+    accuracy: Accuracy
+
+
+def real_curves(
+    *, real: RealMechanism, crank_angle: FloatArray, output_torque: float
+) -> RealCurves:
+    """Forces, lags, play, stiffness and input torque at crank angles.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    crank_angle : array, M
+        Crank angles, rad.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+
+    Returns
+    -------
+    RealCurves
+
+    Raises
+    ------
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+
+    Notes
+    -----
+    Without friction the crank's torque carries the load and what the contacts store:
+    ``T_in = T/u + (1 + 1/u)*sum F*d(approach)/d(psi)``; over a turn the second part is nothing on
+    the mean.
+    """
+    direction = math.copysign(1.0, output_torque)
+    there, back, room = real.setup(direction), real.setup(-direction), real.room()
+    ratio, torque = real.mechanism.ratio, abs(output_torque)
+    forces, rows, unsure, steps = [], [], 0.0, 0
+    for angle in crank_angle:
+        psi = real.wave(float(angle))
+        reverse = real.solved(psi, torque, back, room)
+        found = real.solved(psi, torque, there, room)
+        least, most = sorted((direction * found.low, direction * found.high))
+        if found.low > found.high:
+            least = most = (least + most) / 2 if math.isfinite(least) else 0.0
+        on_wave = wave_torque(psi, found.lag, there, real.pairs, room)
+        forces.append([*room.force])
+        unsure, steps = max(unsure, found.force_error), steps + found.steps + reverse.steps
+        rows.append(
+            (
+                direction * found.lag,
+                -direction * reverse.lag,
+                least + 0.0,
+                most + 0.0,
+                found.stiffness,
+                output_torque / ratio + (1 + 1 / ratio) * on_wave,
+            )
+        )
+    force = np.array(forces).T
+    accuracy = Accuracy("newton_bracket", unsure / float(force.max()), steps)
+    lag, back_lag, low, high, stiffness, on_crank = np.array(rows).T
+    return RealCurves(
+        crank_angle=crank_angle,
+        force=force,
+        rotation=lag,
+        reverse_rotation=back_lag,
+        play_from=low,
+        play_to=high,
+        stiffness=stiffness,
+        input_torque=on_crank,
+        accuracy=accuracy,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class StiffnessCurve:
+    """Lag over torque at one crank angle.
+
+    Attributes
+    ----------
+    crank_angle : float
+        Crank angle, rad.
+    torque : tuple of float, M
+        Torques, N*m.
+    rotation : tuple of float, M
+        Lag under each, rad.
+    stiffness : tuple of float, M
+        Slope of the torque over the lag at each, N*m/rad.
+    accuracy : Accuracy
+        Of the lags, over the largest.
+    """
+
+    crank_angle: float
+    torque: tuple[float, ...]
+    rotation: tuple[float, ...]
+    stiffness: tuple[float, ...]
+    accuracy: Accuracy
+
+
+def stiffness_curve(
+    *, real: RealMechanism, crank_angle: float, torques: Sequence[float]
+) -> StiffnessCurve:
+    """Lag under several torques at one crank angle; there is no hysteresis without friction.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    crank_angle : float
+        Crank angle, rad.
+    torques : sequence of float
+        Torques on the output link, N*m, none 0: there the output lies anywhere within its play.
+
+    Returns
+    -------
+    StiffnessCurve
+
+    Raises
+    ------
+    InvalidInput
+        If a torque is 0.
+    ImpossibleMechanism
+        See `RealMechanism.solved`.
+    """
+    setups = {sign: real.setup(sign) for sign in (1.0, -1.0)}
+    room, psi, found = real.room(), real.wave(crank_angle), []
+    for index, torque in enumerate(torques):
+        if torque == 0:
+            raise InvalidInput(f"torques[{index}]", torque, "not_zero")
+        sign = math.copysign(1.0, torque)
+        position = real.solved(psi, abs(torque), setups[sign], room)
+        found.append((sign * position.lag, position))
+    largest = max(abs(rotation) for rotation, _ in found) or 1.0
+    unsure = max(position.lag_error for _, position in found)
+    steps = sum(position.steps for _, position in found)
+    return StiffnessCurve(
+        crank_angle,
+        tuple(torques),
+        tuple(rotation for rotation, _ in found),
+        tuple(position.stiffness for _, position in found),
+        Accuracy("newton_bracket", unsure / largest, steps),
+    )

@@ -1,0 +1,375 @@
+"""The output mechanism as it is made: its sizes, clearance, deviations and elasticity.
+
+Every satellite is a rigid disc, held by its crank and turned by the ring. The one unknown is the
+lag of the output behind its ideal angle; the approach of each pair follows from it, a force from
+each approach, and the torque of all forces must be the load.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from core.arrays import check_finite, check_positive
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.hertz import HertzContact, hertz
+from core.materials import ElasticMaterial
+from core.output.contact_law import (
+    ContactLaw,
+    PairContact,
+    PinSupport,
+    check_law,
+    law_constants,
+    law_kind,
+    pin_compliance,
+)
+from core.output.mechanism import Mechanism
+from core.output.sharing_kernel import NO_DRIVE, NOT_SOLVED, NOT_STABLE, Position, solve
+from core.output.sharing_pairs import Errors, Pairs, Room, Setup, prepare
+
+
+@dataclass(frozen=True, slots=True)
+class Deviations:
+    """What a piece deviates from its nominal sizes; empty tuples are zeros.
+
+    Positive: outward, in the driving sense, larger, ahead. N pins, K satellites.
+
+    Attributes
+    ----------
+    pin_radial, pin_tangential, pin_radius : tuple of float, N
+        Place and radius of each pin, m.
+    hole_radial, hole_tangential, hole_radius : tuple of tuple of float, K x N
+        The same of each hole, m.
+    eccentricity : tuple of float, K
+        Of each crank, m.
+    crank_phase, disc_phase : tuple of float, K
+        Angle of each crank, and of each disc's holes against its teeth, rad.
+    """
+
+    pin_radial: tuple[float, ...] = ()
+    pin_tangential: tuple[float, ...] = ()
+    pin_radius: tuple[float, ...] = ()
+    hole_radial: tuple[tuple[float, ...], ...] = ()
+    hole_tangential: tuple[tuple[float, ...], ...] = ()
+    hole_radius: tuple[tuple[float, ...], ...] = ()
+    eccentricity: tuple[float, ...] = ()
+    crank_phase: tuple[float, ...] = ()
+    disc_phase: tuple[float, ...] = ()
+
+    def rows(self, pins: int, satellites: int) -> Errors:
+        """Flat rows for the kernel.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers N and K.
+
+        Returns
+        -------
+        Errors
+
+        Raises
+        ------
+        InvalidInput
+            If a list has another length, or an entry is not finite.
+        """
+
+        def row(name: str, values: Sequence[float], expected: int) -> list[float]:
+            if not values:
+                return [0.0] * expected
+            if len(values) != expected:
+                raise InvalidInput(
+                    name, values, "different_length", expected=expected, actual=len(values)
+                )
+            for index, value in enumerate(values):
+                check_finite(**{f"{name}[{index}]": value})
+            return [float(value) for value in values]
+
+        def table(name: str) -> list[float]:
+            values = getattr(self, name)
+            if values and len(values) != satellites:
+                raise InvalidInput(
+                    name, values, "different_length", expected=satellites, actual=len(values)
+                )
+            if not values:
+                return [0.0] * (pins * satellites)
+            return [x for j, each in enumerate(values) for x in row(f"{name}[{j}]", each, pins)]
+
+        return Errors(
+            *[row(name, getattr(self, name), pins) for name in Errors._fields[:3]],
+            *[table(name) for name in Errors._fields[3:6]],
+            *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
+        )
+
+
+@dataclass(frozen=True)
+class RealMechanism:
+    """A mechanism with its sizes, clearance, deviations and elasticity.
+
+    Attributes
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    pin_circle_radius, pin_radius, eccentricity, contact_length : float
+        R, r_p, e and b, m, > 0.
+    law : ContactLaw
+        Law of contact of each pair.
+    clearance : float
+        Radial clearance c, m: hole less pin radius less eccentricity; negative is interference.
+    pin_material, hole_material : ElasticMaterial, optional
+        Needed for `HertzLaw` and for pressures.
+    pin : PinSupport, optional
+        How the pins are held; rigid where not given.
+    deviations : Deviations
+        Of this piece.
+    exact : bool
+        Exact geometry; else first order in lag and deviations, with fixed lines of action.
+    """
+
+    mechanism: Mechanism
+    pin_circle_radius: float
+    pin_radius: float
+    eccentricity: float
+    contact_length: float
+    law: ContactLaw
+    clearance: float = 0.0
+    pin_material: ElasticMaterial | None = None
+    hole_material: ElasticMaterial | None = None
+    pin: PinSupport | None = None
+    deviations: Deviations = field(default_factory=Deviations)
+    exact: bool = True
+
+    def __post_init__(self) -> None:
+        sizes = {
+            name: getattr(self, name)
+            for name in ("pin_circle_radius", "pin_radius", "eccentricity", "contact_length")
+        }
+        check_positive(**sizes)
+        check_finite(**sizes, clearance=self.clearance)
+        if not self.eccentricity < self.pin_circle_radius:
+            raise InvalidInput(
+                "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
+            )
+        check_law(self.law)
+
+    def setup(self, direction: float) -> Setup:
+        """The design as the kernel takes it.
+
+        Parameters
+        ----------
+        direction : float
+            Of the torque: 1, or -1 in reverse.
+
+        Returns
+        -------
+        Setup
+        """
+        kind, exponent = law_kind(self.law)
+        return Setup(
+            pins=self.mechanism.pins,
+            satellites=self.mechanism.satellites,
+            ratio=self.mechanism.ratio,
+            exact=self.exact,
+            radius=self.pin_circle_radius,
+            eccentricity=self.eccentricity,
+            clearance=self.clearance,
+            direction=direction,
+            law=kind,
+            exponent=exponent,
+        )
+
+    @cached_property
+    def _prepared(self) -> tuple[Pairs, list[float], list[float]]:
+        """Constants of the pairs, their pins' radii, and the forces at which their laws end."""
+        pins, satellites = self.mechanism.pins, self.mechanism.satellites
+        errors = self.deviations.rows(pins, satellites)
+        count = pins * satellites
+        pairs = Pairs(*[[0.0] * count for _ in Pairs._fields])
+        compliance = [0.0] * satellites
+        if self.pin is not None:
+            if len(self.pin.satellite_positions) != satellites:
+                raise InvalidInput(
+                    "satellite_positions",
+                    self.pin.satellite_positions,
+                    "different_length",
+                    expected=satellites,
+                    actual=len(self.pin.satellite_positions),
+                )
+            compliance = [*pin_compliance(self.pin)]
+        prepare(self.setup(1.0), errors, list(self.mechanism.crank_angles), pairs)
+        radii, limits = [], []
+        for i, difference in enumerate(pairs.distance):
+            j, n = divmod(i, pins)
+            radius = self.pin_radius + errors.pin_radius[n]
+            own = self.eccentricity + errors.eccentricity[j]
+            if min(difference, radius, own) <= 0:
+                raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
+            contact = PairContact(
+                pin_radius=radius,
+                difference=difference,
+                length=self.contact_length,
+                hole_radius=self.pin_radius + self.eccentricity + self.clearance,
+            )
+            pairs.a[i], pairs.b[i], limit = law_constants(
+                law=self.law,
+                contact=contact,
+                compliance=compliance[j],
+                pin=self.pin_material,
+                hole=self.hole_material,
+            )
+            radii.append(radius)
+            limits.append(limit)
+        return pairs, radii, limits
+
+    @property
+    def pairs(self) -> Pairs:
+        """Constants of the pairs."""
+        return self._prepared[0]
+
+    @property
+    def pin_radii(self) -> list[float]:
+        """Radius of each pair's pin, m."""
+        return self._prepared[1]
+
+    def room(self) -> Room:
+        """Room for the results of one position."""
+        count = self.mechanism.pins * self.mechanism.satellites
+        return Room(*[[0.0] * count for _ in Room._fields])
+
+    def wave(self, crank_angle: float) -> float:
+        """Wave angle of a crank angle, rad, within half a turn around 0.
+
+        Parameters
+        ----------
+        crank_angle : float
+            Crank angle, rad.
+        """
+        return math.remainder(
+            crank_angle * (1 + 1 / self.mechanism.ratio) + self.mechanism.initial_crank_angle,
+            2 * math.pi,
+        )
+
+    def solved(self, psi: float, torque: float, setup: Setup, room: Room) -> Position:
+        """Equilibrium at a wave angle; what cannot be is refused.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque : float
+            Size of the torque, N*m, > 0.
+        setup : Setup
+            The design, with the torque's direction.
+        room : Room
+            Takes forces and levers.
+
+        Returns
+        -------
+        Position
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If no pair can drive, forces would not balance or not be stable, the output would lag by
+            more than the eccentricity, or a contact would be as wide as its pin.
+        """
+        pairs, _, limits = self._prepared
+        position = solve(psi, torque, setup, pairs, room)
+        code, params = "", {}
+        if position.status == NO_DRIVE:
+            code = "dead_centre"
+        elif abs(position.lag) * self.pin_circle_radius > self.eccentricity:
+            code = "lost_in_space"
+        elif position.status == NOT_STABLE:
+            code = "not_stable"
+        elif position.status == NOT_SOLVED or not math.isfinite(position.force_error):
+            code = "not_balanced"
+        else:
+            for i, (force, limit) in enumerate(zip(room.force, limits, strict=True)):
+                if force > limit:
+                    j, n = divmod(i, setup.pins)
+                    code, params = "beyond_hertz", {"satellite": j + 1, "pin": n + 1}
+        if code:
+            ratio, start = self.mechanism.ratio, self.mechanism.initial_crank_angle
+            angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
+            raise ImpossibleMechanism(code, {"crank_angle": angle}, **params)
+        return position
+
+    def contact(self, pair: int, force: float) -> HertzContact | None:
+        """Hertz contact of a pair, where the materials are known.
+
+        Parameters
+        ----------
+        pair : int
+            Its index, satellite by satellite.
+        force : float
+            Its force, N.
+
+        Returns
+        -------
+        HertzContact or None
+        """
+        if self.pin_material is None or self.hole_material is None:
+            return None
+        radius = self.pin_radii[pair]
+        return hertz(
+            force=force,
+            contact_length=self.contact_length,
+            pin_radius=radius,
+            hole_radius=radius + self.pairs.distance[pair],
+            pin_material=self.pin_material,
+            hole_material=self.hole_material,
+        )
+
+    def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+        """Values of the pairs, satellite by satellite.
+
+        Parameters
+        ----------
+        values : sequence of float, K*N
+            Values in the kernel's order.
+
+        Returns
+        -------
+        tuple of tuple of float, K x N
+        """
+        pins = self.mechanism.pins
+        return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
+
+    def pressures(
+        self, force: tuple[tuple[float, ...], ...]
+    ) -> tuple[tuple[float, ...], ...] | None:
+        """Largest Hertz pressure of each pair, where the materials are known.
+
+        Parameters
+        ----------
+        force : tuple of tuple of float, K x N
+            Force of each pair, N.
+
+        Returns
+        -------
+        tuple of tuple of float, K x N, or None
+            Pressures, Pa.
+        """
+        flat = [each for row in force for each in row]
+        contacts = [self.contact(pair, each) for pair, each in enumerate(flat)]
+        pressures = [contact.max_pressure for contact in contacts if contact is not None]
+        return self.rows(pressures) if pressures else None
+
+    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+        """Contact of the pair with the largest pressure, which grows with the force times the
+        difference of the curvatures.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        HertzContact or None
+        """
+        radii, distance = self.pin_radii, self.pairs.distance
+        curved = [f * (c / r / (r + c)) for f, r, c in zip(force, radii, distance, strict=True)]
+        pair = curved.index(max(curved))
+        return self.contact(pair, force[pair])

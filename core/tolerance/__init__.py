@@ -1,0 +1,11 @@
+"""Tolerances: what the parts are made to, and what becomes of the mechanism.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+iso286          limits of the classes of pins and holes
+draws           random deviations, each part a stream of its own
+tolerances      what the parts are made to, and pieces drawn from it
+quantiles       percentiles and yield with intervals
+study           quantities of many pieces
+contributions   which tolerance does most
+"""

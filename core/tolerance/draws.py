@@ -1,0 +1,129 @@
+"""Random deviations of the parts, the same for a seed whatever else is drawn.
+
+Each part of each kind has a stream of its own: Philox4x64-10 with the key (seed, kind and index),
+of which sample i is the i-th word. So a sample does not depend on how many there are, on blocks, or
+on other sources. Words are used as they are: NumPy promises these, not what it makes of them.
+"""
+
+import math
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import Literal
+
+import numpy as np
+
+from core.arrays import FloatArray, check_finite
+from core.errors import InvalidInput
+
+KINDS = {
+    "pin_position": (0, 1),
+    "pin_radius": (2,),
+    "hole_position": (3, 4),
+    "hole_radius": (5,),
+    "eccentricity": (6,),
+    "crank_phase": (7,),
+    "disc_phase": (8,),
+}
+"""Streams of each source; of a zone one for the radius and one for the angle."""
+
+OTHER = 1000
+"""Added to the kinds for a second, independent sample of the same seed."""
+
+Distribution = Literal["normal", "uniform"]
+
+
+def uniforms(*, seed: int, kind: int, index: int, samples: int, first: int = 0) -> FloatArray:
+    """Numbers between 0 and 1 of a stream, neither of them included.
+
+    Parameters
+    ----------
+    seed : int
+        Of the study, >= 0.
+    kind, index : int
+        Stream, and number of the part from 0.
+    samples : int
+        How many.
+    first : int
+        Number of the first sample.
+
+    Returns
+    -------
+    array, shape (samples,)
+
+    Examples
+    --------
+    >>> uniforms(seed=7, kind=0, index=0, samples=2).tolist()
+    [0.8720734548204874, 0.2953653815137836]
+    """
+    bits = np.random.Philox(key=np.array([seed, (kind << 32) + index], dtype=np.uint64))
+    bits.advance(first // 4)
+    words = bits.random_raw(first % 4 + samples)[first % 4 :]
+    numbers: FloatArray = (words >> np.uint64(11)).astype(np.float64) * 2.0**-53 + 2.0**-54
+    return numbers
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """How a size or an angle varies.
+
+    Attributes
+    ----------
+    lower, upper : float
+        Limits of its deviation, m or rad.
+    distribution : {"normal", "uniform"}
+        Normal: cut off at the limits, which are three standard deviations off the middle.
+    common : bool
+        Whether all parts of a piece have the same.
+    """
+
+    lower: float
+    upper: float
+    distribution: Distribution = "normal"
+    common: bool = False
+
+    def __post_init__(self) -> None:
+        check_finite(lower=self.lower, upper=self.upper)
+        if not self.lower <= self.upper:
+            raise InvalidInput("lower", self.lower, "at_most", field="upper")
+
+    def values(self, uniform: FloatArray) -> FloatArray:
+        """Deviations of numbers between 0 and 1.
+
+        Parameters
+        ----------
+        uniform : array
+            Numbers between 0 and 1.
+
+        Returns
+        -------
+        array
+        """
+        if self.distribution == "uniform":
+            return self.lower + uniform * (self.upper - self.lower)
+        tail = 0.5 * math.erfc(3 / math.sqrt(2))
+        inverse = NormalDist().inv_cdf
+        within = tail + uniform * (1 - 2 * tail)
+        normal = np.array([inverse(each) for each in within.ravel()]).reshape(uniform.shape)
+        return (self.lower + self.upper) / 2 + (self.upper - self.lower) / 6 * normal
+
+
+def zone_places(
+    *, diameter: float, radius_uniform: FloatArray, angle_uniform: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Places in a round zone, evenly over its area.
+
+    Parameters
+    ----------
+    diameter : float
+        Of the zone, m: the position tolerance.
+    radius_uniform, angle_uniform : array
+        Numbers between 0 and 1.
+
+    Returns
+    -------
+    radial, tangential : array
+        Places, m.
+    """
+    radius = diameter / 2 * np.sqrt(radius_uniform)
+    angle = 2 * math.pi * angle_uniform
+    return radius * np.cos(angle), radius * np.sin(angle)

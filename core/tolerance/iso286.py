@@ -1,0 +1,99 @@
+"""Limits of the ISO 286 classes that pins and holes are made to."""
+
+import re
+from bisect import bisect_left
+from dataclasses import dataclass
+
+from core.errors import InvalidInput
+
+SIZES = (3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
+"""Upper ends of the ranges of nominal sizes, mm; a range goes from over the one before."""
+
+GRADES = {
+    5: (4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27),
+    6: (6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40),
+    7: (10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63),
+    8: (14, 18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89, 97),
+    9: (25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155),
+    10: (40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250),
+    11: (60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400),
+}
+"""Tolerances IT5 to IT11 by the range, micrometres."""
+
+NEAREST = {
+    "f": (-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68),
+    "g": (-2, -4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18, -20),
+    "h": (0,) * 13,
+    "m": (2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23),
+}
+"""Fundamental deviations of shafts, micrometres: the upper one, of m the lower one."""
+
+CLASSES = ("f", "g", "h", "js", "m", "F", "G", "H", "JS")
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Limits of a size.
+
+    Attributes
+    ----------
+    lower, upper : float
+        Limit deviations of the diameter, m.
+    """
+
+    lower: float
+    upper: float
+
+
+def class_limits(*, size: float, tolerance_class: str) -> Limits:
+    """Limit deviations of a diameter by its ISO 286 class.
+
+    Parameters
+    ----------
+    size : float
+        Nominal diameter, m, at most 0.5.
+    tolerance_class : str
+        As ``m6`` of a shaft or ``H7`` of a hole: letters of `CLASSES`, grades of `GRADES`.
+
+    Returns
+    -------
+    Limits
+        js and JS are half of the tolerance to each side, not rounded.
+
+    Raises
+    ------
+    InvalidInput
+        If the size or the class is not in the tables.
+
+    Notes
+    -----
+    ISO 286-1:2010, tables 1 to 5. The rows of f and g up to 3 mm and of m above 180 mm are by the
+    formulas of ISO 286-1:1988, A.3.
+
+    Examples
+    --------
+    >>> class_limits(size=0.010, tolerance_class="m6")
+    Limits(lower=6e-06, upper=1.5e-05)
+    >>> class_limits(size=0.014, tolerance_class="H7")
+    Limits(lower=0.0, upper=1.8e-05)
+    """
+    if not size > 0:
+        raise InvalidInput("size", size, "greater_than", limit=0)
+    if not size <= 0.5:
+        raise InvalidInput("size", size, "less_than_equal", limit=0.5)
+    found = re.fullmatch(r"([A-Za-z]+)(\d+)", tolerance_class)
+    letter, grade = (found[1], int(found[2])) if found else ("", 0)
+    if letter not in CLASSES or grade not in GRADES:
+        raise InvalidInput("tolerance_class", tolerance_class, "no_class")
+    row = bisect_left(SIZES, round(size * 1e3, 9))
+    width = GRADES[grade][row]
+    match letter:
+        case "js" | "JS":
+            lower, upper = -width / 2, width / 2
+        case "m":
+            lower, upper = NEAREST["m"][row], NEAREST["m"][row] + width
+        case "f" | "g" | "h":
+            lower, upper = NEAREST[letter][row] - width, NEAREST[letter][row]
+        case _:
+            lower, upper = -NEAREST[letter.lower()][row], width - NEAREST[letter.lower()][row]
+    return Limits(lower / 1e6, upper / 1e6)

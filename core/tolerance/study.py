@@ -1,0 +1,290 @@
+"""What tolerances do: peak force, pressure, transmission error and stiffness of many pieces."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from core.arrays import BoolArray, FloatArray
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.sharing_kernel import largest
+from core.output.summits import summits
+from core.output.turn import Turn
+from core.tolerance.quantiles import Estimate, percentile, share
+from core.tolerance.tolerances import Tolerances
+
+QUANTITIES = ("peak_force", "max_pressure", "transmission_error", "lost_motion", "min_stiffness")
+
+WORST = 32
+"""Samples of the highest peaks, on which the error of the angle grid is estimated."""
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """What of each piece is asked, and where.
+
+    Attributes
+    ----------
+    quantities : tuple of str
+        Of `QUANTITIES`.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+    positions : int
+        Even positions of the wave.
+    lost_motion_share : float
+        Share of the torque under which the lost motion is taken.
+    """
+
+    quantities: tuple[str, ...]
+    output_torque: float
+    positions: int = 60
+    lost_motion_share: float = 0.03
+
+
+def piece_values(*, real: RealMechanism, asked: Evaluation) -> tuple[list[float], bool]:
+    """Quantities of one piece, and whether it can be assembled without force.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The piece.
+    asked : Evaluation
+        What of it.
+
+    Returns
+    -------
+    values : list of float
+        In the order asked; NaN where the piece cannot work.
+    fits : bool
+        Whether its pairs are free of each other without load, at all positions.
+    """
+    fits = True
+    try:
+        turn = Turn(real, asked.output_torque)
+        forces, pressures, lags, lost, stiffness = [], [], [], [], []
+        for k in range(asked.positions):
+            psi = 2 * math.pi * k / asked.positions
+            found = real.solved(psi, turn.torque, turn.setup, turn.room)
+            fits &= found.low <= found.high + found.play_error
+            forces.append(largest(turn.room.force))
+            lags.append(found.lag)
+            stiffness.append(found.stiffness)
+            if "max_pressure" in asked.quantities:
+                pressures.append(max(map(float.__mul__, turn.room.force, turn.curved)))
+            if "lost_motion" in asked.quantities:
+                lost.append(turn.lost(psi, asked.lost_motion_share))
+    except ImpossibleMechanism:
+        return [math.nan] * len(asked.quantities), False
+    values = {
+        "peak_force": max(forces),
+        "transmission_error": max(lags) - min(lags),
+        "min_stiffness": min(stiffness),
+        "lost_motion": max(lost, default=0.0),
+    }
+    if pressures:
+        # Pressure squared grows with the force over the reduced radius.
+        unit = real.contact(0, 1.0)
+        if unit is None:
+            raise InvalidInput("pin_material", None, "needed", field="hole_material")
+        square = unit.max_pressure**2 / turn.curved[0]
+        values["max_pressure"] = math.sqrt(square * max(pressures))
+    return [values[name] for name in asked.quantities], fits
+
+
+@dataclass(frozen=True, slots=True)
+class ToleranceStudy:
+    """Many pieces.
+
+    Attributes
+    ----------
+    quantities : tuple of str
+        What was asked.
+    values : array, shape (samples, quantities)
+        SI units; NaN where a piece cannot work.
+    fits : array of bool, shape (samples,)
+        Which pieces can be assembled without force; those that cannot have their values too, once
+        they are pressed together.
+    nominal : dict of str to float
+        Of the piece at the middle of all limits.
+    cannot_assemble : Estimate
+        Share of the pieces that cannot be assembled without force.
+    angle_grid_error : float
+        How much the positions miss of the peak force, relative: a bias, always low. The mean over
+        the highest samples.
+    """
+
+    quantities: tuple[str, ...]
+    values: FloatArray
+    fits: BoolArray
+    nominal: dict[str, float]
+    cannot_assemble: Estimate
+    angle_grid_error: float
+
+    def column(self, quantity: str) -> FloatArray:
+        """Values of a quantity, of the pieces that can work.
+
+        Parameters
+        ----------
+        quantity : str
+            Its name.
+
+        Returns
+        -------
+        array
+        """
+        column: FloatArray = self.values[:, self.quantities.index(quantity)]
+        return column[~np.isnan(column)]
+
+    def percentile(self, *, quantity: str, percent: float) -> Estimate:
+        """Percentile of the pieces that can work.
+
+        Parameters
+        ----------
+        quantity : str
+            Its name.
+        percent : float
+            Percentage.
+
+        Returns
+        -------
+        Estimate
+        """
+        return percentile(values=self.column(quantity), percent=percent)
+
+    def yield_within(self, *, quantity: str, limit: float) -> Estimate:
+        """Share of all pieces that keep a limit: of the stiffness a lower one, else an upper one.
+
+        Parameters
+        ----------
+        quantity : str
+            Its name.
+        limit : float
+            Its limit, SI units.
+
+        Returns
+        -------
+        Estimate
+            Pieces that cannot be assembled count as failures.
+        """
+        column = self.values[:, self.quantities.index(quantity)]
+        kept = column >= limit if quantity == "min_stiffness" else column <= limit
+        return share(successes=int((kept & self.fits).sum()), count=len(column))
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """A design, its tolerances, and what is asked.
+
+    Attributes
+    ----------
+    real : RealMechanism
+        The nominal design; its own deviations are not used.
+    tolerances : Tolerances
+        What its parts are made to.
+    asked : Evaluation
+        Quantities, torque, positions.
+    samples : int
+        How many pieces.
+    seed : int
+        Of the draws.
+    progress : callable, optional
+        Called with the number of pieces done.
+    """
+
+    real: RealMechanism
+    tolerances: Tolerances
+    asked: Evaluation
+    samples: int = 4096
+    seed: int = 0
+    progress: Callable[[int], None] = field(default=lambda done: None)
+
+    def pieces(
+        self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()
+    ) -> list[Deviations]:
+        """Deviations of the pieces.
+
+        Parameters
+        ----------
+        tolerances : Tolerances, optional
+            Others than the study's.
+        other : sequence of str
+            Sources from the second sample.
+
+        Returns
+        -------
+        list of Deviations
+        """
+        own = self.real.mechanism
+        return (tolerances or self.tolerances).drawn(
+            pins=own.pins,
+            satellites=own.satellites,
+            seed=self.seed,
+            samples=self.samples,
+            other=other,
+        )
+
+    def values(self, pieces: Sequence[Deviations]) -> tuple[FloatArray, BoolArray]:
+        """Quantities of pieces, and which of them can be assembled.
+
+        Parameters
+        ----------
+        pieces : sequence of Deviations
+            The pieces.
+
+        Returns
+        -------
+        values : array, shape (pieces, quantities)
+            SI units; NaN where a piece cannot work.
+        fits : array of bool, shape (pieces,)
+            Which can be assembled without force.
+        """
+        rows, fits = [], []
+        for done, piece in enumerate(pieces, 1):
+            real = replace(self.real, deviations=piece)
+            values, free = piece_values(real=real, asked=self.asked)
+            rows.append(values)
+            fits.append(free)
+            self.progress(done)
+        return np.array(rows), np.array(fits)
+
+
+def tolerance_study(study: Study) -> ToleranceStudy:
+    """Quantities of many pieces, the nominal one, and what the positions miss.
+
+    Parameters
+    ----------
+    study : Study
+        Design, tolerances, what is asked.
+
+    Returns
+    -------
+    ToleranceStudy
+    """
+    pieces = study.pieces()
+    values, fits = study.values(pieces)
+    own, asked = study.real.mechanism, study.asked
+    middle = study.tolerances.middle(pins=own.pins, satellites=own.satellites)
+    nominal, _ = piece_values(real=replace(study.real, deviations=middle), asked=asked)
+    return ToleranceStudy(
+        quantities=asked.quantities,
+        values=values,
+        fits=fits,
+        nominal=dict(zip(asked.quantities, nominal, strict=True)),
+        cannot_assemble=share(successes=int((~fits).sum()), count=len(fits)),
+        angle_grid_error=_grid_error(study, pieces, values),
+    )
+
+
+def _grid_error(study: Study, pieces: Sequence[Deviations], values: FloatArray) -> float:
+    """Mean of what the positions miss of the peak, over the samples of the highest first value."""
+    order = [i for i in np.argsort(-values[:, 0]) if not np.isnan(values[i, 0])][:WORST]
+    missed = []
+    for i in order:
+        real = replace(study.real, deviations=pieces[i])
+        turn, count = Turn(real, study.asked.output_torque), study.asked.positions
+        grid = {2 * math.pi * k / count: turn.force(2 * math.pi * k / count) for k in range(count)}
+        found = summits(values=grid, function=turn.force, most=3)
+        missed.append(1 - max(grid.values()) / max(summit.height for summit in found))
+    return float(np.mean(missed)) if missed else 0.0

@@ -1,0 +1,134 @@
+"""What the parts are made to, and pieces drawn from it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.arrays import FloatArray, check_positive
+from core.output.real_mechanism import Deviations
+from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerances:
+    """What the parts are made to; None is exact.
+
+    Attributes
+    ----------
+    pin_position, hole_position : float, optional
+        Diameters of the zones of the centres, m.
+    pin_radius, hole_radius, eccentricity : Spread, optional
+        Deviations, m; of radii, not of diameters.
+    crank_phase, disc_phase : Spread, optional
+        Angles, rad.
+    """
+
+    pin_position: float | None = None
+    hole_position: float | None = None
+    pin_radius: Spread | None = None
+    hole_radius: Spread | None = None
+    eccentricity: Spread | None = None
+    crank_phase: Spread | None = None
+    disc_phase: Spread | None = None
+
+    def __post_init__(self) -> None:
+        zones = {"pin_position": self.pin_position, "hole_position": self.hole_position}
+        check_positive(**{name: zone for name, zone in zones.items() if zone is not None})
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Names of what varies."""
+        return tuple(name for name in KINDS if getattr(self, name) is not None)
+
+    def drawn(
+        self, *, pins: int, satellites: int, seed: int, samples: int, other: Sequence[str] = ()
+    ) -> list[Deviations]:
+        """Deviations of many pieces.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers N and K.
+        seed : int
+            Of the study.
+        samples : int
+            How many pieces.
+        other : sequence of str
+            Sources that are drawn from the second, independent sample.
+
+        Returns
+        -------
+        list of Deviations
+        """
+
+        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
+            kind = KINDS[source][part] + (OTHER if source in other else 0)
+            columns = [
+                uniforms(seed=seed, kind=kind, index=index, samples=samples)
+                for index in range(1 if common else count)
+            ]
+            return np.stack(columns * (count if common else 1), axis=1)
+
+        counts = {"pin": pins, "hole": pins * satellites}
+        rows: dict[str, FloatArray] = {}
+        for source in self.sources:
+            of, given = source.split("_")[0], getattr(self, source)
+            count = counts.get(of, satellites)
+            if isinstance(given, Spread):
+                rows[source] = given.values(stream(source, 0, count, given.common))
+                continue
+            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
+                diameter=given,
+                radius_uniform=stream(source, 0, count, False),
+                angle_uniform=stream(source, 1, count, False),
+            )
+        return [_piece({name: row[i] for name, row in rows.items()}, pins) for i in range(samples)]
+
+    def middle(self, *, pins: int, satellites: int) -> Deviations:
+        """The piece at the middle of all limits.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers N and K.
+
+        Returns
+        -------
+        Deviations
+        """
+        counts = {"pin_radius": pins, "hole_radius": pins * satellites}
+        rows = {}
+        for source in self.sources:
+            given = getattr(self, source)
+            if isinstance(given, Spread):
+                middle = (given.lower + given.upper) / 2
+                rows[source] = np.full(counts.get(source, satellites), middle)
+        return _piece(rows, pins)
+
+    def without(self, source: str) -> "Tolerances":
+        """The same with a source at the middle of its limits.
+
+        Parameters
+        ----------
+        source : str
+            Name of the source.
+
+        Returns
+        -------
+        Tolerances
+        """
+        given = getattr(self, source)
+        if isinstance(given, Spread):
+            middle = (given.lower + given.upper) / 2
+            return replace(self, **{source: replace(given, lower=middle, upper=middle)})  # type: ignore[arg-type]
+        return replace(self, **{source: None})
+
+
+def _piece(rows: dict[str, FloatArray], pins: int) -> Deviations:
+    def entries(name: str, row: FloatArray) -> tuple[object, ...]:
+        if not name.startswith("hole"):
+            return tuple(row.tolist())
+        return tuple(tuple(each) for each in row.reshape(-1, pins).tolist())
+
+    return Deviations(**{name: entries(name, row) for name, row in rows.items()})  # type: ignore[arg-type]

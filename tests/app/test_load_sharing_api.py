@@ -1,0 +1,224 @@
+"""Load sharing with clearance and errors over REST: the fifteen cases as posted, sections, limits,
+refusals.
+"""
+
+import json
+import math
+from copy import deepcopy
+from pathlib import Path
+
+import pytest
+
+from app.examples import REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "load-sharing"
+CASES = json.loads((Path(__file__).parents[1] / "oracles/load_sharing_cases.json").read_text())
+BASE = {**REQUESTS[PATH], "include": ["positions"]}
+
+
+def changed(without=(), **sections):
+    body = deepcopy(BASE)
+    for name, value in sections.items():
+        body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
+    for section, name in without:
+        del body[section][name]
+    return body
+
+
+def close(found, expected, path=""):
+    """Every number of the expected answer, to twelve digits of the largest beside it."""
+    if isinstance(expected, dict):
+        for name, value in expected.items():
+            close(found[name], value, f"{path}/{name}")
+    elif isinstance(expected, list) and expected and not isinstance(expected[0], (int, float)):
+        assert len(found) == len(expected), path
+        for i, (one, other) in enumerate(zip(found, expected, strict=True)):
+            close(one, other, f"{path}/{i}")
+    elif isinstance(expected, (bool, str)):
+        assert found == expected, path
+    else:
+        rows = expected if isinstance(expected, list) else [expected]
+        size = max(map(abs, rows)) or 1.0
+        assert found == pytest.approx(expected, rel=0, abs=1e-9 * size), path
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"].split()[0])
+async def test_case(api, case):
+    answer = await api.post(PATH, json=case["body"])
+    assert answer.status_code == 200, answer.text
+    close(answer.json(), case["expect"])
+    assert set(answer.json()) - {"accuracy", "warnings"} == {*case["body"]["include"]}
+
+
+async def test_what_others_found(api):
+    """An open program for cycloidal drives: 957.1068 N, 624.969 MPa by a hole without clearance,
+    and the play.
+    """
+    steel = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3}
+    body = deepcopy(CASES[1]["body"])
+    body["contact"] |= {"pin_material": steel, "hole_material": steel}
+    body["include"] = ["over_turn"]
+    turn = (await api.post(PATH, json=body)).json()["over_turn"]
+    assert round(turn["peak_force_N"], 4) == 957.1068
+    without = math.sqrt((1 / 3 - 1 / 4.5) / (1 / 3 - 1 / 4.52))
+    # Its modulus is rounded to 115385 MPa.
+    assert turn["max_pressure_MPa"] * without == pytest.approx(624.9693, rel=2e-6)
+    assert turn["backlash_max_arcmin"] * math.pi / 10800 == pytest.approx(2.1647844e-3, rel=1e-8)
+
+
+async def test_only_what_is_asked_is_sent(api):
+    answer = (await api.post(PATH, json=changed())).json()
+    assert set(answer) == {"positions", "accuracy"}
+    assert "pressure_MPa" not in answer["positions"][0]
+    named = ["over_turn", "curves", "stiffness_curve", "ideal", "pressure"]
+    body = changed(include=named, samples=5)
+    answer = (await api.post(PATH, json=body)).json()
+    assert set(answer) == {"over_turn", "curves", "stiffness_curve", "ideal", "accuracy"}
+    turn = answer["over_turn"]
+    assert max(map(max, turn["pressure_MPa"])) == pytest.approx(turn["max_pressure_MPa"], rel=1e-9)
+    ideal = answer["ideal"]
+    assert ideal["ratio"] == pytest.approx(turn["peak_force_N"] / ideal["peak_force_N"])
+
+
+async def test_curves_hold_the_torque_and_meet_the_positions(api):
+    body = changed(include=["curves", "positions"], samples=5, crank_angle_deg=[90])
+    answer = (await api.post(PATH, json=body)).json()
+    curves, position = answer["curves"], answer["positions"][0]
+    assert curves["crank_angle_deg"] == [0, 90, 180, 270, 360]
+    forces = [force[1] for force in curves["force_N"]]
+    assert forces == [each for row in position["force_N"] for each in row]
+    assert curves["rotation_arcmin"][1] == position["rotation_arcmin"]
+    pairs = [(pair["satellite"], pair["pin"]) for pair in curves["pairs"]]
+    assert pairs == [(j, n) for j in (1, 2) for n in range(1, 7)]
+    play = [curves[f"play_{end}_arcmin"][1] for end in ("from", "to")]
+    assert play == position["play_arcmin"]
+
+
+async def test_lag_over_torque_passes_through_the_positions(api):
+    body = changed(include=["stiffness_curve", "positions"], torques_Nm=[-200, 50, 200])
+    answer = (await api.post(PATH, json=body)).json()
+    curve = answer["stiffness_curve"]
+    assert curve["rotation_arcmin"] == sorted(curve["rotation_arcmin"])
+    assert curve["rotation_arcmin"][2] == answer["positions"][0]["rotation_arcmin"]
+    assert answer["positions"][0]["satellite_torque_Nm"] == pytest.approx([100, 100])
+
+
+async def test_the_peak_of_the_ideal_is_that_of_the_contact_force(api):
+    law = {"kind": "linear", "stiffness_N_per_mm": 1e5}
+    body = changed(include=["ideal"], contact_law=law)
+    ideal = (await api.post(PATH, json=body)).json()["ideal"]
+    force = await api.post("contact-force", json=body["mechanism"] | body["load"])
+    assert ideal == {"peak_force_N": pytest.approx(force.json()["peak_force_N"], rel=1e-14)}
+
+
+async def test_the_clearance_follows_from_the_radii_without_loss(api):
+    given = await api.post(PATH, json=changed())
+    body = changed(contact={"hole_radius_mm": 7.03}, without=[("contact", "hole_clearance_mm")])
+    assert (await api.post(PATH, json=body)).json()["positions"] == given.json()["positions"]
+    both = changed(contact={"hole_radius_mm": 7.03})
+    assert (await api.post(PATH, json=both)).json()["positions"] == given.json()["positions"]
+
+
+async def test_nothing_given_is_no_clearance(api):
+    body = changed(without=[("contact", "hole_clearance_mm")], deviations={})
+    del body["deviations"]
+    assert (await api.post(PATH, json=body)).json()["positions"][0]["play_arcmin"] == [0, 0]
+
+
+BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34.0}
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "code"),
+    [
+        (changed(contact={"hole_radius_mm": 7.02}), "/contact/hole_radius_mm", "hole_disagrees"),
+        (changed(contact={"distribution_factor": 1.2}), "/contact/distribution_factor",
+         "less_than_equal"),
+        (changed(contact_law={"kind": "linear"}), "/contact_law/stiffness_N_per_mm",
+         "needed_beside"),
+        (changed(contact_law={"exponent": 1.5}), "/contact_law/exponent", "of_another_kind"),
+        (changed(contact_law={"kind": "power", "exponent": 0.4, "reference_force_N": 1,
+                              "reference_approach_mm": 1}), "/contact_law/exponent",
+         "greater_than_equal"),
+        (changed(deviations={"pin_radius_mm": [0.0]}), "/deviations/pin_radius_mm",
+         "different_length"),
+        (changed(deviations={"hole_radius_mm": [[0.0] * 6, [0.0] * 5]}),
+         "/deviations/hole_radius_mm/1", "different_length"),
+        (changed(deviations={"disc_phase_deg": [0.0]}), "/deviations/disc_phase_deg",
+         "different_length"),
+        (changed(pin={"support": "fixed", "satellite_positions_mm": [9, 23]}), "/pin/span_mm",
+         "needed_beside"),
+        (changed(pin=BEND | {"satellite_positions_mm": [9]}), "/pin/satellite_positions_mm",
+         "different_length"),
+        (changed(pin=BEND | {"satellite_positions_mm": [9, 40]}),
+         "/pin/satellite_positions_mm/1", "smaller_than"),
+        (changed(torques_Nm=[1, 0], include=["stiffness_curve"]), "/torques_Nm/1", "not_zero"),
+        (changed(contact={"hole_clearance_mm": 2.5}), "", "lost_in_space"),
+        (changed(contact={"hole_clearance_mm": -2}), "", "no_room_in_hole"),
+        (changed(load={"output_torque_Nm": 1e6}), "", "beyond_hertz"),
+    ],
+)  # fmt: skip
+async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 422
+    assert [(each["pointer"], each["code"]) for each in answer.json()["errors"]] == [
+        (pointer, code)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("include", "pins", "more", "limit"),
+    [
+        (["over_turn"], 501, {}, 500),
+        (["positions"], 5001, {}, 5000),
+        (["positions"], 501, {"crank_angle_deg": [0.0] * 100}, 500),
+        (["curves"], 501, {"samples": 1001}, 49),
+    ],
+)
+async def test_more_pairs_than_there_is_time_for_are_refused(api, include, pins, more, limit):
+    body = changed(mechanism={"pins": pins}, include=include, **more)
+    del body["deviations"]
+    error = (await api.post(PATH, json=body)).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == ("/mechanism/pins", "too_many_pairs")
+    assert error["params"]["limit"] == limit
+
+
+async def test_ten_thousand_pairs_at_one_position(api):
+    body = changed(mechanism={"pins": 5000})
+    del body["deviations"]
+    answer = (await api.post(PATH, json=body)).json()
+    assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=1e-9)
+
+
+async def test_warnings_are_said_once(api):
+    body = changed(contact={"hole_clearance_mm": -0.01}, crank_angle_deg=[0, 10, 20],
+                   contact_law={"reference_depth_mm": 50})  # fmt: skip
+    answer = (await api.post(PATH, json=body)).json()
+    codes = [each["code"] for each in answer["warnings"]]
+    assert len(codes) == len({*codes}) and {"pressed_without_load", "reference_depth"} <= {*codes}
+    assert all("play_arcmin" not in each for each in answer["positions"])
+
+
+async def test_a_batch_takes_it(api):
+    requests = [changed(load={"output_torque_Nm": torque}) for torque in (50, 200, -1)]
+    body = {"calculation": PATH, "requests": requests}
+    results = (await api.post("batch", json=body)).json()["results"]
+    alone = (await api.post(PATH, json=requests[0])).json()
+    assert results[0]["result"]["positions"] == alone["positions"]
+    problem = results[2]["problem"]["errors"][0]
+    assert problem["pointer"] == "/load/output_torque_Nm"
+
+
+async def test_the_figure(api):
+    for direction in ("driving", "reverse"):
+        body = changed(load={"torque_direction": direction})
+        figure = (await api.post(f"{PATH}/chart", json=body)).json()
+        by_axis = [trace.get("yaxis", "y") for trace in figure["data"]]
+        assert by_axis == ["y"] * 24 + ["y2"] * 4 + ["y3", "y4"]
+        ideal, real = figure["data"][:12], figure["data"][12:24]
+        assert [trace["name"] for trace in ideal] == [trace["name"] for trace in real]
+        # Where the ideal law lets a pair carry most, the real one is not far.
+        top = max(range(12), key=lambda pair: ideal[pair]["y"][40])
+        assert real[top]["y"][40] > 0

@@ -1,0 +1,359 @@
+"""Clearance, deviations and elasticity: limits, invariants, extremes, refusals."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.load_sharing import share_load
+from core.output.contact_force import force_peak
+from core.output.contact_law import (
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+    pin_compliance,
+)
+from core.output.loaded_position import LoadedPosition
+from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
+from core.output.real_curves import RealCurves, real_curves
+from core.output.real_mechanism import Deviations, RealMechanism
+from tests.oracles.real_mechanisms import (
+    STEEL,
+    crank_angles,
+    design,
+    flat,
+    reals,
+    solved,
+    torques,
+)
+
+
+def same_forces(found: LoadedPosition, forces: list[float], error: float) -> None:
+    largest = max(forces)
+    assert flat(found) == pytest.approx(forces, rel=0, abs=(1e-14 + error) * largest)
+
+
+@given(reals(), crank_angles, torques)
+def test_the_forces_hold_the_torque_and_do_not_pull(
+    real: RealMechanism, angle: float, torque: float
+) -> None:
+    found = solved(real, angle, torque)
+    assert min(flat(found)) >= 0
+    largest = max(flat(found)) * real.pin_circle_radius
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=0, abs=1e-13 * largest)
+    assert found.stiffness > 0
+
+
+@given(reals(), crank_angles, torques)
+def test_pins_renumbered(real: RealMechanism, angle: float, torque: float) -> None:
+    """Pin 2 becomes pin 1 with its errors, the wave a pitch behind."""
+    pins = real.mechanism.pins
+    kept = real.deviations
+
+    def turned(row: tuple) -> tuple:
+        return row[1:] + row[:1]
+
+    moved = replace(
+        kept,
+        **{
+            name: turned(getattr(kept, name))
+            for name in ("pin_radial", "pin_tangential", "pin_radius")
+        },
+        **{
+            name: tuple(map(turned, getattr(kept, name)))
+            for name in ("hole_radial", "hole_tangential", "hole_radius")
+        },
+    )
+    step = 2 * math.pi / pins
+    other = replace(
+        real,
+        deviations=moved,
+        mechanism=replace(real.mechanism, initial_crank_angle=step),
+    )
+    found, again = solved(real, angle, torque), solved(other, angle, torque)
+    expected = [force for row in found.force for force in turned(row)]
+    error = found.accuracy.relative_error + again.accuracy.relative_error
+    same_forces(again, expected, error)
+
+
+@given(reals(), crank_angles, torques)
+def test_mirror(real: RealMechanism, angle: float, torque: float) -> None:
+    """Angles, tangential errors, phases and torque change their sign, the pins their order."""
+    kept = real.deviations
+
+    def back(row: tuple) -> tuple:
+        return row[:1] + row[:0:-1]
+
+    def minus(row: tuple) -> tuple:
+        return tuple(-x for x in row)
+
+    mirrored = Deviations(
+        pin_radial=back(kept.pin_radial),
+        pin_tangential=minus(back(kept.pin_tangential)),
+        pin_radius=back(kept.pin_radius),
+        hole_radial=tuple(map(back, kept.hole_radial)),
+        hole_tangential=tuple(minus(back(row)) for row in kept.hole_tangential),
+        hole_radius=tuple(map(back, kept.hole_radius)),
+        eccentricity=kept.eccentricity,
+        crank_phase=minus(kept.crank_phase),
+        disc_phase=minus(kept.disc_phase),
+    )
+    mechanism = replace(real.mechanism, crank_angles=minus(real.mechanism.crank_angles))
+    other = replace(real, deviations=mirrored, mechanism=mechanism)
+    found, again = solved(real, angle, torque), solved(other, -angle, -torque)
+    error = found.accuracy.relative_error + again.accuracy.relative_error
+    same_forces(again, [force for row in found.force for force in back(row)], error)
+    assert abs(again.rotation + found.rotation) <= found.rotation_error + again.rotation_error
+
+
+@given(reals(exact=False, powers=True), crank_angles, st.floats(0.5, 2.0))
+def test_scaled_gaps(real: RealMechanism, angle: float, scale: float) -> None:
+    """First order: gaps times s and torque times s^n give forces times s^n; a crank that is ahead
+    turns the lines of action as well.
+    """
+    real = replace(real, deviations=replace(real.deviations, crank_phase=()))
+    exponent = {LinearLaw: 1.0, PalmgrenLaw: 10 / 9}.get(type(real.law))
+    exponent = exponent or real.law.exponent
+
+    def scaled(values: tuple) -> tuple:
+        return tuple(scaled(x) if isinstance(x, tuple) else x * scale for x in values)
+
+    kept = real.deviations
+    other = replace(
+        real,
+        clearance=real.clearance * scale,
+        deviations=Deviations(*(scaled(getattr(kept, name)) for name in kept.__slots__)),
+    )
+    grown = scale**exponent
+    found, again = solved(real, angle, 20.0), solved(other, angle, 20.0 * grown)
+    error = found.accuracy.relative_error + again.accuracy.relative_error
+    same_forces(again, [force * grown for force in flat(found)], error)
+
+
+@given(reals(exact=False), crank_angles, st.floats(-1e-5, 1e-5))
+def test_all_pins_moved_along_the_circle(real: RealMechanism, angle: float, moved: float) -> None:
+    """First order: the same forces, the lag larger by the shift over R."""
+    pins = real.mechanism.pins
+    tangential = real.deviations.pin_tangential or (0.0,) * pins
+    shifted = replace(real.deviations, pin_tangential=tuple(x + moved for x in tangential))
+    found = solved(real, angle, 20.0)
+    again = solved(replace(real, deviations=shifted), angle, 20.0)
+    error = found.accuracy.relative_error + again.accuracy.relative_error
+    same_forces(again, flat(found), error)
+    expected = found.rotation + moved / real.pin_circle_radius
+    assert abs(again.rotation - expected) <= 2 * (found.rotation_error + again.rotation_error)
+
+
+@given(reals(), crank_angles)
+def test_more_torque_turns_further(real: RealMechanism, angle: float) -> None:
+    lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
+    assert lags == sorted(lags)
+
+
+@given(reals(), crank_angles)
+def test_play_is_what_vanishing_loads_leave(real: RealMechanism, angle: float) -> None:
+    found = solved(real, angle, 1e-9)
+    if found.play is None:
+        return
+    back = solved(real, angle, -1e-9)
+    soft = 1e-6  # the power 3 gives much under a little
+    assert back.rotation == pytest.approx(found.play[0], abs=soft)
+    assert found.rotation == pytest.approx(found.play[1], abs=soft)
+    wider = replace(real, clearance=real.clearance + 1e-6)
+    play = solved(wider, angle, 1.0).play
+    assert play[0] <= found.play[0] and found.play[1] <= play[1]
+
+
+@given(st.integers(3, 9), st.integers(1, 3), st.sampled_from([1.0, 10 / 9, 1.5]))
+def test_the_ideal_law_is_the_limit_of_no_clearance(
+    pins: int, satellites: int, exponent: float
+) -> None:
+    mechanism = Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=20.0)
+    real = RealMechanism(
+        mechanism=mechanism,
+        pin_circle_radius=0.040,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=PowerLaw(exponent, 1000.0, 1e-6),
+        exact=False,
+    )
+    peak = force_peak(mechanism, exponent)
+    found = solved(real, peak.peak_crank_angle, 200.0)
+    assert max(flat(found)) == pytest.approx(peak.peak_force_ratio * 5000, rel=1e-13)
+
+
+@pytest.mark.parametrize("torque", [0.5, 3.0, 40.0, 1e4])
+def test_rollers_with_gaps_are_the_limit_of_one_lever(torque: float) -> None:
+    """Satellites on cranks at one angle, one pin that touches: gaps on one lever."""
+    gaps = (0.0, 3e-6, 1e-6, 8e-6)
+    real = RealMechanism(
+        mechanism=Mechanism(pins=1, crank_angles=(0.0,) * 4, ratio=20.0),
+        pin_circle_radius=0.040,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=LinearLaw(1e8),
+        deviations=Deviations(hole_radius=tuple((gap,) for gap in gaps)),
+        exact=False,
+    )
+    quarter = -math.pi / 2 / (1 + 1 / 20)
+    found = solved(real, quarter, torque)
+    share = share_load(total=torque / 0.040, stiffness=1e8, gaps=gaps)
+    assert flat(found) == pytest.approx(list(share.forces), rel=0, abs=1e-12 * share.largest_force)
+
+
+def test_wide_clearance_leaves_one_pair() -> None:
+    found = solved(design(clearance=3e-4, exact=False), 0.0, 0.01)
+    assert found.loaded_pairs == 1
+    assert max(flat(found)) == pytest.approx(0.01 / 0.020, rel=1e-14)
+
+
+def test_exact_geometry_comes_to_the_ideal_as_the_load_vanishes() -> None:
+    pins = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=18.0)
+    off = []
+    for stiffness in (1e8, 1e10, 1e12):
+        real = design(mechanism=pins, clearance=0.0, law=LinearLaw(stiffness))
+        ideal = solved(replace(real, exact=False), 0.3, 30.0)
+        off.append(max(flat(solved(real, 0.3, 30.0))) / max(flat(ideal)) - 1)
+    assert abs(off[0]) > 50 * abs(off[1]) > 2500 * abs(off[2])
+
+
+def test_no_contact_within_the_eccentricity() -> None:
+    with pytest.raises(ImpossibleMechanism) as refusal:
+        solved(design(clearance=1.6e-3), 0.1, 1.0)
+    assert refusal.value.code == "lost_in_space"
+
+
+def test_two_pins_at_their_dead_centre() -> None:
+    """Exact geometry has an answer, with a warning; first order has none."""
+    two = design(mechanism=Mechanism.evenly_spaced(pins=2, satellites=1, ratio=18.0))
+    two = replace(two, clearance=1e-5)
+    found = solved(two, 0.0, 30.0)
+    assert found.rotation == pytest.approx(0.0219720143379281, rel=1e-13)
+    assert sorted(flat(found)) == pytest.approx([2420.11128568, 2883.392639], rel=1e-9)
+    assert [notice.code for notice in found.notices] == ["large_rotation"]
+    with pytest.raises(ImpossibleMechanism) as refusal:
+        solved(replace(two, exact=False), 0.0, 30.0)
+    assert refusal.value.code in {"dead_centre", "lost_in_space"}
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_one_pin(exact: bool) -> None:
+    one = design(mechanism=Mechanism(1, (0.0,), 18.0), exact=exact)
+    quarter = -math.pi / 2 / (1 + 1 / 18)
+    assert max(flat(solved(one, quarter, 1.0))) == pytest.approx(50, rel=1e-2)
+    with pytest.raises(ImpossibleMechanism):
+        solved(one, -quarter, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("changes", "torque", "code"),
+    [
+        ({"clearance": -0.0016}, 30.0, "no_room_in_hole"),
+        ({"law": LinearLaw(1e3)}, 30.0, "lost_in_space"),
+        (
+            {"law": HertzLaw(), "pin_material": STEEL, "hole_material": STEEL},
+            5e4,
+            "beyond_hertz",
+        ),
+    ],
+)
+def test_what_cannot_be(changes: dict, torque: float, code: str) -> None:
+    with pytest.raises(ImpossibleMechanism) as refusal:
+        solved(design(**changes), 0.1, torque)
+    assert refusal.value.code == code
+
+
+@pytest.mark.parametrize(
+    ("changes", "parameter"),
+    [
+        ({"law": PowerLaw(0.4, 1000.0, 1e-5)}, "exponent"),
+        ({"law": PowerLaw(3.1, 1000.0, 1e-5)}, "exponent"),
+        ({"law": LinearLaw(0.0)}, "stiffness"),
+        ({"law": HertzLaw()}, "pin_material"),
+        ({"eccentricity": 0.0}, "eccentricity"),
+        ({"eccentricity": 0.020}, "eccentricity"),
+        ({"deviations": Deviations(pin_radial=(1e-6,) * 7)}, "pin_radial"),
+        ({"deviations": Deviations(hole_radius=((1e-6,) * 7,))}, "hole_radius[0]"),
+        ({"deviations": Deviations(crank_phase=(math.nan,))}, "crank_phase[0]"),
+        ({"pin": PinSupport("fixed", 0.006, (0.01,), STEEL)}, "span"),
+        ({"pin": PinSupport("fixed", 0.006, (0.01,), STEEL, 0.01)}, "satellite_positions[0]"),
+    ],
+)
+def test_what_is_refused(changes: dict, parameter: str) -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        solved(design(**changes), 0.1, 30.0)
+    assert refusal.value.parameter == parameter
+
+
+def test_clamped_pins_bend_least() -> None:
+    held = [
+        pin_compliance(PinSupport(support, 0.006, (0.02,), STEEL, 0.05))[0]
+        for support in ("cantilever", "supported", "fixed")
+    ]
+    assert held == sorted(held, reverse=True)
+    # In the middle of clamped ends, without shear, a quarter of simple supports.
+    slender = [
+        pin_compliance(PinSupport(support, 1e-4, (0.5,), STEEL, 1.0))[0]
+        for support in ("supported", "fixed")
+    ]
+    assert slender[0] / slender[1] == pytest.approx(4, rel=1e-6)
+
+
+def test_equal_pressing_is_seen_over_the_turn() -> None:
+    found = over_turn(real=design(clearance=-1e-5, exact=False), output_torque=1.0)
+    assert found.pressed_without_load
+    assert found.backlash_max == found.backlash_min == found.unloaded_transmission_error == 0
+
+
+@pytest.mark.parametrize("share", [0.0, 1.1])
+def test_the_share_of_lost_motion(share: float) -> None:
+    with pytest.raises(InvalidInput):
+        over_turn(real=design(), output_torque=1.0, lost_motion_share=share)
+
+
+def test_spikes_are_not_between_the_positions() -> None:
+    """A scan of other positions finds no force above the peak that is stated."""
+    errors = Deviations(pin_radial=(0.0, -1.9e-5, 0.0, -1.2e-5, 7e-6, 0.0, -1.95e-5, 0.0))
+    real = design(deviations=errors)
+    found = over_turn(real=real, output_torque=0.01)
+    highest = max(
+        max(flat(solved(real, real.mechanism.crank_angle_per_wave * (i + 0.5) / 2000, 0.01)))
+        for i in range(2000)
+    )
+    assert highest <= found.peak_force * (1 + found.accuracy.relative_error)
+    assert highest > 0.9 * found.peak_force
+
+
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("torque", [30.0, -30.0])
+def test_the_crank_carries_the_load_and_what_the_contacts_store(exact: bool, torque: float) -> None:
+    """T_in = T*(1/u - d lag/d phi) + dE/d phi, by differences; over a turn the mean is T/u."""
+    real = design(exact=exact, deviations=Deviations(pin_tangential=(-1e-5, *[0.0] * 7)))
+    ratio, step = real.mechanism.ratio, 1e-6
+    angles = np.array([0.1, 1.3, 2.9, 5.0])
+
+    def curves(at: np.ndarray) -> RealCurves:
+        return real_curves(real=real, crank_angle=at, output_torque=torque)
+
+    before, found, after = (curves(angles + off) for off in (-step, 0.0, step))
+    energy = [(each.force**2).sum(axis=0) / 2 / 5e7 for each in (before, after)]
+    slope = (after.rotation - before.rotation) / (2 * step)
+    expected = torque * (1 / ratio - slope) + (energy[1] - energy[0]) / (2 * step)
+    assert found.input_torque == pytest.approx(expected, abs=1e-7)
+    turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
+    assert curves(turn).input_torque.mean() == pytest.approx(torque / ratio, rel=1e-6)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-5, 0.5])
+def test_pressed_pairs_beside_their_dead_angle_have_an_answer(angle: float) -> None:
+    found = solved(design(clearance=-1e-5), angle, 1e-4)
+    assert found.play is None and abs(found.rotation) < 1e-6

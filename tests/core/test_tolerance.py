@@ -1,0 +1,170 @@
+"""Tolerances: classes against their formulas, draws, intervals, contributions."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.errors import InvalidInput
+from core.output.real_mechanism import Deviations
+from core.tolerance.contributions import contributions
+from core.tolerance.draws import Spread, uniforms, zone_places
+from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
+from core.tolerance.quantiles import percentile, share
+from core.tolerance.study import QUANTITIES, Evaluation, Study, tolerance_study
+from core.tolerance.tolerances import Tolerances
+from tests.oracles.real_mechanisms import STEEL, design
+
+UNIT = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
+
+
+def test_grades_follow_their_formula() -> None:
+    """The printed table is the standard; its formula shows a wrong digit."""
+    for row, (low, high) in enumerate(zip((1, *SIZES), SIZES, strict=False)):
+        mean = math.sqrt(low * high)
+        unit = 0.45 * mean ** (1 / 3) + 0.001 * mean
+        for grade, widths in GRADES.items():
+            # The smallest sizes have more than the formula gives them.
+            room = 1.3 + (0.035 if high > 3 else 0.11) * widths[row]
+            assert abs(widths[row] - UNIT[grade] * unit) <= room, (grade, high)
+        assert abs(-NEAREST["g"][row] - 2.5 * mean**0.34) <= 1.1, high
+        assert abs(-NEAREST["f"][row] - 5.5 * mean**0.41) <= 2.1, high
+        if high > 3:
+            assert abs(NEAREST["m"][row] - GRADES[7][row] + GRADES[6][row]) <= 1, high
+
+
+@pytest.mark.parametrize(
+    ("size", "name", "lower", "upper"),
+    [
+        (10, "m6", 6, 15), (14, "H7", 0, 18), (30, "h6", -13, 0), (30.001, "h6", -16, 0),
+        (50, "f7", -50, -25), (3, "g6", -8, -2), (25, "js6", -6.5, 6.5), (40, "G7", 9, 34),
+        (100, "F8", 36, 90), (500, "JS11", -200, 200),
+    ],
+)  # fmt: skip
+def test_limits_of_classes(size: float, name: str, lower: float, upper: float) -> None:
+    found = class_limits(size=size / 1e3, tolerance_class=name)
+    assert [found.lower * 1e6, found.upper * 1e6] == pytest.approx([lower, upper])
+
+
+@pytest.mark.parametrize(
+    ("size", "name"), [(0.0, "h6"), (0.501, "h6"), (0.01, "h4"), (0.01, "k6"), (0.01, "M6")]
+)
+def test_what_the_tables_have_not_is_refused(size: float, name: str) -> None:
+    with pytest.raises(InvalidInput):
+        class_limits(size=size, tolerance_class=name)
+
+
+def test_a_sample_hangs_on_nothing_but_its_number() -> None:
+    whole = uniforms(seed=3, kind=5, index=2, samples=50)
+    for first in (0, 1, 4, 7, 30):
+        part = uniforms(seed=3, kind=5, index=2, samples=11, first=first)
+        assert part.tolist() == whole[first : first + 11].tolist()
+    for other in ({"seed": 4}, {"kind": 4}, {"index": 1}):
+        stream = {"seed": 3, "kind": 5, "index": 2} | other
+        assert abs(np.corrcoef(uniforms(**stream, samples=50), whole)[0, 1]) < 0.5
+
+
+def test_distributions_keep_their_limits_and_their_width() -> None:
+    numbers = uniforms(seed=1, kind=2, index=0, samples=20_000)
+    for distribution, sigma in (("normal", 0.986578 / 3), ("uniform", 1 / math.sqrt(3))):
+        values = Spread(1.0, 3.0, distribution).values(numbers)
+        assert values.min() >= 1 and values.max() <= 3
+        assert values.mean() == pytest.approx(2, abs=0.02)
+        assert values.std() == pytest.approx(sigma, rel=0.02)
+    radial, tangential = zone_places(
+        diameter=2.0,
+        radius_uniform=numbers,
+        angle_uniform=uniforms(seed=1, kind=3, index=0, samples=20_000),
+    )
+    radius = np.hypot(radial, tangential)
+    assert radius.max() <= 1 and (radius < 0.5).mean() == pytest.approx(0.25, abs=0.01)
+
+
+def test_common_sizes_and_the_second_sample() -> None:
+    both = Tolerances(pin_radius=Spread(0.0, 1e-5, common=True), hole_radius=Spread(0.0, 1e-5))
+    sizes = {"pins": 4, "satellites": 2, "seed": 5, "samples": 3}
+    first, mixed = both.drawn(**sizes), both.drawn(**sizes, other=["hole_radius"])
+    assert all(len({*piece.pin_radius}) == 1 for piece in first)
+    assert all(len({x for row in piece.hole_radius for x in row}) == 8 for piece in first)
+    assert [piece.pin_radius for piece in first] == [piece.pin_radius for piece in mixed]
+    assert first[0].hole_radius != mixed[0].hole_radius
+    assert both.middle(pins=4, satellites=2) == Deviations(
+        pin_radius=(5e-6,) * 4, hole_radius=((5e-6,) * 4,) * 2
+    )
+
+
+def test_the_interval_of_a_percentile_covers_as_often_as_it_says() -> None:
+    draws = np.random.default_rng(0).random((400, 200))
+    for percent in (50, 90):
+        found = [percentile(values=row, percent=percent) for row in draws]
+        covered = np.mean([each.low <= percent / 100 <= each.high for each in found])
+        assert covered >= 0.92
+    with pytest.raises(InvalidInput):
+        percentile(values=draws[0], percent=99)
+    with pytest.raises(InvalidInput):
+        percentile(values=draws[0], percent=100)
+
+
+def test_rare_percentiles_need_the_samples_that_they_need() -> None:
+    percentile(values=range(368), percent=99)
+    with pytest.raises(InvalidInput):
+        percentile(values=range(367), percent=99)
+
+
+def test_no_failure_is_no_proof() -> None:
+    found = share(successes=1000, count=1000)
+    assert (found.value, found.high) == (1, 1)
+    assert found.low == pytest.approx(1 - 3.7 / 1000, abs=2e-5)
+    assert share(successes=0, count=10).low == 0
+
+
+LOOSE = Tolerances(
+    pin_position=2e-6,
+    hole_position=2e-5,
+    hole_radius=Spread(0.0, 2e-6),
+)
+ASKED = Evaluation(quantities=("peak_force",), output_torque=30.0, positions=12)
+
+
+def test_the_widest_zone_contributes_most() -> None:
+    found = contributions(study=Study(design(), LOOSE, ASKED, samples=64, seed=1), percent=50)
+    assert found[0].source == "hole_position"
+    assert found[0].total > 0.7 > 0.2 > found[-1].total
+    assert found[0].percentile_without.value < min(
+        each.percentile_without.value for each in found[1:]
+    )
+    for each in found:
+        assert each.total >= -1e-12 and each.total_error >= 0 and each.first_error >= 0
+
+
+def test_one_source_explains_all() -> None:
+    alone = Tolerances(disc_phase=Spread(-1e-4, 1e-4))
+    (found,) = contributions(study=Study(design(), alone, ASKED, samples=40), percent=50)
+    assert found.first == pytest.approx(1, abs=1e-12)
+
+
+def test_pieces_that_press_are_counted_and_fail() -> None:
+    tight = replace(design(), clearance=8e-6)
+    asked = replace(ASKED, quantities=("peak_force", "min_stiffness"))
+    found = tolerance_study(Study(tight, LOOSE, asked, samples=40))
+    assert 0.2 < found.cannot_assemble.value < 1
+    assert not np.isnan(found.values).any()
+    kept = found.yield_within(quantity="peak_force", limit=1e9)
+    assert kept.value == pytest.approx(1 - found.cannot_assemble.value)
+
+
+def test_every_quantity_of_an_exact_piece_is_that_of_the_nominal() -> None:
+    real = design(pin_material=STEEL, hole_material=STEEL)
+    done: list[int] = []
+    none = Tolerances(hole_radius=Spread(0.0, 0.0))
+    asked = Evaluation(QUANTITIES, 30.0, positions=8)
+    study = Study(real, none, asked, samples=2, progress=done.append)
+    found = tolerance_study(study)
+    assert done == [1, 2]
+    for name in QUANTITIES:
+        assert found.column(name).tolist() == [found.nominal[name]] * 2
+    peak = found.nominal["peak_force"]
+    pressure = real.contact(0, peak).max_pressure
+    assert found.nominal["max_pressure"] == pytest.approx(pressure, rel=1e-14)
+    assert 0 <= found.angle_grid_error < 0.05

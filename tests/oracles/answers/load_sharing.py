@@ -1,0 +1,163 @@
+"""Load sharing with clearance and errors at one position: mm, N, degrees, arc minutes."""
+
+from types import SimpleNamespace
+from typing import Any
+
+from mpmath import mp, mpf
+
+from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+from tests.oracles.answers.calculation import (
+    GIVEN,
+    Body,
+    Calculation,
+    Draw,
+    Number,
+    Numbers,
+    typed,
+)
+from tests.oracles.answers.crank_planetary import angles, ratio
+from tests.oracles.load_sharing import exact_position
+
+STEEL = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}
+
+
+def request(r: Draw) -> Body:
+    """A design with clearance, any law, deviations in half; extremes differ in load and clearance
+    by decades.
+    """
+    pins, satellites = r.randint(3, 6), r.randint(1, 2)
+    contact = {
+        "contact_length_mm": r.decimal(8, 20),
+        "pin_radius_mm": r.decimal(3, 8),
+        "eccentricity_mm": r.decimal(1, 3),
+        "hole_clearance_mm": r.power(1e-6, 0.3) if r.extreme else r.choice((0.0, 0.01, 0.03)),
+        "pin_material": STEEL,
+        "hole_material": STEEL,
+    }
+    law: Body = {"kind": r.choice(("hertz", "palmgren", "linear", "power"))}
+    if law["kind"] == "linear":
+        law["stiffness_N_per_mm"] = r.power(5e4, 1e6)
+    if law["kind"] == "power":
+        law |= {"exponent": r.choice((1.0, 1.5, 3.0)), "reference_force_N": 1000.0}
+        law["reference_approach_mm"] = r.decimal(0.005, 0.02)
+    body: Body = {
+        "mechanism": {"pins": pins, "satellites": satellites, "ratio": r.decimal(5, 90)},
+        "load": {
+            "output_torque_Nm": r.power(1e-6, 500) if r.extreme else r.decimal(10, 300),
+            "pin_circle_radius_mm": r.decimal(30, 60),
+            "torque_direction": r.choice(("driving", "reverse")),
+        },
+        "contact": contact,
+        "contact_law": law,
+        "geometry": r.choice(("exact", "first_order")),
+        "crank_angle_deg": [r.decimal(0, 360)],
+    }
+    if r.chance(0.5):
+        body["deviations"] = {
+            "pin_radial_mm": [r.decimal(-0.01, 0.01) for _ in range(pins)],
+            "pin_radius_mm": [r.decimal(-0.003, 0.003) for _ in range(pins)],
+            "hole_tangential_mm": [
+                [r.decimal(-0.01, 0.01) for _ in range(pins)] for _ in range(satellites)
+            ],
+            "eccentricity_mm": [r.decimal(-0.005, 0.005) for _ in range(satellites)],
+            "crank_phase_deg": [r.decimal(-0.01, 0.01) for _ in range(satellites)],
+        }
+    return body
+
+
+def numbers(body: Body, answer: Any) -> Numbers:
+    """Forces, lag, play by bisection over vectors."""
+    position = answer["positions"][0]
+    exact = exact_position(*_real(body))
+    arcmin = mp.pi / 10800
+    pins = body["mechanism"]["pins"]
+    largest = max(exact.force)
+    found = {
+        f"/positions/0/force_N/{i // pins}/{i % pins}": Number(
+            position["force_N"][i // pins][i % pins], force, largest
+        )
+        for i, force in enumerate(exact.force)
+    }
+    lag = exact.rotation / arcmin
+    off = position["rotation_error_arcmin"]
+    found["/positions/0/rotation_arcmin"] = Number(
+        position["rotation_arcmin"], lag, None, float(off / abs(lag)) if lag else 1.0
+    )
+    if exact.play is not None and "play_arcmin" in position:
+        size = max(map(abs, exact.play)) / arcmin
+        size = size if size > 1e-20 else mpf(1)  # of none, to the digits of the oracle
+        stated = float(position["play_error_arcmin"] / size) + 2e-16
+        for i, limit in enumerate(exact.play):
+            sent = position["play_arcmin"][i]
+            found[f"/positions/0/play_arcmin/{i}"] = Number(sent, limit / arcmin, size, stated)
+    return found
+
+
+def _real(body: Body) -> tuple[Any, mpf, mpf]:
+    """The mechanism in decimals, SI units; its crank angle and torque."""
+    mechanism, load, contact = (body[name] for name in ("mechanism", "load", "contact"))
+    law, given = body["contact_law"], body.get("deviations", {})
+
+    def mm(value: Any) -> Any:
+        return [*map(mm, value)] if isinstance(value, list) else typed(value) / 1000
+
+    match law["kind"]:
+        case "linear":
+            own: Any = LinearLaw(typed(law["stiffness_N_per_mm"]) * 1000)
+        case "power":
+            force, approach = typed(law["reference_force_N"]), mm(law["reference_approach_mm"])
+            own = PowerLaw(typed(law["exponent"]), force, approach)
+        case "palmgren":
+            own = PalmgrenLaw()
+        case _:
+            own = HertzLaw()
+    steel = SimpleNamespace(youngs_modulus=mpf("210e9"), poissons_ratio=mpf("0.3"))
+    phases = [mp.radians(typed(each)) for each in given.get("crank_phase_deg", ())]
+    deviations = {
+        name: mm(given.get(f"{name}_mm", []))
+        for name in ("pin_radial", "pin_tangential", "pin_radius", "hole_radial",
+                     "hole_tangential", "hole_radius", "eccentricity")
+    }  # fmt: skip
+    real = SimpleNamespace(
+        mechanism=SimpleNamespace(
+            pins=mechanism["pins"],
+            satellites=mechanism["satellites"],
+            ratio=ratio(mechanism),
+            initial_crank_angle=mpf(0),
+            crank_angles=[mp.radians(angle) for angle in angles(mechanism)],
+        ),
+        pin_circle_radius=mm(load["pin_circle_radius_mm"]),
+        pin_radius=mm(contact["pin_radius_mm"]),
+        eccentricity=mm(contact["eccentricity_mm"]),
+        contact_length=mm(contact["contact_length_mm"]),
+        clearance=mm(contact["hole_clearance_mm"]),
+        law=own,
+        pin=None,
+        pin_material=steel,
+        hole_material=steel,
+        exact=body["geometry"] == "exact",
+        deviations=SimpleNamespace(**deviations, crank_phase=phases, disc_phase=[]),
+    )
+    torque = typed(load["output_torque_Nm"])
+    sign = -1 if load["torque_direction"] == "reverse" else 1
+    return real, mp.radians(typed(body["crank_angle_deg"][0])), sign * torque
+
+
+LOAD_SHARING = Calculation(
+    "Load sharing with clearance",
+    "load-sharing",
+    request,
+    numbers,
+    unbounded={
+        "/positions/*/crank_angle_deg": GIVEN,
+        "/positions/*/loaded_pairs": GIVEN,
+        "/positions/*/satellite_torque_Nm/*": "sums of forces times levers",
+        "/positions/*/stiffness_Nm_per_arcmin": "jumps where pairs take up",
+        "/positions/*/max_pressure_MPa": "that of /hertz, by its force",
+        "/positions/*/interference_mm": "tests/core/test_real_mechanism.py",
+        "/positions/*/rotation_error_arcmin": "an error",
+        "/positions/*/play_error_arcmin": "an error",
+        "/positions/*/force_error_N": "an error",
+    },
+    one_in=20,
+)

@@ -1,0 +1,173 @@
+"""The mechanism with clearance and errors from its definition: vectors, bisection, 45 digits.
+
+Nothing is shared with ``core``: pins and holes are points in the plane, the lag is bisected until
+the torque of all forces is the load; no derivative, no shift, no Newton. Hertz's law is inverted
+with Lambert's W, a pin in series by bisection.
+"""
+
+from dataclasses import dataclass
+
+from mpmath import mp, mpc, mpf
+
+from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw, pin_compliance
+from core.output.real_mechanism import RealMechanism
+
+DIGITS = 45
+SAME = mpf("1e-25")
+"""Lengths below it are none, m."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exact:
+    """Forces satellite by satellite, lag and play in the sense of the driving torque."""
+
+    force: list[mpf]
+    rotation: mpf
+    play: tuple[mpf, mpf] | None
+
+
+def exact_position(real: RealMechanism, crank_angle: float, torque: float) -> Exact:
+    """A position; the torque may be negative."""
+    with mp.workdps(DIGITS):
+        return _position(real, mpf(crank_angle), mpf(torque))
+
+
+def _position(real: RealMechanism, crank_angle: mpf, torque: mpf) -> Exact:
+    pairs = _pairs(real, crank_angle)
+    far = mpf(real.eccentricity) / real.pin_circle_radius * 2
+
+    def total(lag: mpf) -> mpf:
+        return mp.fsum(force(a) * lever for force, (a, lever) in _state(real, pairs, lag))
+
+    def balance(lag: mpf) -> bool:
+        return total(lag) < torque
+
+    lag = _bisected(balance, -far, far)
+    state = _state(real, pairs, lag)
+
+    def worst(lag: mpf) -> mpf:
+        return max(approach for _, (approach, _) in _state(real, pairs, lag))
+
+    # Play: around the lag at which the worst approach is least, as far as nothing touches.
+    middle = mpf(0) if worst(mpf(0)) < SAME else _least(worst, -far, far)
+    play = None
+    if worst(middle) < SAME:
+        play = (
+            -_bisected(lambda off: worst(-off) < 0, -middle, far),
+            _bisected(lambda lag: worst(lag) < 0, middle, far),
+        )
+    return Exact([force(a) for force, (a, _) in state], lag, play)
+
+
+def _bisected(below, low: mpf, high: mpf) -> mpf:
+    for _ in range(int(DIGITS * 3.33)):
+        middle = (low + high) / 2
+        low, high = (middle, high) if below(middle) else (low, middle)
+    return (low + high) / 2
+
+
+def _least(f, low: mpf, high: mpf) -> mpf:
+    for _ in range(110):
+        a, b = (2 * low + high) / 3, (low + 2 * high) / 3
+        low, high = (low, b) if f(a) < f(b) else (a, high)
+    return (low + high) / 2
+
+
+def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
+    """Of each pair: pin, hole, direction, and the law of its force."""
+    m, d = real.mechanism, real.deviations
+    ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
+    psi = crank_angle * (1 + 1 / ratio) + start
+    bent = pin_compliance(real.pin) if real.pin else [0.0] * m.satellites
+
+    def of(values, *place):
+        for index in place:
+            values = values[index] if values else 0
+        return mpf(values or 0)
+
+    pairs = []
+    for j, angle in enumerate(m.crank_angles):
+        phase = of(d.crank_phase, j)
+        eta = of(d.disc_phase, j) + phase / ratio
+        crank = mpc(0, 1) * mp.expj(-(psi + angle + phase))
+        e = real.eccentricity + of(d.eccentricity, j)
+        for n in range(m.pins):
+            radial = mpc(0, 1) * mp.expj(2 * mp.pi * n / m.pins)
+            r_p, r_h = of(d.pin_radius, n), of(d.hole_radius, j, n)
+            pin = radial * mpc(
+                real.pin_circle_radius + of(d.pin_radial, n), of(d.pin_tangential, n)
+            )
+            hole = radial * mpc(
+                real.pin_circle_radius + of(d.hole_radial, j, n), of(d.hole_tangential, j, n)
+            )
+            reach = mpf(real.eccentricity) + real.clearance + r_h - r_p
+            law = _law(real, real.pin_radius + r_p, reach, mpf(bent[j]))
+            pairs.append((pin, e * crank, hole, eta, radial, crank, e, reach, law))
+    return pairs
+
+
+def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
+    found = []
+    for pin, centre, hole, eta, radial, crank, e, reach, law in pairs:
+        if real.exact:
+            turned = pin * mp.expj(-lag)
+            d = turned - centre - hole * mp.expj(eta)
+            approach, lever = abs(d) - reach, (mp.conj(d) * turned).imag / abs(d)
+        else:
+            # The difference of the nominal places and of the errors, along the crank.
+            lever = -real.pin_circle_radius * (mp.conj(crank) * radial).imag
+            off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
+            approach = lever * lag - off.real - (reach - e)
+        found.append((law, (approach, lever)))
+    return found
+
+
+def _law(real: RealMechanism, radius: mpf, reach: mpf, bent: mpf):
+    law, length = real.law, mpf(real.contact_length)
+    match law:
+        case LinearLaw(stiffness=k):
+            return lambda a: a / (1 / mpf(k) + bent) if a > 0 else mpf(0)
+        case PowerLaw(exponent=n, reference_force=f, reference_approach=ref):
+            n = mpf(n)
+            return _in_series(
+                lambda a: f * (a / ref) ** n, lambda f_: ref * (f_ / f) ** (1 / n), bent
+            )
+        case PalmgrenLaw():
+            k = mpf("3.84e-5") / (1000 * length) ** mpf("0.8") / 1000
+            n = mpf(10) / 9
+            return _in_series(lambda a: (a / k) ** n, lambda f_: k * f_ ** (1 / n), bent)
+        case HertzLaw(reference_depth=depth):
+            pass
+    (e1, v1), (e2, v2) = (
+        (mpf(each.youngs_modulus), mpf(each.poissons_ratio))
+        for each in (real.pin_material, real.hole_material)
+    )
+    c1, c2 = (1 - v1**2) / e1, (1 - v2**2) / e2
+    rho = radius * (radius + reach) / reach
+    t = mpf(depth) if depth else mpf(real.pin_radius) + real.eccentricity + real.clearance
+    width2 = 4 * rho * (c1 + c2) / (mp.pi * length)  # a^2 / F
+    b = (c1 + c2) / (mp.pi * length)
+    a0 = c1 * (mp.log(16 * radius**2 / width2) - 1)
+    a0 += c2 * (mp.log(4 * t**2 / width2) - v2 / (1 - v2))
+    a0 = a0 / (mp.pi * length) + bent
+
+    def force(a: mpf) -> mpf:
+        if a <= 0:
+            return mpf(0)
+        m = a0 / b - mp.log(a / b)
+        if m <= mpf("1.02"):
+            return a / b  # beyond; bisection goes on
+        return a / (b * -mp.lambertw(-mp.exp(-m), -1).real)
+
+    return force
+
+
+def _in_series(force, approach, bent: mpf):
+    def together(a: mpf) -> mpf:
+        if a <= 0:
+            return mpf(0)
+        if not bent:
+            return force(a)
+        return _bisected(lambda f: approach(f) + bent * f < a, mpf(0), a / bent)
+
+    return together

@@ -1,0 +1,91 @@
+"""Mechanisms with clearance, deviations and elasticity, as tests draw them."""
+
+from hypothesis import strategies as st
+
+from core.materials import ElasticMaterial
+from core.output.contact_law import (
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+)
+from core.output.loaded_position import LoadedPosition, loaded_position
+from core.output.mechanism import Mechanism
+from core.output.real_mechanism import Deviations, RealMechanism
+
+STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+LAWS: list[ContactLaw] = [
+    LinearLaw(1e8),
+    PowerLaw(0.5, 1000.0, 1e-5),
+    PowerLaw(10 / 9, 1000.0, 1e-5),
+    PowerLaw(3.0, 1000.0, 1e-5),
+    PalmgrenLaw(),
+    HertzLaw(),
+]
+SPAN = 0.05
+
+
+@st.composite
+def reals(draw: st.DrawFn, exact: bool | None = None, powers: bool = False) -> RealMechanism:
+    """Three pins or more with toleranced errors, clearance and any law."""
+    pins, satellites = draw(st.integers(3, 7)), draw(st.integers(1, 3))
+    size = st.floats(-1e-5, 1e-5)
+    row = st.tuples(*[size] * pins)
+    table = st.tuples(*[row] * satellites)
+    each = st.tuples(*[size] * satellites)
+    angles = st.tuples(*[st.floats(-5e-4, 5e-4)] * satellites)
+    deviations = Deviations(
+        *(draw(row) for _ in range(3)),
+        *(draw(table) for _ in range(3)),
+        draw(each),
+        draw(angles),
+        draw(angles),
+    )
+    pin = None
+    if not powers and draw(st.booleans()):
+        places = tuple(SPAN * (j + 1) / (satellites + 1) for j in range(satellites))
+        support = draw(st.sampled_from(["cantilever", "supported", "fixed"]))
+        pin = PinSupport(support, 0.010, places, STEEL, SPAN)
+    return RealMechanism(
+        mechanism=Mechanism.evenly_spaced(
+            pins=pins, satellites=satellites, ratio=draw(st.floats(2.0, 90.0))
+        ),
+        pin_circle_radius=0.040,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=draw(st.sampled_from(LAWS[:5] if powers else LAWS)),
+        clearance=draw(st.sampled_from([0.0, 1e-6, 3e-5, 2e-4, -1e-5])),
+        pin_material=STEEL,
+        hole_material=STEEL,
+        pin=pin,
+        deviations=draw(st.sampled_from([deviations, Deviations()])),
+        exact=draw(st.booleans()) if exact is None else exact,
+    )
+
+
+crank_angles = st.floats(0.0, 6.28)
+torques = st.sampled_from([1e-4, 1.0, 200.0, -1.0, -200.0])
+
+
+def solved(real: RealMechanism, angle: float, torque: float) -> LoadedPosition:
+    return loaded_position(real=real, crank_angle=angle, output_torque=torque)
+
+
+def flat(position: LoadedPosition) -> list[float]:
+    return [force for row in position.force for force in row]
+
+
+def design(**changes: object) -> RealMechanism:
+    kept: dict = {
+        "mechanism": Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+        "pin_circle_radius": 0.020,
+        "pin_radius": 0.003,
+        "eccentricity": 0.0015,
+        "contact_length": 0.010,
+        "clearance": 2e-5,
+        "law": LinearLaw(5e7),
+    }
+    return RealMechanism(**kept | changes)
