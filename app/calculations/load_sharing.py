@@ -51,8 +51,8 @@ from core.results import Accuracy, Notice
 
 Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
 
-MAX_TURN_PAIRS = 1000
-"""Most pairs over the turn: some thousand positions are solved."""
+MAX_TURN_PAIRS = 150
+"""Most pairs over the turn: some thousand positions are solved, which takes seconds."""
 
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
