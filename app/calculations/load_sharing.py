@@ -51,7 +51,7 @@ from core.results import Accuracy, Notice
 
 Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
 
-MAX_TURN_PAIRS = 150
+MAX_TURN_PAIRS = 100
 """Most pairs over the turn: some thousand positions are solved, which takes seconds."""
 
 MAX_POSITIONS = 1000

@@ -171,7 +171,7 @@ async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
 @pytest.mark.parametrize(
     ("include", "pins", "more", "limit"),
     [
-        (["over_turn"], 76, {}, 75),
+        (["over_turn"], 51, {}, 50),
         (["positions"], 5001, {}, 5000),
         (["positions"], 501, {"crank_angle_deg": [0.0] * 100}, 500),
         (["curves"], 501, {"samples": 1001}, 49),
