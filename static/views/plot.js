@@ -7,12 +7,8 @@ import { message } from "../messages/index.js";
 const HOVERS = matchMedia("(hover: hover)").matches;
 const NARROW_PX = 520;
 const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a point
-const CONFIG = {
-  displaylogo: false,
-  displayModeBar: HOVERS ? "hover" : false,
-  responsive: true,
-  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d", "toImage"],
-};
+// No toolbar over the legend: dragging zooms, a double click shows all again, as Plotly says on a zoom.
+const CONFIG = { displayModeBar: false, responsive: true };
 
 let loading = null;
 

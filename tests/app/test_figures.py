@@ -121,7 +121,8 @@ async def test_a_dead_centre_is_marked(api):
     body = {"pins": 2, "satellites": 1, "ratio": 20}
     layout = (await api.post("cyclogram/chart", json=body)).json()["layout"]
     assert [round(each["x0"], 3) for each in layout["shapes"]] == [0.0, 171.429, 342.857]
-    assert layout["annotations"][0]["text"] == "dead centre"
+    assert [each["name"] for each in layout["shapes"] if each["showlegend"]] == ["dead centre"]
+    assert layout["showlegend"]
 
 
 async def test_too_many_pairs_to_draw_are_refused_by_field(api):
