@@ -16,7 +16,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, note, series_style, text
+from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram

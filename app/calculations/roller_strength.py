@@ -21,7 +21,19 @@ from app.model import (
 )
 from app.running import run
 from app.sources import OVSYANNIKOV_2019
-from app.theme import Amount, Figure, Theme, axis, curve, drawn, layout, marker, note, text, vertical_line
+from app.theme import (
+    Amount,
+    Figure,
+    Theme,
+    axis,
+    curve,
+    drawn,
+    layout,
+    marker,
+    note,
+    text,
+    vertical_line,
+)
 from app.units import from_si
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
@@ -267,7 +279,9 @@ class RollerStrengthResponse(JudgedResponse):
     )
     forces_N: list[float] = result("Force of each roller.", symbol="F_i", equation="2019, eq. 5")
     displacement_mm: float = result(
-        "Displacement of the disc's holes against the satellites'.", symbol="Δ", equation="2019, eq. 5"
+        "Displacement of the disc's holes against the satellites'.",
+        symbol="Δ",
+        equation="2019, eq. 5",
     )
     bending_moment_Nm: float = result(
         "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"

@@ -1,5 +1,5 @@
 /** A figure drawn by Plotly: on the screen, following the drawing's crank angle, on paper, as a picture. */
-import { inShownUnits, pairsOf } from "../lib/chart.js";
+import { inShownUnits, onPaper, pairsOf } from "../lib/chart.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
@@ -38,9 +38,8 @@ export async function pictureOf(chart, { title, format, height, width = PICTURE.
   const Plotly = await loadPlotly();
   const { data, layout } = inShownUnits(chart);
   const size = { width, height };
-  const paper = { paper_bgcolor: "#ffffff", title: { text: title }, margin: { ...layout.margin, t: 72 } };
   return Plotly.toImage(
-    { data, layout: { ...layout, ...paper, ...size, separators: separators() } },
+    { data, layout: { ...onPaper(layout, title, height), ...size, separators: separators() } },
     { format, ...size, scale: format === "png" ? PICTURE.scale : 1 },
   );
 }
