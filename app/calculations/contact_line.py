@@ -245,7 +245,15 @@ def contact_line_figure(
             height=820,
             xaxis=axis(theme, text("arc_on_roller"), "mm", anchor="y"),
             yaxis=axis(theme, text("along_axis"), "mm", domain=[0.6, 1]),
-            xaxis2=axis(theme, "x", "mm", anchor="y2", domain=[0, 0.62], constrain="domain"),
+            xaxis2=axis(
+                theme,
+                "x",
+                "mm",
+                anchor="y2",
+                domain=[0, 0.62],
+                constrain="domain",  # the wheel fills its panel at any width
+                constraintoward="left",
+            ),
             xaxis3=axis(theme, "z", "mm", anchor="y2", domain=[0.7, 1]),
             yaxis2=axis(theme, "y", "mm", domain=[0, 0.48], scaleanchor="x2", constrain="domain"),
         ),
