@@ -27,7 +27,7 @@ export default {
     "too_short_range": "must be larger: no driving phase is that short",
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
-    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, where the load has no arm about the axis",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
