@@ -42,13 +42,14 @@ TEXTS = {
     "design": "This design",
     "design_nonuniformity": "This design: Ψ = {nonuniformity} at δ = {error}",
     "design_stiffness": "This design: c/(b·E) = {stiffness}",
-    "design_stress": "This design: {stress}",
+    "design_stress": "This design: {stress}, σ/E = {ratio}",
     "driving": "Driving",
     "driving_pairs": "Driving pairs",
     "driving_pairs_hover": "Driving pairs: {pairs} at {angle}",
     "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
+    "gaps_times": "Gaps × {factor}",
     "hertz": "Hertz",
     "hole": "hole",
     "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
@@ -86,8 +87,8 @@ TEXTS = {
     "stiffness": "Stiffness",
     "stiffness_hover": "c/(b·E) = {stiffness} at l/d = {length}",
     "stiffness_ratio": "Stiffness c/(b·E)",
-    "stress_hover": "{name}: {stress} at l/d = {length}",
-    "tolerance": "χ = {tolerance}",
+    "stress_hover": "{name}: {stress}, σ/E = {ratio} at l/d = {length}",
+    "tolerance": "χ = {tolerance} = {ratio}·d",
     "torque": "Torque",
     "torque_at_lag": "{torque} at a lag of {lag}",
     "torque_over_lag": "Torque over lag at {angle}",
@@ -186,6 +187,8 @@ def _texts(figure: Figure) -> Iterator[tuple[list[str | int], Any]]:
     for key, part in figure["layout"].items():
         if "axis" in key:
             yield ["layout", key, "title", "text"], part["title"]["text"]
+    for index, each in enumerate(figure["layout"].get("shapes", ())):
+        yield ["layout", "shapes", index, "name"], each.get("name")
     for index, each in enumerate(figure["layout"].get("annotations", ())):
         yield ["layout", "annotations", index, "text"], each["text"]
 
@@ -296,7 +299,8 @@ def curve(
         "name": name,
         "x": drawn(x),
         "y": drawn(y),
-        "line": {"color": ink, "dash": dash, "width": 2},
+        # unsimplified: Plotly would leave out points until the curve shows corners
+        "line": {"color": ink, "dash": dash, "width": 2, "simplify": False},
         "hovertemplate": hover(hovered),
         **more,
     }
