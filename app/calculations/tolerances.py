@@ -151,15 +151,14 @@ class _DiameterFields(_SpreadFields):
 
 
 def _class(of_pins: bool) -> Any:
-    shown = "a shaft, such as m6" if of_pins else "a hole, such as H7"
+    shown = "m6 of a shaft" if of_pins else "H7 of a hole"
     return quantity(
         "Class",
         symbol="",
-        group="tolerances",
+        group="pin_diameter" if of_pins else "hole_diameter",
         default=None,
         alias="class",
-        help=f"ISO 286 class of {shown}, instead of limits." if of_pins else
-        f"ISO 286 class of {shown}, instead of limits.",
+        help=f"ISO 286 class, as {shown}, instead of limits.",
         schema={"pattern": _class_pattern(of_pins)},
     )
 
