@@ -214,7 +214,7 @@ class TolerancesFields(RequestModel):
         "Pin diameter", "", "Class or limits of the diameter that touches the hole."
     )
     hole_diameter: Maybe[HoleDiameterFields] = _tolerance(
-        "Hole diameter", "", "Class or limits of the holes' diameter."
+        "Hole diameter", "", "Class or limits of the diameter of the holes."
     )
     eccentricity_mm: Maybe[LengthSpread] = _tolerance(
         "Eccentricity", "Δe", "Of each crank: plus or minus so much, or limits."
