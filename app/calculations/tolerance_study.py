@@ -130,7 +130,7 @@ class ToleranceStudyRequest(RealDesignFields):
         group="study",
         default=[50.0, 95.0],
         max_length=20,
-        help="Percentages of the percentiles; a rare one needs many samples: 95 % takes 73, 99 % "
+        help="Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % "
         "368.",
     )
     limits: Maybe[LimitsFields] = None
@@ -147,24 +147,23 @@ class ToleranceStudyRequest(RealDesignFields):
         """
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        most = int(POSITIONS_PER_SECOND * settings.max_seconds / self._positions_of_a_sample)
+        budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
+        most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
         if most < FEWEST:
-            pairs = most * self.mechanism.pairs // FEWEST
-            raise InvalidInput(
-                "pins", self.mechanism.pins, "too_many_pairs", **self.mechanism.most_pins(pairs)
-            )
+            limit = self.mechanism.most_pins(budget // (self._positions_of_a_pair * FEWEST))
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
         if self.samples > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
         self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
 
     @property
-    def _positions_of_a_sample(self) -> int:
-        """Positions of a pair that are solved for each sample."""
+    def _positions_of_a_pair(self) -> int:
+        """Positions at which a pair is solved for each sample."""
         each = self._solves(self.names)
         if "contributions" in self.include:
             sources = [name for name, given in self.tolerances if given is not None]
             each += (2 * len(sources) + 2) * self._solves(self.names[:1])
-        return each * self.mechanism.pairs * self.crank_angles
+        return each * self.crank_angles
 
     @staticmethod
     def _solves(names: list[str]) -> int:

@@ -332,5 +332,6 @@ def _missed_peak(study: Study, pieces: Sequence[Deviations], values: FloatArray)
         turn, count = Turn(real, study.asked.output_torque), study.asked.positions
         grid = {2 * math.pi * k / count: turn.force(2 * math.pi * k / count) for k in range(count)}
         found = summits(values=grid, function=turn.force, most=3)
-        missed.append(1 - max(grid.values()) / max(summit.height for summit in found))
+        highest = max(summit.height for summit in found)
+        missed.append(max(0.0, 1 - max(grid.values()) / highest))
     return float(np.mean(missed)) if missed else 0.0

@@ -504,7 +504,7 @@ export default {
     ],
     "percentiles": [
       "Percentiles",
-      "Percentages of the percentiles; a rare one needs many samples: 95 % takes 73, 99 % 368."
+      "Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."
     ],
     "phi_max_deg": [
       "Contact to",
