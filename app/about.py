@@ -8,7 +8,7 @@ from pydantic import Field
 from app import VERSION
 from app.endpoint import RESPONSES
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, Calculation, Maybe, ResponseModel
+from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
 from app.problems import KINDS
 from app.record import root_path
 from app.registry import CALCULATIONS
@@ -246,7 +246,7 @@ async def materials() -> MaterialTable:
 async def tolerances(
     size_mm: Annotated[
         float,
-        Query(gt=0, le=SIZES[-1], allow_inf_nan=False, description="Nominal diameter."),
+        Query(ge=SIZE["ge"], le=SIZES[-1], allow_inf_nan=False, description="Nominal diameter."),
     ],
     name: Annotated[
         ClassName | None, Query(alias="class", description="One class; all where not given.")

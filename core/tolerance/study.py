@@ -25,7 +25,8 @@ QUANTITIES = (
 )
 
 WORST = 32
-"""Samples of the highest peaks, on which the error of the angle grid is estimated."""
+"""Samples of the highest peaks, a tenth of all at most, on which the error of the angle grid is
+estimated."""
 
 FINER, FINER_SAMPLES = 4, 8
 """How many times as many positions, and of how many pieces, show what the grid misses of the other
@@ -325,7 +326,8 @@ def _grid_errors(
 def _missed_peak(study: Study, pieces: Sequence[Deviations], values: FloatArray) -> float:
     """Mean of what the positions miss of the peak, over the samples of the highest peaks."""
     peaks = values[:, study.asked.quantities.index("peak_force")]
-    order = [i for i in np.argsort(-peaks) if not np.isnan(peaks[i])][:WORST]
+    order = [i for i in np.argsort(-peaks) if not np.isnan(peaks[i])]
+    order = order[: min(WORST, math.ceil(len(peaks) / 10))]
     missed = []
     for i in order:
         real = replace(study.real, deviations=pieces[i])
