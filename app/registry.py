@@ -12,6 +12,7 @@ from app.calculations import (
     roller_strength,
     shaft_deflection,
     solve,
+    tolerance_study,
     work_precision,
 )
 from app.model import Calculation
@@ -26,6 +27,7 @@ CALCULATIONS: dict[str, Calculation] = {
         crank_planetary,
         output_efficiency,
         load_sharing,
+        tolerance_study,
         contact_line,
         meshing_load,
         shaft_deflection,

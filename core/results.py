@@ -79,6 +79,7 @@ METHODS = {
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
     "mohr": "Mohr's integral in closed form",
+    "monte_carlo": "random pieces, percentiles by order statistics",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",
     "multiple_sorting": "sorting in multiple precision",
