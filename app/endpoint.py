@@ -108,7 +108,7 @@ class CalculationRoute(APIRoute):
             sent = await received(request, record.settings.max_body_bytes)
             record.received = time.perf_counter()
             theme = _theme(request) if drawn else None
-            zipped = takes_gzip(request)
+            zipped = takes_gzip(request.scope)
             body = None
             if len(sent) <= LIGHT_BYTES:
                 body = read_body(CALCULATIONS[name], sent, record.settings)
@@ -318,9 +318,9 @@ class Answer(Response):
             kind.waiting_bytes -= size
 
 
-def takes_gzip(request: Request) -> bool:
+def takes_gzip(scope: Scope) -> bool:
     """Whether a client takes compressed answers."""
-    return any(n == b"accept-encoding" and b"gzip" in v for n, v in request.scope["headers"])
+    return any(n == b"accept-encoding" and b"gzip" in v for n, v in scope["headers"])
 
 
 def _json_response(content: bytes) -> Response:

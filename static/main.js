@@ -25,6 +25,7 @@ import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
+const ADDRESS_MS = 300; // after the last change of the address
 const AGAIN_MS = 4000; // until the page tries again to start
 const client = createClient();
 let service = null;
@@ -61,6 +62,22 @@ let rebuild = () => {}; // it anew, from its address
 let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius"; // how radii are typed
 let quiet = false; // the browser itself has moved in its history
 let leaving = false; // another design is to come: Back leads to this one
+
+/** Writes the address: not while somebody types, as browsers take some ten milliseconds for it. */
+const addressing = {
+  query: null,
+  timer: 0,
+  soon(query) {
+    clearTimeout(this.timer);
+    this.query = query;
+    this.timer = setTimeout(() => this.now(), ADDRESS_MS);
+  },
+  now(write = "replaceState") {
+    clearTimeout(this.timer);
+    if (this.query !== null) history[write](null, "", `?${this.query}`);
+    this.query = null;
+  },
+};
 
 function say(text) {
   live.textContent = text;
@@ -100,10 +117,13 @@ function build(id, { modelOf, ...parts }) {
       address(query) {
         kept[id] = query;
         session.setItem(KEPT, JSON.stringify(kept));
-        if (!quiet) history[leaving ? "pushState" : "replaceState"](null, "", `?${query}`);
+        if (quiet) return;
+        addressing.soon(query);
+        if (leaving) addressing.now("pushState");
         leaving = false;
       },
       left() {
+        addressing.now();
         leaving = true;
       },
       lengths(chosen) {
@@ -123,6 +143,7 @@ function build(id, { modelOf, ...parts }) {
 function close() {
   bench?.close();
   bench = null;
+  addressing.now();
 }
 
 async function open(id) {
@@ -201,6 +222,7 @@ document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
   const id = CALCULATORS.find((one) => one === there.get("calculator")) ?? CALCULATORS[0];
+  addressing.query = null;
   quiet = true;
   close();
   quiet = false;
@@ -209,6 +231,9 @@ addEventListener("popstate", () => {
   open(id);
 });
 onSystemTheme(() => bench?.retheme());
-addEventListener("pagehide", () => bench?.close());
+addEventListener("pagehide", () => {
+  bench?.close();
+  addressing.now();
+});
 
 open(asked);
