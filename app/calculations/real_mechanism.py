@@ -112,7 +112,7 @@ class RealContactFields(ContactFields):
         off = self._difference(hole) - Decimal(repr(clearance))
         if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
             expected = float(Decimal(repr(hole)) - off)
-            raise field_error("hole_radius_mm", "hole_disagrees", expected=expected)
+            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
         return self
 
     def _difference(self, hole: float) -> Decimal:

@@ -227,8 +227,7 @@ def test_the_reserve_of_rollers(torque: float, tolerance: float, rollers: int, s
 
 
 def test_every_check_has_its_fixes_or_says_that_there_are_none() -> None:
-    without = {"assembly"}
-    assert set(VARIED) == set(CHECKS) - without
+    assert set(VARIED) == set(CHECKS)
 
 
 @given(st.floats(600.0, 20000.0))
