@@ -429,6 +429,14 @@ async def test_every_fix_makes_its_check_pass(api, path, body):
             assert checks[fix["code"]]["status"] == "pass", fix
 
 
+async def test_satellites_that_are_alike(api):
+    """Three satellites of 21 teeth in a ring of 22 are three different parts, two are alike."""
+    teeth = {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}
+    answer, _ = await asked(api, "crank-planetary", design(mechanism=teeth) | {"include": ["fixes"]})
+    (fix,) = [each for each in answer["fixes"] if each["code"] == "assembly"]
+    assert (fix["from"], fix["to"], fix["status"]) == (3, 2, "solved")
+
+
 async def test_a_pin_is_fixed_to_a_standard_size(api):
     body = design(load__output_torque_Nm=1500.0) | {"include": ["fixes"]}
     answer, _ = await asked(api, "crank-planetary", body)
