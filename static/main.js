@@ -25,6 +25,7 @@ import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
+const UNWRITTEN = "khv-calc.address";
 const ADDRESS_MS = 300; // after the last change of the address
 const AGAIN_MS = 4000; // until the page tries again to start
 const client = createClient();
@@ -40,7 +41,9 @@ function described() {
   return service;
 }
 
-const linked = new URLSearchParams(location.search);
+// An address that was left before it was written: where it was to stand, and what.
+const [place, unwritten] = parsed(session.getItem(UNWRITTEN), []);
+const linked = new URLSearchParams(place === location.search ? unwritten : location.search);
 const languages = [linked.get("lang"), lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
 const language = languages.find((id) => id in LANGUAGES) ?? "en";
 const units = [linked.get("units"), lasting.getItem("units")].find((id) => SYSTEMS.includes(id)) ?? SYSTEMS[0];
@@ -70,12 +73,15 @@ const addressing = {
   soon(query) {
     clearTimeout(this.timer);
     this.query = query;
+    session.setItem(UNWRITTEN, JSON.stringify([location.search, query]));
     this.timer = setTimeout(() => this.now(), ADDRESS_MS);
   },
   now(write = "replaceState") {
     clearTimeout(this.timer);
-    if (this.query !== null) history[write](null, "", `?${this.query}`);
+    if (this.query === null) return;
+    history[write](null, "", `?${this.query}`);
     this.query = null;
+    session.setItem(UNWRITTEN, "[]");
   },
 };
 
@@ -231,9 +237,6 @@ addEventListener("popstate", () => {
   open(id);
 });
 onSystemTheme(() => bench?.retheme());
-addEventListener("pagehide", () => {
-  bench?.close();
-  addressing.now();
-});
+addEventListener("pagehide", () => bench?.close());
 
 open(asked);

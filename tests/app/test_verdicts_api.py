@@ -432,7 +432,9 @@ async def test_every_fix_makes_its_check_pass(api, path, body):
 async def test_satellites_that_are_alike(api):
     """Three satellites of 21 teeth in a ring of 22 are three different parts, two are alike."""
     teeth = {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}
-    answer, _ = await asked(api, "crank-planetary", design(mechanism=teeth) | {"include": ["fixes"]})
+    answer, _ = await asked(
+        api, "crank-planetary", design(mechanism=teeth) | {"include": ["fixes"]}
+    )
     (fix,) = [each for each in answer["fixes"] if each["code"] == "assembly"]
     assert (fix["from"], fix["to"], fix["status"]) == (3, 2, "solved")
 
