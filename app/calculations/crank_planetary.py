@@ -188,7 +188,7 @@ class CrankPlanetaryRequest(RequestModel):
             raise field_error("contact/distribution_factor", "with_real_forces")
         return self
 
-    @property
+    @cached_property
     def as_made(self) -> bool:
         """Whether clearance, deviations or elasticity are given."""
         loose = self.contact is not None and (
@@ -206,7 +206,7 @@ class CrankPlanetaryRequest(RequestModel):
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         return self.as_made or asked or lost_motion
 
-    @property
+    @cached_property
     def sections(self) -> list[Section]:
         """Sections of the answer."""
         if self.include is not None:

@@ -137,7 +137,7 @@ class CrankDesign:
         """Whether pins and holes are given."""
         return self.pin_radius is not None
 
-    @property
+    @cached_property
     def driven(self) -> Mechanism:
         """The ideal mechanism whose pairs drive where those of this one carry: in reverse they do
         where they would brake.
@@ -162,7 +162,7 @@ class CrankDesign:
         except ImpossibleMechanism as refusal:
             return refusal
 
-    @property
+    @cached_property
     def as_made(self) -> bool:
         """Whether clearance, deviations or elasticity are stated."""
         stated = (self.law, self.pin, self.deviations)
@@ -242,7 +242,7 @@ class CrankDesign:
         except ImpossibleMechanism as refusal:
             return refusal
 
-    @property
+    @cached_property
     def judged_forces(self) -> RealForces | ContactForce | None:
         """The forces that are judged, where they are known."""
         force = self.loading if self.as_made else self.force
@@ -300,7 +300,7 @@ class CrankDesign:
         force = self.judged_forces
         return force.torque_factor(factor) if isinstance(force, RealForces) else factor
 
-    @property
+    @cached_property
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
@@ -314,7 +314,7 @@ class CrankDesign:
             "crank_angle": force.peak_crank_angle,
         }
 
-    @property
+    @cached_property
     def clearance(self) -> float | None:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
         `FIT_TOLERANCE`; None where they are not all given.

@@ -46,7 +46,7 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
         code,
         pressure,
         limit,
-        reserve=design.torque_factor(_force_factor(design.contact_at, limit)),
+        reserve=design.torque_factor(_force_factor(contact, design.contact_at, limit)),
         warning=warning,
         error=(contact.conformal_error or 0.0) + _rounding(design, contact),
         at=design.peak,
@@ -61,13 +61,14 @@ def _rounding(design: CrankDesign, contact: HertzContact) -> float:
     return float(8 * contact.accuracy.relative_error + off)
 
 
-def _force_factor(contact_at: Callable[[float], HertzContact], limit: float) -> float:
+def _force_factor(
+    contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
+) -> float:
     """Factor on the force at which the governing pressure of a contact is at a limit, Pa.
 
     Hertz's pressure grows with the root of the force, Persson's faster, up to the force itself;
     where Persson's takes over, the governing pressure jumps by a per cent.
     """
-    contact = contact_at(1.0)
     by_hertz = float((limit / contact.max_pressure) ** 2)
     if contact_at(by_hertz).conformal_pressure is None:
         # where no theory holds any more, that is the end
@@ -111,7 +112,7 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
         return found
 
     start = float((limit / contact(1.0).max_pressure) ** 2)  # N
-    force = start * _force_factor(lambda factor: contact(start * factor), limit)
+    force = start * _force_factor(contact(start), lambda factor: contact(start * factor), limit)
     torques = [
         limit_torque(real=real, direction=way, pair=0, force=force)
         for way in WAYS[design.torque_direction]
