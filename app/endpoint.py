@@ -150,7 +150,7 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     """
     stated = dict(_stated(body))
     asked = stated.get("include", ())
-    if body.LONG or "fixes" in asked:
+    if body.long or "fixes" in asked:
         return math.inf
     size = 1.0
     for name in COUNTS:

@@ -175,8 +175,10 @@ class RequestModel(BaseModel):
             if value is not None
         }
 
-    LONG: ClassVar[bool] = False
-    """Whether it takes long whatever its counts are."""
+    @property
+    def long(self) -> bool:
+        """Whether it takes long whatever its counts are."""
+        return False
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits.
@@ -248,7 +250,9 @@ def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any =
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
-    """Refusal by a model's validator that belongs to one field; see `app.problems.TEXTS`."""
+    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
+    `app.problems.TEXTS`.
+    """
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
 
 

@@ -70,6 +70,8 @@ TEXTS = (
         "too_long": "must have at most {limit} entries",
         "too_nested": "must hold at most {limit} lists and objects",
         "too_short": "must have at least {limit} entries",
+        "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
+        "are solved then, not assumed",
         "with_rollers": "must be at most {limit}, with {rollers} rollers",
     }
 )
@@ -99,6 +101,7 @@ PHYSICAL = frozenset(
         "too_many_pairs",
         "too_many_phases",
         "too_short_range",
+        "with_real_forces",
         "with_rollers",
     }
 )
@@ -361,7 +364,8 @@ def _item(error: ErrorDetails) -> ErrorItem:
     if kind == "json_invalid":
         return ErrorItem("", kind, {"error": context["error"]})
     if kind == "field_error":
-        return ErrorItem(pointer([*path, context["name"]]), context["code"], context["params"])
+        path += context["name"].split("/")
+        return ErrorItem(pointer(path), context["code"], context["params"])
     if kind.startswith("union_tag"):
         path.append("calculation")
     code = _CODES.get(kind, kind)

@@ -21,7 +21,10 @@ from core.output.real_mechanism import Deviations, RealMechanism
 class RealDesignFields(RequestModel):
     """Mechanism, load, contact, law of contact and pins."""
 
-    LONG = True
+    @property
+    def long(self) -> bool:
+        """Whether it takes long whatever its counts are."""
+        return True
 
     mechanism: MechanismFields
     load: RealLoadFields

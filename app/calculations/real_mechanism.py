@@ -1,15 +1,16 @@
 """The output mechanism as it is made, as a request gives it."""
 
 from collections.abc import Iterator
-from decimal import Decimal
-from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+from functools import partial
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import ConfigDict, Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
-from app.calculations.hertz import ContactFields, Material, material_of
+from app.calculations.hertz import Material, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.calculations.pin_contact import Deviation, PinContactFields
+from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
 from app.units import to_si
 from core.materials import ElasticMaterial
@@ -38,61 +39,38 @@ BY_KIND: dict[Kind, tuple[str, ...]] = {
 
 ONLY_HERTZ = "reference_depth_mm"
 
-Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
 MAX_LISTED_PINS = 1000
 """Most pins whose deviations are listed one by one."""
 
 
+torque_direction = partial(
+    quantity,
+    "Direction of the torque",
+    symbol="",
+    group="load",
+    default="driving",
+    help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+)
+
+
 class RealLoadFields(TorqueFields):
     """Torque, its direction, and its lever; the force exponent is that of the contact law."""
 
-    torque_direction: Literal["driving", "reverse"] = quantity(
-        "Direction of the torque",
-        symbol="",
-        group="load",
-        default="driving",
-        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
-    )
+    torque_direction: Literal["driving", "reverse"] = torque_direction()
 
     def signed_torque(self, torque: float) -> float:
         """A torque with the sign of its direction, N*m."""
         return -torque if self.torque_direction == "reverse" else torque
 
 
-class RealContactFields(ContactFields):
+class RealContactFields(PinContactFields):
     """Pin, hole, crank and clearance. Forces and pressures are those at the torque: the dynamic
     factor is for checks.
     """
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-
-    hole_radius_mm: Maybe[float] = quantity(  # type: ignore[assignment]
-        "Hole radius",
-        symbol="r_out",
-        group="contact",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Radius of the hole in the satellite: pin radius + eccentricity.",
-    )
-    eccentricity_mm: float = quantity(
-        "Eccentricity",
-        symbol="e",
-        group="contact",
-        **SIZE,
-        step=0.5,
-        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
-    )
-    hole_clearance_mm: Maybe[Deviation] = quantity(
-        "Clearance",
-        symbol="c",
-        group="contact",
-        default=None,
-        step=0.005,
-        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
-    )
+    eccentricity_mm: float = eccentricity()
     distribution_factor: float = quantity(
         "Distribution factor",
         symbol="K_α",
@@ -104,27 +82,7 @@ class RealContactFields(ContactFields):
         help="Factor of uneven load sharing between the pairs.",
     )
 
-    @model_validator(mode="after")
-    def _radii_agree(self) -> Self:
-        hole, clearance = self.hole_radius_mm, self.hole_clearance_mm
-        if hole is None or clearance is None:
-            return self
-        off = self._difference(hole) - Decimal(repr(clearance))
-        if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
-            expected = float(Decimal(repr(hole)) - off)
-            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
-        return self
-
-    def _difference(self, hole: float) -> Decimal:
-        """Clearance by the radii, in decimals as they were typed: no digit is lost."""
-        pin, eccentricity = self.pin_radius_mm, self.eccentricity_mm
-        return Decimal(repr(hole)) - Decimal(repr(pin)) - Decimal(repr(eccentricity))
-
-    def clearance_mm(self) -> float:
-        """Radial clearance: given, or by the radii; none where neither is given."""
-        if self.hole_clearance_mm is not None:
-            return self.hole_clearance_mm
-        return 0.0 if self.hole_radius_mm is None else float(self._difference(self.hole_radius_mm))
+    model_config = ConfigDict(json_schema_extra=request_schema)
 
     def sizes(self) -> dict[str, Any]:
         """Sizes and materials in SI units, as the core's arguments."""
@@ -294,7 +252,7 @@ class BentPinFields(RequestModel):
             raise field_error("span_mm", "needed_beside", field="support")
         return self
 
-    def held(self, contact: RealContactFields) -> PinSupport:
+    def held(self, contact: PinContactFields) -> PinSupport:
         """The pin in SI units."""
         own = self.to_core()
         diameter = own.get("diameter", 2 * to_si("radius_mm", contact.pin_radius_mm))

@@ -6,7 +6,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
-from app.calculations.real_mechanism import Deviation, Phase, RealContactFields
+from app.calculations.pin_contact import Deviation
+from app.calculations.real_mechanism import Phase, RealContactFields
 from app.model import (
     SIZE,
     UNION_TAGS,

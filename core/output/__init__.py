@@ -21,4 +21,5 @@ real_curves         curves of these over the turn, and of the lag over the torqu
 summits             summits of a function over the turn
 turn                positions over the turn
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
+limit_torque        the torque that brings a pair to a given pressure
 """

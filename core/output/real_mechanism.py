@@ -356,9 +356,25 @@ class RealMechanism:
         pressures = [contact.max_pressure for contact in contacts if contact is not None]
         return self.rows(pressures) if pressures else None
 
-    def hardest(self, force: Sequence[float]) -> HertzContact | None:
-        """Contact of the pair with the largest pressure, which grows with the force times the
+    def hardest_pair(self, force: Sequence[float]) -> int:
+        """Index of the pair with the largest pressure, which grows with the force times the
         difference of the curvatures.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        int
+        """
+        radii, distance = self.pin_radii, self.pairs.distance
+        curved = [f * (c / r / (r + c)) for f, r, c in zip(force, radii, distance, strict=True)]
+        return curved.index(max(curved))
+
+    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+        """Contact of the pair with the largest pressure.
 
         Parameters
         ----------
@@ -369,7 +385,5 @@ class RealMechanism:
         -------
         HertzContact or None
         """
-        radii, distance = self.pin_radii, self.pairs.distance
-        curved = [f * (c / r / (r + c)) for f, r, c in zip(force, radii, distance, strict=True)]
-        pair = curved.index(max(curved))
+        pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])

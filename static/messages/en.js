@@ -350,6 +350,7 @@ export default {
   section: {
     cyclogram: "Cyclogram",
     contact_force: "Contact force",
+    load_sharing: "Load sharing",
     hertz: "Contact pressure",
     geometry: "Fit of pin and hole",
     roller_strength: "Strength of the rollers",

@@ -60,6 +60,7 @@ export default {
     "to_be_drawn": "must be at most {limit} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
+    "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers"
   },
   "notices": {
@@ -463,9 +464,17 @@ export default {
       "Material of the pin",
       "A name of the table of materials, or values; that of the contact where not given."
     ],
+    "max_backlash_arcmin": [
+      "Largest backlash",
+      "Largest play of the unloaded output mechanism over the turn."
+    ],
     "max_deflection_mm": [
       "Largest deflection",
       "Largest deflection of the shaft at its bearings."
+    ],
+    "max_lost_motion_arcmin": [
+      "Largest lost motion",
+      "Largest rotation of the output mechanism between 3 % of the torque in both directions."
     ],
     "max_pressure_MPa": [
       "Limit of the pressure",
@@ -856,6 +865,14 @@ export default {
       "Clearance of pin and hole",
       "Otherwise fewer pairs carry, each more, and the output has lost motion."
     ],
+    "backlash": [
+      "Backlash",
+      "Otherwise the unloaded output turns by more than is asked."
+    ],
+    "lost_motion": [
+      "Lost motion",
+      "Otherwise the output gives way by more than is asked when the torque turns."
+    ],
     "wall_holes": [
       "Wall between holes",
       "Otherwise the holes overlap, or the satellite is weak between them."
@@ -917,6 +934,7 @@ export default {
     "mechanism": "Mechanism",
     "contact": "Contact of pin and hole",
     "geometry": "Pins and holes",
+    "play": "Play of the output",
     "body": "Satellite",
     "rollers": "Rollers",
     "shaft": "Bending of the shaft",
@@ -929,14 +947,18 @@ export default {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
+    "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
+    "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "yield_unknown": "No yield strength is known: enter one"
@@ -947,6 +969,7 @@ export default {
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: p = 2.31*Re (Mises)",
+    "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by load sharing",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "user": "the limit that was asked",
