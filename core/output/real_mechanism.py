@@ -164,7 +164,7 @@ class RealMechanism:
                 "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
             )
         check_law(self.law)
-        check_support(self.support, self.mechanism.satellites, self.exact)
+        check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
 
     def setup(self, direction: float) -> Setup:
         """The design as the kernel takes it.
@@ -211,7 +211,7 @@ class RealMechanism:
                 )
             compliance = [*pin_compliance(self.pin)]
         prepare(self.setup(1.0), errors, list(self.mechanism.crank_angles), pairs)
-        loosen(self.support, pairs)
+        loosen(support=self.support, pairs=pairs)
         radii, limits = [], []
         for i, difference in enumerate(pairs.distance):
             j, n = divmod(i, pins)

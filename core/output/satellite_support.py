@@ -81,7 +81,7 @@ class Shares:
 SatelliteSupport = CrankSupport | ElasticMesh | Shares
 
 
-def check_support(support: SatelliteSupport | None, satellites: int, exact: bool) -> None:
+def check_support(*, support: SatelliteSupport | None, satellites: int, exact: bool) -> None:
     """Refuse what a support cannot be.
 
     Parameters
@@ -102,7 +102,7 @@ def check_support(support: SatelliteSupport | None, satellites: int, exact: bool
     if support is None:
         return
     if exact:
-        raise InvalidInput("exact", exact, "first_order_only")
+        raise InvalidInput("exact", exact, "first_order_only", field="support")
     if isinstance(support, Shares):
         given = support.shares
         if len(given) != satellites:
@@ -120,7 +120,7 @@ def check_support(support: SatelliteSupport | None, satellites: int, exact: bool
         raise InvalidInput("radial_clearance", given_clearance, "greater_than_equal", limit=0)
 
 
-def loosen(support: SatelliteSupport | None, pairs: Pairs) -> None:
+def loosen(*, support: SatelliteSupport | None, pairs: Pairs) -> None:
     """Count the clearance of the crank's bearings to the gaps of the pairs.
 
     Parameters
@@ -295,10 +295,14 @@ class HeldSatellites:
         if first == math.inf:
             return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
         power, steps = 1.0 if pressed else 1 / setup.exponent, 0
+        rest = 0.0 if self._crank else 1.0
+        owns = [rest] * setup.satellites  # over the lag: where the next search begins
 
         def balance(lag: float) -> _Balance:
             nonlocal steps
-            discs = [self._disc(lag, j, setup, room) for j in range(setup.satellites)]
+            discs = [self._disc(lag, owns[j], j, setup, room) for j in range(setup.satellites)]
+            if lag != 0:
+                owns[:] = [disc.own / lag for disc in discs]
             steps += sum(disc.steps for disc in discs)
             carried = math.fsum(disc.torque for disc in discs)
             slope = math.fsum(disc.slope for disc in discs)
@@ -338,8 +342,10 @@ class HeldSatellites:
         """What a pair takes part in its disc's own equation with."""
         return 1.0 if self._crank else lever
 
-    def _disc(self, lag: float, j: int, setup: Setup, room: Room) -> "_Disc":
-        """Satellite j at a lag of the output: its forces, with what its bearing or mesh gives."""
+    def _disc(self, lag: float, own: float, j: int, setup: Setup, room: Room) -> "_Disc":
+        """Satellite j at a lag of the output: its forces, with what its bearing or mesh gives,
+        sought from a share of the lag.
+        """
         crank = self._crank
         gives = 0.0 if isinstance(self.support, Shares) else 1 / self.support.stiffness
         rows = range(j * setup.pins, (j + 1) * setup.pins)
@@ -366,7 +372,7 @@ class HeldSatellites:
             size = abs(own) + abs(rest) + gives * size
             return _Own(value, -value * share, size, stiff, mixed, share)
 
-        own, last, steps, _ = _root(own_balance, rest, -math.inf, math.inf)
+        own, last, steps, _ = _root(own_balance, own * lag, -math.inf, math.inf)
         middle = last.mixed / last.stiff if last.stiff > 0 else 0.0
         spread = math.fsum(
             contact[i] * (levers[i] - middle * self._factor(levers[i])) ** 2 for i in rows
@@ -375,6 +381,7 @@ class HeldSatellites:
             torque=math.fsum(force[i] * levers[i] for i in rows),
             gross=math.fsum(force[i] * abs(levers[i]) for i in rows),
             slope=spread + middle * middle * last.stiff * last.share,
+            own=own,
             lag=lag if crank else own,
             back=abs(own) if crank else 0.0,
             off=abs(last.value),
@@ -437,7 +444,8 @@ class _Disc(NamedTuple):
     torque: float
     gross: float
     slope: float  # of the torque over the lag of the output
-    lag: float  # its own
+    own: float  # unknown of its own equation
+    lag: float  # of the output behind it
     back: float  # by which its bearing has gone back, and the approach of each pair with it
     off: float  # of its own equation, and the size of the terms
     size: float
