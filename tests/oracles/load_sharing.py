@@ -1,9 +1,9 @@
-"""The mechanism with clearance and errors from its definition: vectors, bisection, 45 digits.
+"""The mechanism with clearance and errors from its definition: vectors, false position, 45 digits.
 
-Nothing is shared with ``core``: pins and holes are points in the plane, the lag is bisected until
-the torque of all forces is the load; no derivative, no shift, no Newton. Hertz's law is inverted
-with Lambert's W, a pin in series by bisection. Of satellites that give the place or the angle is
-sought inside, by false position whose result must change the sign.
+Nothing is shared with ``core``: pins and holes are points in the plane, the lag is narrowed until
+the torque of all forces is the load; no derivative, no shift, no Newton: false position, whose
+result must change the sign, else bisection. Hertz's law is inverted with Lambert's W, a pin in
+series by bisection. Of satellites that give the place or the angle is sought inside.
 """
 
 from dataclasses import dataclass
@@ -67,9 +67,7 @@ def _balanced(real: RealMechanism, satellites: list, torque: mpf, far: mpf) -> E
     def balance(lag: mpf) -> mpf:
         return mp.fsum(own for _, own in loaded(lag)) - torque
 
-    lag = (
-        _root(balance, -far, far) if _held(real) else _bisected(lambda x: balance(x) < 0, -far, far)
-    )
+    lag = _root(balance, -far, far)
     found = loaded(lag)
     every = [pair for pairs in satellites for pair in pairs]
 
@@ -81,8 +79,8 @@ def _balanced(real: RealMechanism, satellites: list, torque: mpf, far: mpf) -> E
     play = None
     if worst(middle) < SAME:
         play = (
-            -_bisected(lambda off: worst(-off) < 0, -middle, far),
-            _bisected(lambda lag: worst(lag) < 0, middle, far),
+            -_root(lambda off: worst(-off), -middle, far),
+            _root(worst, middle, far),
         )
     forces = [force for own, _ in found for force in own]
     return Exact(forces, lag, play, [own for _, own in found])
@@ -139,9 +137,13 @@ def _bisected(below, low: mpf, high: mpf) -> mpf:
 
 
 def _least(f, low: mpf, high: mpf) -> mpf:
+    """Where a function is least, or anywhere below 0."""
     for _ in range(110):
         a, b = (2 * low + high) / 3, (low + 2 * high) / 3
-        low, high = (low, b) if f(a) < f(b) else (a, high)
+        at_a, at_b = f(a), f(b)
+        if at_a < 0:
+            return a
+        low, high = (low, b) if at_a < at_b else (a, high)
     return (low + high) / 2
 
 
