@@ -74,11 +74,7 @@ def test_contacts_a_milliard_times_as_stiff(stiffness: float, exact: bool) -> No
     found, known = solved(real, 0.1, 30.0), exact_position(real, 0.1, 30.0)
     for force, expected in zip(flat(found), known.force, strict=True):
         assert abs(force - expected) <= found.force_error
-    assert (
-        found.accuracy.relative_error < 1e-5
-        and stiffness > 5e10
-        or (found.accuracy.relative_error < 1e-10)
-    )
+    assert found.accuracy.relative_error < (1e-10 if stiffness < 1e11 else 1e-5)
 
 
 @pytest.mark.parametrize("exact", [False, True])
@@ -100,7 +96,20 @@ def test_one_pin_and_two_have_a_right_answer_or_a_refusal(pins: int, exact: bool
     real = design(mechanism=Mechanism.evenly_spaced(pins=pins, satellites=1, ratio=18.0),
                   exact=exact)  # fmt: skip
     codes, answered = set(), 0
-    for wave in (0.0, 1e-12, 1e-3, 0.1, 1.0, math.pi / 2, math.pi - 1e-6, math.pi, 4.0, 6.28):
+    for wave in (
+        0.0,
+        1e-12,
+        1e-3,
+        0.1,
+        1.0,
+        math.pi / 2,
+        math.pi - 1e-6,
+        math.pi,
+        4.0,
+        4.7,
+        5.5,
+        6.28,
+    ):
         angle = wave / (1 + 1 / 18)
         try:
             found = solved(real, angle, 30.0)
