@@ -9,6 +9,7 @@ export default {
     "real.play": ["Clearance by", "A radial clearance, or an ISO fit of pin and hole, calculated at its mean."],
     "study.pin_class": ["Pin diameter, class", "ISO 286 class of the diameter that touches the hole."],
     "study.hole_class": ["Hole diameter, class", "ISO 286 class of the diameter of the holes."],
+    "real.support": ["Support of the pins", "Rigid, held at one end, simply supported at both, or clamped at both: then they bend."],
     "real.pins": ["Measured pins", "Deviations of a measured part, of each pin: outward, in the driving sense, of its radius."],
     "real.holes": ["Measured holes", "Deviations of each hole, satellite by satellite: outward, in the driving sense, of its radius."],
     "real.cranks": ["Measured cranks and discs", "Deviations of each eccentricity, crank angle, and of the angle of a disc's holes against its teeth."],
@@ -97,6 +98,8 @@ export default {
     more: "Ratio of the real peak to the ideal one: {ratio}. Loaded at once: {loaded} of {all} pairs. Clearance and errors keep the rest apart.",
     alike: "The real peak is hardly above the ideal one: ratio {ratio}. Loaded at once: {loaded} of {all} pairs.",
     pressed: "Somewhere in the turn pairs press without load: there is no play, and assembly needs force.",
+    idealPair: "{pair}, ideal",
+    lines: "Forces: thick lines are the real ones, thin lines the ideal ones; a satellite has its colour, a pin its dashes. The torque is drawn at φ = 0.",
     why: "Why a larger hole changes the forces",
     larger: [
       "Equations (1) to (5) of Yanchevskiy and Niekhoroshykh 2021 look for the point where the circles of pin and hole meet. Its root is C₁ = 0 where rₒᵤₜ = rᵢₙ + e: the circles touch, and the holes of every further satellite come out with the same radius.",

@@ -191,7 +191,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       const reading = missing.includes(path) ? {} : readings[path];
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
       const names = catalogues[path] ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
-      if (names) view.setNames(names, texts[path]);
+      if (names) view.setNames?.(names, texts[path]);
       view.setText(texts[path]);
       view.setRows?.(field.rows(filled));
       const refused = refusedAt(state, path);

@@ -13,15 +13,15 @@ const NONE = []; // no kept design is drawn over it
 /** A pin in a hole larger than it needs, not to scale. */
 function largerHole() {
   const [pin, e, c] = [46, 34, 16];
-  const [centre, hole] = [[150, 118], [150, 118 - e]];
+  const [centre, hole] = [[150, 140], [150, 140 - e]];
   const foot = (radius, from) => [from[0], from[1] + radius];
-  return paper(300, 210, [
+  return paper(300, 222, [
     circle(hole, pin + e + c, "hole"), circle(hole, pin + e, "touching"), circle(centre, pin, "pin"),
-    line([150, 20], [150, 200], "axis"),
+    line([150, 2], [150, 220], "axis"),
     arrow(hole, [hole[0] + (pin + e + c) * 0.8, hole[1] - (pin + e + c) * 0.6], "size"), label([hole[0] + 62, hole[1] - 24], "r_out"),
     arrow(centre, [centre[0] - pin * 0.8, centre[1] + pin * 0.6], "size"), label([centre[0] - 28, centre[1] + 4], "r_in"),
     circle(hole, 2.5, "dot"), circle(centre, 2.5, "dot"), label([140, (hole[1] + centre[1]) / 2 + 4], "e", { anchor: "end" }),
-    line(foot(pin, centre), foot(pin + e + c, hole), "gap"), label([160, 118 + pin + c / 2 + 5], "c", { anchor: "start" }),
+    line(foot(pin, centre), foot(pin + e + c, hole), "gap"), label([160, 140 + pin + c / 2 + 5], "c", { anchor: "start" }),
   ]);
 }
 
@@ -37,7 +37,7 @@ export function createView({ id, store, client, titles, figures, logic, asking }
   fill(root.querySelector(".sketch"), largerHole());
   const part = (name) => root.querySelector(name);
   const figure = createFigure({
-    figure: { id: "real", section: "real", path: "/load-sharing/chart", body: (body) => logic.sent(body), height: HEIGHT },
+    figure: { id: "real", section: "real", path: "/load-sharing/chart", body: logic.sent, shape: logic.shaped, height: HEIGHT },
     client,
     titles,
     on: {
@@ -45,7 +45,7 @@ export function createView({ id, store, client, titles, figures, logic, asking }
       charted() {}, turned() {}, set() {}, picked() {}, tables: () => [],
     },
   });
-  root.querySelector(".more").before(figure.root);
+  root.querySelector(".more").before(figure.root, element(html`<p class="figure-note">${message("real.lines")}</p>`));
   figures.push(figure);
   let drawn = {}; // of the figure: the body, and the results in the shape that it takes
 

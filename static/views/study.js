@@ -75,6 +75,7 @@ export function createView({ id, logic, asking }) {
       const running = phase === "computing";
       const { reading: { input } } = state;
       const older = Boolean(answer) && JSON.stringify(logic.asked(input)) !== of;
+      if (phase) root.dataset.begun = "true";
       run.disabled = running;
       run.textContent = message(answer && !older ? "study.again" : "study.run");
       stop.disabled = !running;

@@ -2,7 +2,7 @@
  * The mechanism as it is made, with clearance, errors and elasticity: what is asked of the service and what its answer
  * says. No DOM.
  */
-import { formatNumber, formatQuantity, tidy } from "../../lib/format.js";
+import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { eccentricityOf } from "./mechanism.js";
 
@@ -95,8 +95,36 @@ export function ask({ client, body, signal }) {
     .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm }));
 }
 
-const range = (from, to, unit, digits = 4) => (formatNumber(from, digits) === formatNumber(to, digits)
-  ? formatQuantity(to, unit, digits) : message("real.range", { from: formatQuantity(from, unit, digits), to: formatQuantity(to, unit, digits) }));
+/** From one value to another, with the unit once; one value where both read the same. */
+export function range(from, to, unit, digits = 4) {
+  const [least, most] = [from, to].map((value) => quantityParts(value, unit, digits).value);
+  const last = formatQuantity(to, unit, digits);
+  return least === most ? last : message("real.range", { from: least, to: last });
+}
+
+const DOMAINS = { yaxis: [0.72, 1], yaxis2: [0.49, 0.67], yaxis3: [0.27, 0.44], yaxis4: [0, 0.18] };
+const LONG_TITLE = 18;
+
+/** A title in two lines where it is longer than its axis. */
+function broken(text) {
+  const place = text.lastIndexOf(" ", text.length * 0.6);
+  return text.length > LONG_TITLE && place > 0 ? `${text.slice(0, place)}<br>${text.slice(place + 1)}` : text;
+}
+
+/** The service's figure: pairs are told apart by colour and dashes, not by a long legend, and the ideal ones are said to be. */
+export function shaped({ data, layout }) {
+  const isPair = ({ name }) => /^\d+\.\d+$/.test(name);
+  return {
+    data: data.map((trace) => (isPair(trace)
+      ? { ...trace, showlegend: false, name: trace.line.width === 1 ? message("real.idealPair", { pair: trace.name }) : trace.name } : trace)),
+    layout: {
+      ...layout,
+      ...Object.fromEntries(Object.entries(DOMAINS).map(([axis, domain]) => [axis, {
+        ...layout[axis], domain, title: { ...layout[axis].title, text: broken(layout[axis].title.text) },
+      }])),
+    },
+  };
+}
 
 /** The numbers that decide, as cells: `{ label, value, note }`. */
 export function cells({ over_turn: turn, ideal }) {

@@ -2,7 +2,7 @@
 import { Problem } from "../../lib/api.js";
 import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
 import { fieldWords, message } from "../../messages/index.js";
-import { designOf } from "./real.js";
+import { designOf, range } from "./real.js";
 
 const LOWER = "stiffness_min_Nm_per_arcmin"; // of which less is worse: all else is worse above
 const CLEAR = 0.02; // the share of a percentile that a tolerance has to move to be worth tightening
@@ -46,12 +46,11 @@ export async function ask({ client, body, signal, progressed }) {
 export const titleOf = (name) => message(`quantity.${name}`)[0];
 
 const share = (value, digits = 3) => `${formatNumber(100 * value, digits)}\u00a0%`;
-const digitsOf = ({ value, low, high }) => Math.max(2, shownDigits((high - low) / 2 / Math.abs(value), 5) + 1);
+const digitsOf = ({ value, low, high }) => Math.max(3, shownDigits((high - low) / 2 / Math.abs(value), 4) + 2);
 
 function estimate(one, unit) {
   const digits = digitsOf(one);
-  const text = (value) => formatQuantity(value, unit, digits);
-  return { value: text(one.value), interval: message("real.range", { from: text(one.low), to: text(one.high) }) };
+  return { value: formatQuantity(one.value, unit, digits), interval: range(one.low, one.high, unit, digits) };
 }
 
 /** A quantity for its table and figure. */
@@ -68,7 +67,7 @@ export function quantityOf(name, of) {
       title: message("study.yield", { limit: amount(of.yield.limit) }),
       at: of.yield.limit,
       value: share(of.yield.value),
-      interval: message("real.range", { from: share(of.yield.low), to: share(of.yield.high) }),
+      interval: message("real.range", { from: formatNumber(100 * of.yield.low, 3), to: share(of.yield.high) }),
     }] : []),
   ];
   return { name, title: titleOf(name), unit, marks, histogram: of.histogram, contributions: of.contributions };

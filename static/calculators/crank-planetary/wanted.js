@@ -26,7 +26,7 @@ const REAL = {
   "contact_law.exponent": law("power"),
   "contact_law.reference_force_N": law("power"),
   "contact_law.reference_approach_mm": law("power"),
-  "pin.support": { options: ["rigid"], default: "rigid" },
+  "pin.support": { options: ["rigid"], default: "rigid", words: ["support", "real"] },
   "pin.satellite_positions_mm": { ...held(...SUPPORTS), required: true },
   "pin.span_mm": { ...held("supported", "fixed"), required: true },
   "pin.diameter_mm": held(...SUPPORTS),
