@@ -35,19 +35,19 @@ async function problemOf(response) {
 
 /** What a stream of lines ends with: the answer, or the problem thrown; `progressed(share)` is told on the way. */
 async function lastOf(body, progressed) {
-  let rest = "";
-  for await (const text of body.pipeThrough(new TextDecoderStream())) {
-    const lines = (rest + text).split("\n");
-    rest = lines.pop();
-    for (const line of lines) {
-      if (line.trim() === "") continue;
+  const reader = body.pipeThrough(new TextDecoderStream()).getReader();
+  for (let rest = ""; ;) {
+    const { value, done } = await reader.read();
+    const lines = (rest + (value ?? "")).split("\n");
+    rest = done ? "" : lines.pop();
+    for (const line of lines.filter((one) => one.trim() !== "")) {
       const { progress, result, problem } = JSON.parse(line);
       if (problem) throw problemFrom(problem, problem.status, "");
       if (result) return result;
       if (progress !== undefined) progressed(progress);
     }
+    if (done) throw new Problem({ title: "unreachable" }); // it ended before its end
   }
-  throw new Problem({ title: "unreachable" }); // it ended before its end
 }
 
 /**

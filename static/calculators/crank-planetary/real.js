@@ -6,24 +6,22 @@ import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/for
 import { message } from "../../messages/index.js";
 import { eccentricityOf } from "./mechanism.js";
 
-/** The parts that the real calculations share, as bodies say them; sizes of the fit apart. */
+/** What is left between pin and hole by their sizes, without the noise of binary differences. */
+function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
+  return Number((hole - pin - eccentricity).toFixed(10));
+}
+
+/** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, ...load } = {}, contact = {}, besides = {} }) {
   const { pin: { support, ...pin } = {}, contact_law: law, geometry, lost_motion_torque_share: share } = besides;
-  const { hole_radius_mm: hole, ...sizes } = contact;
+  const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   const clearance = besides.contact?.hole_clearance_mm;
-  const eccentricity = eccentricityOf(contact);
-  const left = tidy(hole - contact.pin_radius_mm - eccentricity);
-  const disagrees = Math.abs(clearance - left) > 1e-9 * hole; // then the service says so, at the hole
+  const { hole_radius_mm: hole, ...others } = sizes;
+  const agree = clearance !== undefined && Math.abs(clearance - playOf(sizes)) < 1e-9 * hole; // else the service says so, at the hole
   return {
     mechanism,
     load: { ...load, ...besides.load },
-    // The hole goes as its clearance, in which no digit of the radii is lost.
-    contact: {
-      ...sizes,
-      eccentricity_mm: eccentricity,
-      hole_clearance_mm: clearance ?? left,
-      ...(disagrees && { hole_radius_mm: hole }),
-    },
+    contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
     ...(law && { contact_law: law }),
     ...(support && support !== "rigid" && { pin: { support, ...pin } }),
     ...(geometry && { geometry }),
@@ -76,15 +74,15 @@ export function asked(input, { mechanism }) {
   return { ...designOf(input), ...(said && { deviations: said }), ...(play === "fits" && { fit: { pin, hole } }) };
 }
 
-/** The body of the request: with the mean clearance of a fit. */
+/** The body of the request: with the mean clearance of a fit, and it from least to most. */
 export async function bodyOf({ fit, ...design }, client) {
   if (!fit) return design;
-  const { pin_radius_mm: radius, eccentricity_mm: eccentricity, hole_clearance_mm: nominal } = design.contact;
+  const { hole_radius_mm: radius, ...contact } = design.contact;
   const [pin, hole] = await Promise.all([
-    limitsOf(2 * radius, fit.pin, client), limitsOf(2 * (radius + eccentricity + nominal), fit.hole, client),
+    limitsOf(2 * contact.pin_radius_mm, fit.pin, client), limitsOf(2 * radius, fit.hole, client),
   ]);
-  const [least, most] = clearanceOf(nominal, pin, hole);
-  return { ...design, contact: { ...design.contact, hole_clearance_mm: tidy((least + most) / 2) }, fit: [least, most] };
+  const [least, most] = clearanceOf(playOf(design.contact), pin, hole);
+  return { ...design, contact: { ...contact, hole_clearance_mm: tidy((least + most) / 2) }, fit: [least, most] };
 }
 
 /** The body as the service takes it. */
@@ -92,7 +90,7 @@ export const sent = ({ fit, ...body }) => body;
 
 export function ask({ client, body, signal }) {
   return client.post("/load-sharing", { ...sent(body), include: ["over_turn", "ideal"] }, { signal })
-    .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm }));
+    .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm ?? playOf(body.contact) }));
 }
 
 /** From one value to another, with the unit once; one value where both read the same. */
