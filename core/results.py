@@ -31,11 +31,15 @@ NOTICES = {
     "interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
+    "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life "
+    "does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches "
     "along a narrow strip, where pressure times speed is higher.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
     "centrifugally cast CuSn12-C-GZ is a material of its own.",
+    "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a "
+    "short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "
@@ -70,6 +74,7 @@ METHODS = {
     "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known "
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
+    "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",

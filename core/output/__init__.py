@@ -12,4 +12,7 @@ force_laws          the force of the best placed pair under each law of load sha
 peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
+pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
+pin_turn            the forces that one pin feels over a turn, and where a measure is largest
+pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 """
