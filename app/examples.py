@@ -254,6 +254,27 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
         "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
     },
+    "pin-strength": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {
+            "output_torque_Nm": 500.0,
+            "pin_circle_radius_mm": 50.0,
+            "input_speed_rpm": 1500.0,
+        },
+        "pin": {
+            "diameter_mm": 16.0,
+            "contact_length_mm": 20.0,
+            "satellite_positions_mm": [15.0, 37.0],
+            "material": {
+                "youngs_modulus_GPa": 210.0,
+                "poissons_ratio": 0.3,
+                "tensile_strength_MPa": 1000.0,
+                "yield_strength_MPa": 800.0,
+            },
+        },
+        "fatigue": {"surface": "ground", "reliability_percent": 99.0, "fatigue_notch_factor": 1.2},
+        "include": ["deflection"],
+    },
     "roller-strength": _of("roller-strength"),
     "precession/contact-line": _without(_MESH, "torque_Nm", "reference_z_mm") | {"torque_sign": 1},
     "precession/meshing-load": _MESH,

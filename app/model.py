@@ -345,8 +345,10 @@ NEGLECTED = {
     "heat": "heat, and what it changes",
     "lubricant_film": "the lubricant's film: the friction coefficient is the same everywhere",
     "misalignment": "misalignment, so that the load is even along the contact",
+    "fretting": "fretting at the pin's seat, unless the notch factor covers it",
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
+    "seat_compliance": "the give of the pin's seats",
     "seals": "losses of seals, bearings and teeth",
     "shear": "the shear of the shaft",
 }

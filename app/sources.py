@@ -12,4 +12,7 @@ KHATETOVSKY_2020 = "Khatetovsky, Dokonov, Galyuzhin 2020, UDC 621.833"
 PERSSON_1964 = "Persson 1964, On the stress distribution of cylindrical elastic bodies in contact"
 JOHNSON_1985 = "Johnson 1985, Contact Mechanics"
 WANG_2016 = "Wang, Luo, Su 2016: output mechanism of the cycloidal drive, eq. 5"
+SHIGLEY = (
+    "Budynas, Nisbett: Shigley's Mechanical Engineering Design, 9th (2011) and 11th edition, ch. 6"
+)
 ARCHARD_1953 = "Archard 1953, Contact and Rubbing of Flat Surfaces"

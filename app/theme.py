@@ -56,8 +56,12 @@ TEXTS = {
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
     "loss": "Loss",
+    "locus_hover": "{name}: {along}, {across}",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
+    "moment_locus": "Moment over the turn",
+    "moment_radial": "Moment by radial forces",
+    "moment_tangential": "Moment by tangential forces",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
     "one_carries": "one roller carries all",
@@ -82,6 +86,7 @@ TEXTS = {
     "stiffness_ratio": "Stiffness c/(b·E)",
     "stress_hover": "{name}: {stress} at l/d = {length}",
     "tolerance": "χ = {tolerance}",
+    "worst_direction": "Worst direction",
     "used": "Used by the calculator",
 }
 """Texts of figures in English, by id; the page has its own words for each id."""

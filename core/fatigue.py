@@ -143,7 +143,7 @@ def reliability_factor(*, percent: float) -> float:
         If the table has no such reliability.
     """
     if percent not in RELIABILITIES:
-        raise InvalidInput("reliability", percent, "not_in_table", values=[*RELIABILITIES])
+        raise InvalidInput("reliability_percent", percent, "not_in_table", values=[*RELIABILITIES])
     return RELIABILITIES[percent]
 
 

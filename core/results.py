@@ -17,6 +17,10 @@ NOTICES = {
     "output has turned through the lost motion, and the load sharing differs.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
+    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance "
+    "limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is "
+    "given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "
     "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
@@ -49,6 +53,8 @@ NOTICES = {
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "
     "for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+    "strength_beyond_size": "The strengths of the material hold up to {limit:.4g} mm of diameter: "
+    "thicker pins are weaker.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
     "loaded one is half a turn of phi further, with the same force.",
 }

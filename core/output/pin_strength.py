@@ -157,9 +157,9 @@ class PinFatigue:
         What the limit was made of.
     safety_factor : float
         By the criterion: all stresses may grow by this factor.
-    cycles : float
-        Cycles that it stands, one a turn of the crank against the output; infinite within the
-        endurance limit.
+    cycles : float or None
+        Cycles that it stands, one a turn of the crank against the output; None within the
+        endurance limit: as many as there are.
     life : float or None
         The same as time, s, where it is finite and the speed is known.
     """
@@ -173,7 +173,7 @@ class PinFatigue:
     endurance_limit: float
     factors: EnduranceFactors | None
     safety_factor: float
-    cycles: float
+    cycles: float | None
     life: float | None
 
 
@@ -194,6 +194,29 @@ class PinDeflection:
     satellite: int
     deflection: float
     slope: float
+
+
+@dataclass(frozen=True, slots=True)
+class MomentLocus:
+    """Bending moment of a section of pin 1 over a turn of the crank against the output.
+
+    Attributes
+    ----------
+    position : float
+        Distance of the section from the carrier's face, m.
+    crank_angle : array, shape (n,)
+        Crank angles, rad; both sides of every switching angle.
+    tangential, radial : array, shape (n,)
+        Moment by the tangential and by the radial forces, N*m.
+    stress : array, shape (n,)
+        Stress in the worst direction of the fatigue, else in that of the largest moment, Pa.
+    """
+
+    position: float
+    crank_angle: FloatArray
+    tangential: FloatArray
+    radial: FloatArray
+    stress: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,6 +245,8 @@ class PinStrength:
         The worst stress cycle, where it was asked.
     deflection : PinDeflection or None
         Where it was asked.
+    locus : MomentLocus or None
+        Of the section of the worst cycle, else of the largest moment, where it was asked.
     accuracy : Accuracy
         Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
         good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
@@ -240,6 +265,7 @@ class PinStrength:
     static_safety_factor: float | None
     fatigue: PinFatigue | None
     deflection: PinDeflection | None
+    locus: MomentLocus | None
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -260,6 +286,7 @@ def pin_strength(
     fatigue: FatigueStrength | None = None,
     input_speed: float | None = None,
     deflection: bool = False,
+    locus: bool = False,
 ) -> PinStrength:
     """Bending, shear, static safety, fatigue and deflection of the pins under the ideal forces.
 
@@ -293,8 +320,8 @@ def pin_strength(
         What its fatigue is judged by.
     input_speed : float, optional
         Speed w_in of the crank, rad/s, > 0, for the life.
-    deflection : bool
-        Whether the deflection is wanted.
+    deflection, locus : bool
+        Whether the deflection, or the locus of the moment, is wanted.
 
     Returns
     -------
@@ -361,16 +388,18 @@ def pin_strength(
             chi, where, largest, least = pin.worst_cycle(fatigue, unit)
             worst = chi, where, largest * unit, least * unit
         cycle = _cycle(fatigue, *worst)
-        if input_speed is not None and cycle.cycles < math.inf:
+        if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
-        if cycle.cycles < LOW_CYCLES:
+        if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
     accuracy = Accuracy(
         "locus_support",
-        8 * peak.accuracy.relative_error + ROUNDING * (64 + 16 * force_exponent) + 4 * SETTLED,
+        8 * peak.accuracy.relative_error
+        + ROUNDING * (64 + 16 * force_exponent)
+        + (0.0 if beam.span is None else 4 * SETTLED),
         len(turn.places),
     )
     strength = material.yield_strength
@@ -385,6 +414,7 @@ def pin_strength(
         static_safety_factor=None if strength is None else strength / most,
         fatigue=cycle,
         deflection=pin.largest_deflection(reference) if deflection else None,
+        locus=_locus(pin, mechanism, reference, modulus, place, cycle) if locus else None,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
     )
@@ -415,6 +445,12 @@ def _cycle(
 ) -> PinFatigue:
     """The fatigue of a cycle."""
     amplitude, mean = (largest - least) / 2, (largest + least) / 2
+    cycles = cycles_to_failure(
+        amplitude=amplitude,
+        mean=mean,
+        endurance=strength.endurance_limit,
+        tensile_strength=strength.tensile_strength,
+    )
     return PinFatigue(
         direction=direction,
         position=position,
@@ -425,13 +461,34 @@ def _cycle(
         endurance_limit=strength.endurance_limit,
         factors=strength.factors,
         safety_factor=1 / float(strength.utilisation(amplitude, mean)),
-        cycles=cycles_to_failure(
-            amplitude=amplitude,
-            mean=mean,
-            endurance=strength.endurance_limit,
-            tensile_strength=strength.tensile_strength,
-        ),
+        cycles=cycles if cycles < math.inf else None,
         life=None,
+    )
+
+
+def _locus(
+    pin: "_Pin",
+    mechanism: Mechanism,
+    reference: float,
+    modulus: float,
+    place: float,
+    cycle: PinFatigue | None,
+) -> MomentLocus:
+    """The locus of the section that is judged."""
+    position = place if cycle is None else cycle.position
+    turn = pin.turn
+    weights = pin.moments(np.asarray(position))
+    moment = reference * combine(weights=weights, forces=turn.forces)
+    along = moment[np.abs(moment).argmax()]
+    chi = float(np.angle(along))
+    if cycle is not None and cycle.direction is not None:
+        chi = cycle.direction
+    return MomentLocus(
+        position=position,
+        crank_angle=turn.places * mechanism.crank_angle_per_wave,
+        tangential=moment.real,
+        radial=moment.imag,
+        stress=(moment * np.exp(-1j * chi)).real / modulus,
     )
 
 

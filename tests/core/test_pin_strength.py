@@ -151,7 +151,7 @@ def test_life() -> None:
     assert 1e5 < found.cycles < 1e6
     assert found.life == pytest.approx(found.cycles / (1575 / 60), rel=1e-14)
     lasting = pin_strength(**REFERENCE, input_speed=50 * math.pi).fatigue
-    assert lasting.cycles == math.inf and lasting.life is None
+    assert lasting.cycles is None and lasting.life is None
     weaker = FatigueStrength(endurance_limit=20e6, tensile_strength=320e6)
     short = pin_strength(**REFERENCE | {"fatigue": weaker})
     assert [each.code for each in short.notices] == ["low_cycle_fatigue"]
