@@ -41,8 +41,9 @@ async def test_the_reference_design(api):
 
 
 async def test_named_factors_and_a_finite_life(api):
-    answer = (await api.post(PATH, json=judged(surface="forged", notch={
-        "theoretical_factor": 2.5, "radius_mm": 0.5}, reliability_percent=99.9))).json()["fatigue"]  # fmt: skip
+    notch = {"theoretical_factor": 2.5, "radius_mm": 0.5}
+    body = judged(surface="forged", notch=notch, reliability_percent=99.9)
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
     factors = answer["factors"]
     product = factors["surface"] * factors["size"] * factors["reliability"] / factors["notch"]
     assert answer["endurance_limit_MPa"] == pytest.approx(500 * product, rel=1e-12)
@@ -70,19 +71,25 @@ async def test_without_fatigue_asked_there_is_none(api):
     assert not {"fatigue", "deflection", "warnings"} & {*answer}
 
 
+PLACES = "satellite_positions_mm"
+ONE = {PLACES: [15.0]}
+SHORT = {"support": "fixed", "span_mm": 45.0}
+PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_factor": 1.0}
+
+
 @pytest.mark.parametrize(
     ("body", "pointer", "code"),
     [
-        (changed(pin={"satellite_positions_mm": [15.0]}), "/pin/satellite_positions_mm", "different_length"),
-        (changed(pin={"satellite_positions_mm": [9.0, 37.0]}), "/pin/satellite_positions_mm/0", "in_carrier"),
+        (changed(pin=ONE), f"/pin/{PLACES}", "different_length"),
+        (changed(pin={PLACES: [9.0, 37.0]}), f"/pin/{PLACES}/0", "in_carrier"),
         (changed(pin={"support": "fixed"}), "/pin/span_mm", "needed_beside"),
-        (changed(pin={"support": "fixed", "span_mm": 45.0}), "/pin/satellite_positions_mm/1", "beyond_support"),
+        (changed(pin=SHORT), f"/pin/{PLACES}/1", "beyond_support"),
         (changed(fatigue={"surface_factor": 0.9}), "/fatigue/surface_factor", "only_one"),
-        (judged(reliability_percent=97.0, surface="ground", fatigue_notch_factor=1.0), "/fatigue/reliability_percent", "not_in_table"),
-        (changed(mechanism={"pins": 2, "satellites": 1}, pin={"satellite_positions_mm": [15.0]}), "", "dead_centre"),
+        (judged(**PERCENT), "/fatigue/reliability_percent", "not_in_table"),
+        (changed(mechanism={"pins": 2, "satellites": 1}, pin=ONE), "", "dead_centre"),
         (changed(mechanism={"pins": 400}), "/mechanism/pins", "too_many_pairs"),
     ],
-)  # fmt: skip
+)
 async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
     answer = await api.post(PATH, json=body)
     assert answer.status_code == 422
