@@ -84,9 +84,9 @@ def in_units(size: float, value: Any) -> Any:
     """Value in SI units in units of a size; lists and arrays element by element."""
     if isinstance(value, (list, tuple)):
         return [in_units(size, each) for each in value]
-    if size >= 1:
-        return value / size
-    exact = value * (1 / size)
+    if size == 1:
+        return value
+    exact = value / size if size > 1 else value * (1 / size)
     if isinstance(exact, np.ndarray):
         rounded_off = np.rint(exact * 1e9) / 1e9
         return np.where(np.abs(exact - rounded_off) <= TRIFLE * np.abs(exact), rounded_off, exact)

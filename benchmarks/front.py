@@ -23,19 +23,27 @@ from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import WorkPoint, WorkPrecision
+from core.work_precision.total_force import total_force_study
 
 DESIGNS = 24
 HEADING = "## Is the default on the front?"
 
 
-def _peak_force(r: random.Random) -> WorkPrecision:
+def _mechanism(r: random.Random) -> Mechanism:
     satellites = r.choice([2, 3])
-    mechanism = Mechanism(
+    return Mechanism(
         pins=r.randint(3, 12),
         crank_angles=tuple(r.uniform(0, 2 * math.pi) for _ in range(satellites)),
         ratio=r.uniform(8, 60),
     )
-    return peak_force_study(mechanism=mechanism, force_exponent=r.choice([1.0, 10 / 9, 1.5]))
+
+
+def _peak_force(r: random.Random) -> WorkPrecision:
+    return peak_force_study(mechanism=_mechanism(r), force_exponent=r.choice([1.0, 10 / 9, 1.5]))
+
+
+def _total_force(r: random.Random) -> WorkPrecision:
+    return total_force_study(mechanism=_mechanism(r), force_exponent=r.choice([1.0, 10 / 9, 1.5]))
 
 
 def _gear(r: random.Random) -> tuple[Gear, list[RollerByLength]]:
@@ -83,6 +91,7 @@ def _shaft_deflection(r: random.Random) -> WorkPrecision:
 
 STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
     "peak force": _peak_force,
+    "mean total force": _total_force,
     "contact-line length": _contact_line,
     "meshing load": _meshing_load,
     "roller sharing": _roller_sharing,

@@ -24,7 +24,6 @@ from starlette.types import Receive, Scope, Send
 from app.calculations.contact_force import (
     ContactForceRequest,
     ContactForceResponse,
-    contact_force_figure,
 )
 from app.calculations.contact_force import figure as contact_force_chart
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse
@@ -33,7 +32,7 @@ from app.calculations.roller_strength import RollerStrengthRequest, RollerStreng
 from app.endpoint import encoded
 from app.examples import REQUESTS
 from app.model import RequestModel, ResponseModel
-from app.units import from_si
+from app.registry import CALCULATIONS
 from benchmarks.options import options
 
 ROUNDS, REPEATS, LOOPS = 100, 25, 500
@@ -61,7 +60,7 @@ def empty() -> FastAPI:
     application = FastAPI()
 
     def add(name: str, given: Any, answered: Any) -> None:
-        values = answered.values(given(**BODIES[name]).solve())
+        values = CALCULATIONS[name].solve(given(**BODIES[name]))
         answer = answered.model_validate_json(encoded(values))
 
         async def endpoint(body: given) -> answered:
@@ -71,7 +70,7 @@ def empty() -> FastAPI:
 
     for name, models in MODELS.items():
         add(name, *models)
-    curves = ContactForceResponse.values(ContactForceRequest(**CURVES).solve())
+    curves = CALCULATIONS["contact-force"].solve(ContactForceRequest(**CURVES))
     chart = contact_force_chart(ContactForceRequest(**FORCE))
 
     @application.post("/contact-force/curves")
@@ -113,6 +112,8 @@ class Server:
                 self.connection = socket.create_connection(("127.0.0.1", self.port))
                 break
             except OSError:
+                if self.process.poll() is not None:
+                    raise RuntimeError(f"{command} did not start") from None
                 time.sleep(0.005)
         self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.started = started
@@ -207,40 +208,28 @@ def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
         print(f"curves: {1 / ratio:.3f} of the rate of a bare ASGI answer ({bare_us:.0f} us)")
     print(f"from start to first answer: {min(warm):.2f} s")
     print("\nparts of a request, microseconds")
-    print(f"{'request':24s} {'read':>6s} {'solve':>6s} {'values':>6s} {'encode':>6s}")
-    for name, (given, answered) in MODELS.items():
-        print_parts(name, given, BODIES[name], lambda body: body.solve(), answered.values, loops)
-    given, answered = MODELS["contact-force"]
-    print_parts("curves", given, CURVES, lambda body: body.solve(), answered.values, loops)
-    print_parts(
-        "chart",
-        given,
-        FORCE,
-        lambda body: body.solve_for_drawing(body.mechanism()),
-        lambda found: contact_force_figure(
-            answered.values(found[0]), from_si("switching_deg", found[1]), "light"
-        ),
-        loops,
-    )
+    print(f"{'request':24s} {'read':>6s} {'answer':>6s} {'encode':>6s}")
+    for name, (given, _) in MODELS.items():
+        print_parts(name, given, BODIES[name], CALCULATIONS[name].solve, loops)
+    given, _ = MODELS["contact-force"]
+    print_parts("curves", given, CURVES, CALCULATIONS["contact-force"].solve, loops)
+    print_parts("chart", given, FORCE, contact_force_chart, loops)
 
 
 def print_parts(
     name: str,
     given: type[RequestModel],
     request: dict[str, Any],
-    solve: Callable[[Any], Any],
     answer: Callable[[Any], Any],
     loops: int,
 ) -> None:
     """Print the times of what the service does for a request beside HTTP."""
     model, content = TypeAdapter[Any](given), json.dumps(request)
     body = model.validate_json(content)
-    found = solve(body)
-    values = answer(found)
+    values = answer(body)
     times = (
         timed(lambda: model.validate_json(content), loops),
-        timed(lambda: solve(body), loops),
-        timed(lambda: answer(found), loops),
+        timed(lambda: answer(body), loops),
         timed(lambda: encoded(values), loops),
     )
     print(f"{name:24s} " + " ".join(f"{us:6.1f}" for us in times))

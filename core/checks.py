@@ -88,7 +88,8 @@ GROUPS = {
     "geometry": "Pins and holes",
     "body": "Satellite",
     "rollers": "Rollers",
-    "shaft": "Shaft and mesh",
+    "shaft": "Bending of the shaft",
+    "room": "Room for rollers and shaft",
 }
 """What checks are about, in English, by code."""
 
@@ -148,7 +149,7 @@ _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sec
 
 CHECKS = {
     "dead_centre": Kind(
-        "Dead centres", "mechanism", "", "gaps of phases < 180°",
+        "Dead centres", "mechanism", "", "Δθ < 180°",
         "There no pair drives, and no torque is transmitted.",
         ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
     ),
@@ -233,7 +234,7 @@ CHECKS = {
         "ovsyannikov_2019",
     ),
     "roller_sharing": Kind(
-        "Rollers that carry", "rollers", "", "all carry",
+        "Rollers that carry", "rollers", "", "n_c = n",
         "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
     ),
     "roller_spacing": Kind(
@@ -250,11 +251,11 @@ CHECKS = {
         "ovsyannikov_2019",
     ),
     "line_spacing": Kind(
-        "Space between rollers", "shaft", "mm", "2·R_C·sin(Δφ/2) − 2·ρ > 0",
+        "Space between rollers", "room", "mm", "2·R_C·sin(Δφ/2) − 2·ρ > 0",
         "Otherwise the rollers overlap.", ("roller_circle_radius", "roller_radius", "wheel"),
     ),
     "shaft_in_circle": Kind(
-        "Shaft within the rollers", "shaft", "mm", "R_C − ρ − d/2 > 0",
+        "Shaft within the rollers", "room", "mm", "R_C − ρ − d/2 > 0",
         "Otherwise the shaft reaches the rollers.",
         ("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"),
     ),

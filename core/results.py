@@ -91,6 +91,7 @@ METHODS = {
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
+    "segments_gauss": "segment-exact, Gauss-Legendre quadrature",
     "segments_roots": "segment-exact, bracketed roots",
     "segments_tanh_sinh": "segment-exact, tanh-sinh quadrature",
     "simpson_phi": "Simpson in phi",

@@ -1,9 +1,11 @@
 /** Asking the service for results: 120 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/schema_form.js";
-import { answered, asked, compared, failed } from "./store.js";
+import { judgedOf } from "./lib/checks.js";
+import { answered, asked, compared, failed, mended } from "./store.js";
 
 const DEBOUNCE_MS = 120;
+const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
 
 /** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
 function postingOnce(client, signal, done = []) {
@@ -41,8 +43,10 @@ async function askSections({ client, calculator, input, filled, tables, signal }
 export function createAsking({ store, client, designs }) {
   const { model, calculator } = store.state.about;
   const newest = newestOnly();
+  const fixing = newestOnly();
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
+  let failures = 0;
 
   function answerOf(input) {
     const key = JSON.stringify(input);
@@ -57,13 +61,21 @@ export function createAsking({ store, client, designs }) {
   /** The designs kept of this calculator, each with its answer (none where it was refused). */
   async function compare(said) {
     const kept = await Promise.all(designs.of(calculator.id)
-      .map(async (design) => ({ ...design, design, answer: await answerOf(design.input) })));
+      .map(async (design) => ({ ...design, answer: await answerOf(design.input) })));
     store.apply(compared, kept, said);
   }
 
   function cancel() {
     clearTimeout(timer);
     newest.cancel();
+    fixing.cancel();
+  }
+
+  /** What would mend the design that is shown, asked for after its answer. */
+  async function mend(shown) {
+    if (!calculator.mend || !["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict)) return;
+    const { answer } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), ...shown }));
+    if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? []);
   }
 
   async function now() {
@@ -74,8 +86,15 @@ export function createAsking({ store, client, designs }) {
     const { answer, problem, superseded } = await newest.ask((signal) =>
       askSections({ client, calculator, input, filled, tables, signal }));
     if (superseded) return;
-    if (problem) store.apply(failed, problem);
-    else store.apply(answered, answer);
+    if (problem) {
+      store.apply(failed, problem);
+      timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
+      failures += 1;
+      return;
+    }
+    failures = 0;
+    store.apply(answered, answer);
+    if (answer.answer) mend(store.state.shown);
     if (store.state.shown && !store.state.kept) await compare();
   }
 

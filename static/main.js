@@ -24,12 +24,13 @@ import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
+const AGAIN_MS = 4000; // until the page tries again to start
 const client = createClient();
 let service = null;
 
 /** What the service says of itself, asked for already at the head of the page; after a failure anew. */
 function described() {
-  service ??= Promise.all(["/openapi.json", "/examples", "/materials"].map((path) => client.get(path)))
+  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations"].map((path) => client.get(path)))
     .catch((problem) => {
       service = null;
       throw problem;
@@ -37,9 +38,10 @@ function described() {
   return service;
 }
 
-const languages = [lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
+const linked = new URLSearchParams(location.search);
+const languages = [linked.get("lang"), lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
 const language = languages.find((id) => id in LANGUAGES) ?? "en";
-const units = SYSTEMS.find((id) => id === lasting.getItem("units")) ?? SYSTEMS[0];
+const units = [linked.get("units"), lasting.getItem("units")].find((id) => SYSTEMS.includes(id)) ?? SYSTEMS[0];
 described().catch(() => {}); // said where a calculator is opened
 await useLanguage(language);
 setUnits(units);
@@ -48,13 +50,15 @@ document.querySelector(".skip").textContent = message("page.skip");
 
 const panel = document.getElementById("panel");
 const live = document.getElementById("live");
-const linked = new URLSearchParams(location.search);
 const kept = parsed(session.getItem(KEPT), {}); // queries of the calculators that were open, also over a reload
 if (linked.has("calculator")) kept[linked.get("calculator")] = linked.toString();
 const designs = createDesigns(lasting);
 const opening = newestOnly();
 let bench = null; // the calculator at work
 let rebuild = () => {}; // it anew, from its address
+let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius"; // how radii are typed
+let quiet = false; // the browser itself has moved in its history
+let leaving = false; // another design is to come: Back leads to this one
 
 function say(text) {
   live.textContent = text;
@@ -62,30 +66,49 @@ function say(text) {
 
 /** What a calculator needs to be at work. */
 async function partsOf(id) {
-  const [calculator, [openapi, { examples }, lists]] = await Promise.all([calculatorOf(id), described()]);
+  const [calculator, [openapi, { examples }, lists, { calculations }]] = await Promise.all([calculatorOf(id), described()]);
   return {
     calculator,
-    model: formModel(openapi, { ...calculator, path: client.base + calculator.path, words: fieldWords }),
+    modelOf: () => formModel(openapi, {
+      ...calculator, path: client.base + calculator.path, words: fieldWords,
+      diameters: lengths === "diameter" ? message("diameter") : null,
+    }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
+    calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
     version: openapi.info.version,
   };
 }
 
-function build(id, parts) {
-  const { model, examples } = parts;
+function build(id, { modelOf, ...parts }) {
+  const model = modelOf();
+  const { unknown, ...typed } = decodeState(model, new URLSearchParams(kept[id]))
+    ?? stateFromInput(model, parts.examples[0]?.input ?? {});
   bench = openWorkbench({
     ...parts,
+    model,
+    lengths,
     host: panel,
     client,
     designs,
-    typed: decodeState(model, new URLSearchParams(kept[id])) ?? stateFromInput(model, examples[0]?.input ?? {}),
+    typed,
+    unknown,
     on: {
       say,
       address(query) {
         kept[id] = query;
         session.setItem(KEPT, JSON.stringify(kept));
-        history.replaceState(null, "", `?${query}`);
+        if (!quiet) history[leaving ? "pushState" : "replaceState"](null, "", `?${query}`);
+        leaving = false;
+      },
+      left() {
+        leaving = true;
+      },
+      lengths(chosen) {
+        close(); // its state, in radii or diameters, goes into the address
+        lengths = chosen;
+        lasting.setItem("lengths", chosen);
+        rebuild();
       },
       history(canUndo, canRedo) {
         undo.disabled = !canUndo;
@@ -114,6 +137,7 @@ async function open(id) {
     close();
     tabs.setOpen(null);
     panel.textContent = message("page.failed", { detail: problemText(error, new Map()) });
+    setTimeout(() => bench || open(id), AGAIN_MS);
   }
 }
 
@@ -135,7 +159,12 @@ document.addEventListener("keydown", (event) => {
   bench[act]();
 });
 
-const tabs = createTabs({ host: document.getElementById("tabs"), panel, ids: CALCULATORS, on: { opened: open } });
+const tabs = createTabs({ host: document.getElementById("tabs"), panel, ids: CALCULATORS, on: {
+  opened(id) {
+    leaving = true;
+    open(id);
+  },
+} });
 const settings = createSettings({
   current: { theme: chosenTheme(), units, language },
   on: {
@@ -157,9 +186,21 @@ const settings = createSettings({
     },
   },
 });
+const keep = tool("+", message("compare.pin"), () => bench?.keep());
+keep.disabled = false;
 const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
-document.getElementById("tools").append(undo, redo, share.button, settings.button, createKeys().button);
+document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys().button);
 document.body.append(settings.sheet);
+addEventListener("popstate", () => {
+  const there = new URLSearchParams(location.search);
+  const id = CALCULATORS.find((one) => one === there.get("calculator")) ?? CALCULATORS[0];
+  quiet = true;
+  close();
+  quiet = false;
+  leaving = false;
+  kept[id] = there.toString();
+  open(id);
+});
 onSystemTheme(() => bench?.retheme());
 addEventListener("pagehide", () => bench?.close());
 

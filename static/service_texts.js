@@ -99,6 +99,11 @@ export function warningText(warning, titles) {
   return inWords("notices", warning, warning.params?.field, titles);
 }
 
+/** Why a check stands as it does. */
+export function reasonText(reason, titles) {
+  return inWords("checkReasons", reason, reason.params?.field, titles);
+}
+
 /** A number of a figure, or Plotly's placeholder of one, with its unit as it is shown. */
 function amount({ value, unit, digits }) {
   if (typeof value === "number") return formatQuantity(value, unit, digits);

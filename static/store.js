@@ -8,16 +8,18 @@
  * `phase`    "incomplete", "wrong", "computing", "offline", "refused" or "fresh"
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
- * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells, impossible }`, or null
+ * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
+ * `fixes`    what mends the design on the screen, `{ of: shown, list }`, or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
- * `turn`     crank angle and pair selected in the drawing
+ * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
+import { judgedOf, pathOf, verdictSentence, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
 import { begun, recorded, redone, undone } from "./lib/history.js";
-import { readState, shownFields, textIn } from "./lib/schema_form.js";
+import { readState, shownFields, textIn, withLinks } from "./lib/schema_form.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
@@ -56,10 +58,11 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, typed, theme) {
+export function opened(about, design, theme) {
+  const typed = withLinks(about.model, design);
   const state = read({
-    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, curves: null,
-    kept: null, tables: new Set(), turn: { angle: 0, pair: null }, line: ["", ""], said: "",
+    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
+    kept: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
   }, begun(typed));
   return { ...state, pending: state.reading.filled };
 }
@@ -100,10 +103,18 @@ function fromCatalogue(fields, id, option, entries, chosen) {
   return Object.fromEntries(fields.map(({ path, name }) => [path, entry[name]]));
 }
 
+/** Title, author, revision or note of the design. */
+export function labelled(state, label, text, time) {
+  const typed = { ...state.typed, texts: { ...state.typed.texts, [label]: text } };
+  const history = recorded(state.history, typed, label, time);
+  const shown = state.shown?.typed === state.typed ? { ...state.shown, typed } : state.shown;
+  return { ...state, history, typed, shown };
+}
+
 /** A whole design taken over at once. */
 export function taken(state, typed, time) {
-  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null };
-  return read(untouched, recorded(state.history, typed, undefined, time));
+  const untouched = { ...state, touched: new Set(), insisted: false, refusal: null, turn: { ...state.turn, own: false } };
+  return read(untouched, recorded(state.history, withLinks(state.about.model, typed), undefined, time));
 }
 
 function moved(state, history) {
@@ -126,10 +137,16 @@ export function insisted(state) {
   return state.reading.wrong.length > 0 ? checked(next) : next;
 }
 
+/** The link follows what needs no answer. */
+export function addressed(state) {
+  const { about: { model, calculator }, typed } = state;
+  return { ...state, address: query(calculator.id, model, typed) };
+}
+
 /** The service is asked, unless boxes cannot be read. */
 export function asked(state) {
-  const { about: { model, calculator }, typed, reading: { filled, wrong } } = state;
-  const next = { ...state, address: query(calculator.id, model, typed) };
+  const { reading: { filled, wrong } } = state;
+  const next = addressed(state);
   return wrong.length > 0 ? { ...next, said: state.line[1] } : { ...next, phase: "computing", pending: filled };
 }
 
@@ -140,11 +157,12 @@ export function answered(state, { answer, refusal, requests }) {
   const shown = answer === null ? state.shown : {
     typed, input, filled, answer, requests,
     cells: calculator.verdict(answer, context),
-    impossible: calculator.impossible?.(answer, context) ?? [],
   };
+  const angle = !state.turn.own && answer && calculator.drawing.start?.(answer);
+  const turn = Number.isFinite(angle) ? { ...state.turn, angle } : state.turn;
   return refusal
-    ? refused({ ...state, shown }, refusal)
-    : { ...state, shown, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown) };
+    ? refused({ ...state, shown, turn }, refusal)
+    : { ...state, shown, turn, phase: "fresh", refusal: null, line: warningLine(state.about, shown), said: announced(shown, state.about) };
 }
 
 function refused(state, refusal) {
@@ -156,25 +174,34 @@ function refused(state, refusal) {
   return { ...state, phase, refusal: { at, text }, line: ["bad", text], said: text };
 }
 
-/** What cannot be built, what is not known, what is strained; or that there is nothing of the kind. */
-function warningLine({ calculator, titles, materialOf }, { filled, answer, cells, impossible }) {
-  if (impossible.length > 0) return ["bad", impossible.join(" ")];
-  const sentences = [
-    ...calculator.wanted?.(answer, { input: filled, materialOf }) ?? [],
-    ...warningsOf(answer).map((warning) => warningText(warning, titles)),
-  ];
-  if (sentences.length === 0) {
-    return [cells.some(({ level }) => level === "bad") ? "" : "good", message("verdict.noWarnings")];
-  }
+/** What is strained or assumed; or that there is nothing of the kind. The checks are said by the verdict. */
+function warningLine({ titles }, { answer }) {
+  const sentences = warningsOf(answer).map((warning) => warningText(warning, titles));
+  if (sentences.length === 0) return ["", message("verdict.noWarnings")];
   const key = sentences.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
   return ["warning", message(key, { count: sentences.length, first: sentences[0] })];
 }
 
 /** The verdict in one sentence, for those who hear it. */
-function announced({ cells, impossible }) {
+function announced({ cells, answer }, { calculator, titles }) {
+  const judged = judgedOf(calculator, answer);
   const words = cells.filter(({ note }) => note !== undefined)
     .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
-  return [...impossible, message("verdict.announce", { cells: `${words.join(". ")}.` })].join(" ");
+  return [judged && verdictSentence(judged, titles), message("verdict.announce", { cells: `${words.join(". ")}.` })]
+    .filter(Boolean).join(" ");
+}
+
+/** What would mend the design that is shown; of another one it is passed over. */
+export const mended = (state, of, list) => (state.shown === of ? { ...state, fixes: { of, list } } : state);
+
+/** Values put in by JSON pointer: a fix, a size that was looked for. */
+export function applied(state, sets, time) {
+  const { typed, about: { model } } = state;
+  const texts = Object.entries(sets).map(([pointer, value]) => [pathOf(pointer), value])
+    .filter(([path]) => model.fields.has(path))
+    .map(([path, value]) => [path, textIn(model.fields.get(path), value)]);
+  const next = withLinks(model, { ...typed, texts: { ...typed.texts, ...Object.fromEntries(texts) } });
+  return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
 }
 
 /** The service could not be asked. */
@@ -186,7 +213,7 @@ export function failed(state, problem) {
 export const compared = (state, kept, said = state.said) => ({ ...state, kept, said });
 export const announcing = (state, said) => ({ ...state, said });
 export const themed = (state, theme) => ({ ...state, theme });
-export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle } });
+export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle, own: true } });
 export const selected = (state, pair) => ({ ...state, turn: { ...state.turn, pair } });
 
 export function tabled(state, id, on) {
@@ -212,7 +239,8 @@ export function standing(state) {
   const { phase, shown } = state;
   if (stale(state)) return { phase, numbers: shown ? "older" : "none" };
   if (phase !== "fresh") return { phase, numbers: "part" };
-  return { phase: shown.impossible.length > 0 ? "refused" : phase, numbers: "fresh" };
+  const judged = judgedOf(state.about.calculator, shown.answer);
+  return { phase: judged && wordOf(judged) === "impossible" ? "refused" : phase, numbers: "fresh" };
 }
 
 /** What the drawing shows: results with the curves it needs; null while these are to come. */

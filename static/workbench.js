@@ -4,12 +4,15 @@
  * transition.
  */
 import { createAsking } from "./asking.js";
+import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { stateFromInput, stepped } from "./lib/schema_form.js";
-import { query } from "./lib/url_state.js";
+import { stateFromInput, stepped, textIn, withLinks } from "./lib/schema_form.js";
+import { LABELS, query } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
 import * as next from "./store.js";
+import { createAccuracy } from "./views/accuracy.js";
+import { createChecks } from "./views/checks.js";
 import { createCompare } from "./views/compare.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
@@ -20,7 +23,8 @@ import { loadPlotly } from "./views/plot.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
 import { currentTheme } from "./views/settings.js";
-import { createVerdict } from "./views/verdict.js";
+import { createSizing } from "./views/sizing.js";
+import { createNumbers, createVerdict } from "./views/verdict.js";
 import { createWorked } from "./views/worked.js";
 
 /** A field lights its dimension in the drawing, and a dimension its field. */
@@ -35,11 +39,20 @@ function lightEachOther(form, drawing) {
   });
 }
 
+/** What a link says that this version does not know. */
+function noticeOf(names) {
+  const notice = element(html`<p class="notice card" role="status"><span>${message("page.unknown", { names: names.join(", ") })}</span>
+    <button type="button" class="toggle" aria-label="${message("keys.close")}">×</button></p>`);
+  notice.querySelector("button").addEventListener("click", () => notice.remove());
+  return notice;
+}
+
 /**
- * `typed` is the state of the form to begin with. `on.address(query)`, `on.history(canUndo, canRedo)`
+ * `typed` is the state of the form to begin with, `unknown` what the link said besides. `on.left()` tells
+ * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, typed, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, unknown = [], lengths, on }) {
   const titles = new Map([
     ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
     ...[...model.fields.values()].map(({ name, title }) => [name, title]),
@@ -65,21 +78,44 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   /** What happens outside follows the state too: it is told of the parts that it asks for. */
   const following = (pick, tell) => ({ update: next.following(pick, (state) => tell(...pick(state))) });
   const select = (pair) => store.apply(next.selected, pair);
+  const stateOf = (input, labels = {}) => {
+    const { texts, chosen } = withLinks(model, stateFromInput(model, input));
+    return { texts: { ...texts, ...labels }, chosen };
+  };
+  /** Another design, to which Back leads back. */
+  function take(typed) {
+    on.left();
+    changeAtOnce(next.taken, typed);
+  }
   const picker = createExamples({
     examples,
-    queries: examples.map(({ input }) => query(calculator.id, model, stateFromInput(model, input))),
-    on: { picked: ({ input }) => changeAtOnce(next.taken, stateFromInput(model, input)) },
+    labels: LABELS,
+    queries: examples.map(({ input }) => query(calculator.id, model, stateOf(input))),
+    on: {
+      picked: ({ input }) => take(stateOf(input)),
+      cleared() {
+        take(stateOf({}));
+        form.focus(model.fields.keys().next().value);
+      },
+      labelled: (label, text) => {
+        store.apply(next.labelled, label, text, Date.now());
+        store.apply(next.addressed);
+      },
+    },
   });
   const form = createForm({
     model,
     calculator,
     catalogues,
+    lengths,
     on: {
+      lengths: on.lengths,
       typed: (path, text) => change(next.typedIn, path, text),
       step(path, direction, factor) {
         const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
         if (text !== null) change(next.typedIn, path, text);
       },
+      size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       apply() {
@@ -90,12 +126,30 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
   });
-  const verdict = createVerdict({ calculator });
+  const apply = (sets) => changeAtOnce(next.applied, sets);
+  const sizing = createSizing({ calculator, client, titles, on: { applied: apply } });
+  const verdict = createVerdict({ calculator, titles });
+  const numbers = createNumbers({ calculator });
+  const checks = createChecks({
+    calculator, titles, titleAt: (path) => model.fields.get(path)?.title,
+    on: { fixed: apply, asked: (path) => form.focus(path) },
+  });
   const drawing = createDrawingView({
     calculator,
     on: { turned: (angle) => store.apply(next.turned, angle), selected: select },
   });
-  const figures = calculator.figures.map((figure) => createFigure({
+  const keep = () => {
+    if (!store.state.shown) return;
+    if (designs.of(calculator.id).length >= MOST) {
+      asking.compare(message("compare.full", { most: MOST }));
+      return;
+    }
+    const { input, typed: { texts } } = store.state.shown;
+    const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
+    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels });
+    asking.compare(message("compare.kept", { name }));
+  };
+  const all = calculator.figures.map((figure) => createFigure({
     figure,
     client,
     titles,
@@ -105,6 +159,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         asking.now();
       },
       charted: (id, data) => store.apply(next.charted, id, data),
+      turned: (angle) => store.apply(next.turned, angle),
+      set: ([path, value]) => change(next.typedIn, path, textIn(model.fields.get(path), value)),
       picked: (pair) => select(pair === store.state.turn.pair ? null : pair),
       tables: asking.tables,
     },
@@ -120,16 +176,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     model,
     calculator,
     on: {
-      pin() {
-        const { name } = designs.add(calculator.id, store.state.shown.input);
-        asking.compare(message("compare.kept", { name }));
-      },
-      open: ({ input }) => changeAtOnce(next.taken, stateFromInput(model, input)),
-      rename({ design }, name) {
+      open: ({ input, labels }) => take(stateOf(input, labels)),
+      rename(design, name) {
         designs.rename(design, name);
         asking.compare();
       },
-      remove({ design }) {
+      remove(design) {
         designs.remove(design);
         asking.compare();
       },
@@ -142,19 +194,35 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
 
   const inputs = element(html`<div class="inputs"></div>`);
-  inputs.append(picker.root, form.root);
+  inputs.append(...unknown.length > 0 ? [noticeOf(unknown)] : [], picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  const cards = [verdict, drawing, ...figures, explanation, results, worked, compare];
-  outputs.append(...cards.map(({ root }) => root));
+  const measured = all.filter((figure) => figure.measured);
+  const figures = all.filter((figure) => !figure.measured);
+  const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
+  const column = (name, ...views) => {
+    const part = element(html`<div class="${name}"></div>`);
+    part.append(...views.map(({ root }) => root));
+    return part;
+  };
+  outputs.append(
+    verdict.root,
+    column("answer", numbers, checks, explanation),
+    column("shown", drawing, ...figures.filter(({ side }) => !side)),
+    column("beside", ...figures.filter(({ side }) => side)),
+    column("rest", compare, results, worked, accuracy),
+  );
+  const cards = [verdict, numbers, checks, explanation, drawing, ...all, compare, results, worked, accuracy];
   host.replaceChildren(inputs, outputs);
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
     if (key === "Escape" && !document.querySelector("dialog[open], :popover-open")) select(null);
   }, { signal: listening.signal });
+  addEventListener("storage", () => asking.compare(), { signal: listening.signal }); // kept in another tab
+  addEventListener("online", () => asking.now(), { signal: listening.signal });
 
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   const report = createReport({
-    calculator, model, catalogues, version, outputs, figures, plain: explanation.root, worked,
+    calculator, model, catalogues, version, outputs, figures, worked,
     shown: () => store.state.shown,
     light: () => {
       retheme("light");
@@ -171,7 +239,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     {
       update(state) {
         host.dataset.state = state.phase;
+        host.dataset.begun = String(state.shown !== null || state.phase !== "computing");
         host.dataset.stale = String(next.stale(state));
+        host.dataset.impossible = String(next.standing(state).phase === "refused");
       },
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
@@ -185,6 +255,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
+    keep,
     /** What was asked for the results on the screen, and answered; null where there are none. */
     exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
@@ -192,8 +263,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       asking.cancel();
       listening.abort();
       drawing.close();
+      sizing.close();
       report.close();
-      for (const figure of figures) figure.close();
+      for (const figure of all) figure.close();
       on.address(query(calculator.id, model, store.state.typed));
     },
   };

@@ -18,6 +18,7 @@ SLOW = {
         "benchmarks",
         "app/test_batch_api.py",
         "app/test_fuzz.py",
+        "app/test_jobs.py",
         "app/test_openapi_conformance.py",
         "app/test_processes.py",
         "app/test_work_precision_api.py",

@@ -7,6 +7,7 @@ from pydantic import Field
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.meshing_load import MeshingLoadRequest
+from app.calculations.output_efficiency import OutputEfficiencyRequest
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values, result
@@ -21,6 +22,7 @@ from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
+from core.work_precision.total_force import total_force_study
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
@@ -42,6 +44,19 @@ class PeakForceStudy(Study):
         """The study."""
         return peak_force_study(
             mechanism=self.input.mechanism(), force_exponent=self.input.force_exponent
+        )
+
+
+class TotalForceStudy(Study):
+    """Mean of the total force, to which the mean loss is proportional."""
+
+    calculation: Literal["output-efficiency"]
+    input: OutputEfficiencyRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return total_force_study(
+            mechanism=self.input.built, force_exponent=self.input.load.force_exponent
         )
 
 
@@ -122,6 +137,7 @@ def _refuse_many(rollers: int) -> None:
 
 WorkPrecisionRequest = Annotated[
     PeakForceStudy
+    | TotalForceStudy
     | ContactLineStudy
     | MeshingLoadStudy
     | RollerSharingStudy
@@ -260,9 +276,7 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
             theme,
             height=600,
             # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
-            xaxis=axis(
-                theme, text("run_time"), "µs", type="log", exponentformat="e", tickformat=""
-            ),
+            xaxis=axis(theme, text("run_time"), "µs", type="log", dtick=1, tickformat="~r"),
             yaxis=axis(
                 theme, text("relative_error"), type="log", exponentformat="e", tickformat=""
             ),

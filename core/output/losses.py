@@ -35,6 +35,10 @@ SWITCHING = 1e-13
 """Cosine below which a pair begins or ends to drive; phases farther off by merging, in turns, are
 not the same by rounding only."""
 
+AT_SWITCH = 2 * PHASE_ROUNDING
+"""How near a place is to where a pair begins or ends to drive if it is there but for rounding,
+turns. There its cosine is 0, and so is any power of it."""
+
 ZOOMS = 8
 """How often a stretch is narrowed to an eighth around an extreme: the width's square vanishes."""
 
@@ -48,7 +52,8 @@ class TotalForce:
     mean : float
         Mean over the turn of the wave, dimensionless.
     least, largest : float
-        Least and largest, dimensionless; ranges shorter than `SAME_PHASE` are none.
+        Least and largest, dimensionless; ranges shorter than `SAME_PHASE` are none. For v > 0
+        where pairs switch neither of them drives; for v = 0 both do.
     accuracy : Accuracy
         Of all three.
     """
@@ -146,7 +151,7 @@ class _Sums:
     def cosines(self, places: FloatArray) -> FloatArray:
         """Cosines of the pressure angles, shape (pairs, places)."""
         away = 0.25 - np.abs(np.add.outer(self.phase, places))
-        return np.sin(2 * np.pi * np.maximum(away, 0.0))
+        return np.where(away > AT_SWITCH, np.sin(2 * np.pi * away), 0.0)
 
     def ratio(self, places: FloatArray) -> FloatArray:
         """Total force over F0 at places."""
@@ -251,7 +256,7 @@ def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -
     if exponent < 1:
         first = max(first, *(part.slope(place) for _, place, part in extremes))
     second = (1 + exponent) * extremes[-1][0]
-    wrong = 2 * math.pi * (PHASE_ROUNDING + phases.error)
+    wrong = 2 * math.pi * (PHASE_ROUNDING + AT_SWITCH + phases.error)
     error = ROUNDING * (16 + 8 * exponent) + wrong * (first + second)
     if 0 < exponent < 1 and phases.error > SWITCHING:
         # Pairs taken to begin as others end leave out a cosine of that size, to the power v.

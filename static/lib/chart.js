@@ -110,20 +110,90 @@ export function curveTables(chart) {
   });
 }
 
-const OVERLAID = 0.55;
+/** Colours of kept designs, in their order; the table of designs has them as `series-1` and on. */
+const SERIES = {
+  light: ["#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"],
+  dark: ["#5cb8f0", "#f0a04b", "#34c9a0", "#e39ac4", "#a5b0f5", "#e0cc4d"],
+};
 
-/** The curves of other designs, `[{ name, chart }]`, dashed over those of a figure. */
-export function overlaid(chart, others) {
-  const lines = others.flatMap(({ name, chart: { data } }) => data
-    .filter(({ mode }) => mode === "lines")
-    .map((trace, i) => ({
-      ...trace,
-      name,
-      legendgroup: `design ${name}`,
-      showlegend: i === 0,
-      opacity: OVERLAID,
-      line: { ...trace.line, dash: "dash", width: 1.5 },
-      hovertemplate: trace.hovertemplate && `${name}: ${trace.hovertemplate}`,
-    })));
-  return { ...chart, data: [...chart.data, ...lines] };
+/** What tells curves apart; level lines by their height alone. */
+function key({ x, y, xaxis = "x" }) {
+  const level = y.length > 1 && y.every((value) => value === y[0]);
+  return level ? `${xaxis} ${y[0]}` : `${xaxis} ${x.join()} ${y.join()}`;
+}
+
+/** A range that holds that of another figure too. */
+const wider = (range, other) => [Math.min(range[0], other?.[0] ?? range[0]), Math.max(range[1], other?.[1] ?? range[1])];
+
+/**
+ * Other designs, `[{ name, chart }]`, over a figure: a colour each, their curves where they differ
+ * (the envelope alone where there is one), their points with their names; the axes hold all.
+ */
+export function overlaid(chart, others, theme = "light") {
+  const own = new Set(chart.data.map(key));
+  const added = others.flatMap(({ name, chart: { data } }, i) => {
+    const color = SERIES[theme][i % SERIES[theme].length];
+    const ofDesign = { legendgroup: `design ${name}`, name, showlegend: false };
+    const hovered = ({ hovertemplate }) => (hovertemplate ? { hovertemplate: `${name}: ${hovertemplate}` } : {});
+    const envelopes = data.filter(({ meta }) => meta === ENVELOPE);
+    const lines = (envelopes.length > 0 ? envelopes : data.filter(({ mode }) => mode === "lines"))
+      .filter((trace) => !own.has(key(trace)))
+      .map((trace) => ({ ...trace, ...ofDesign, ...hovered(trace), line: { ...trace.line, color, dash: "dash", width: 2 } }));
+    const points = data.filter(({ mode }) => mode === "markers").map((trace) => ({
+      ...trace, ...ofDesign, ...hovered(trace), mode: "markers+text", text: [name], textposition: "top center", textfont: { color },
+      marker: { ...trace.marker, color, size: 9, symbol: "circle" },
+    }));
+    const all = [...lines, ...points];
+    return all.map((trace, at) => (at === 0 ? { ...trace, showlegend: true, legend: undefined } : trace));
+  });
+  const axes = Object.entries(chart.layout).filter(([name, { range }]) => /^[xy]axis\d*$/.test(name) && Array.isArray(range))
+    .map(([name, axis]) => [name, {
+      ...axis, range: others.reduce((range, other) => wider(range, other.chart.layout[name]?.range), axis.range),
+    }]);
+  return { data: [...chart.data, ...added], layout: { ...chart.layout, ...Object.fromEntries(axes) } };
+}
+
+const PAIR = /^\d+\.\d+( = \d+\.\d+)*$/;
+const ENVELOPE = "envelope";
+
+/** The pairs whose curve a trace is, by satellite and pin; none where it is no pair's. */
+export function pairsOf({ name, mode }) {
+  return mode === "lines" && PAIR.test(name) ? name.split(" = ") : [];
+}
+
+/** The largest force of all pairs, strong, over the curves of the pairs, thin; those that coincide are one. */
+export function enveloped(chart, name) {
+  const pairs = chart.data.filter((trace) => pairsOf(trace).length > 0);
+  if (pairs.length < 2) return chart;
+  const { x } = pairs[0];
+  const most = Math.max(...pairs.flatMap(({ y }) => y));
+  const close = (one, other) => one.y.every((value, i) => Math.abs(value - other.y[i]) < 1e-5 * most);
+  const sets = [];
+  for (const pair of pairs) {
+    const same = sets.find(([first]) => close(first, pair));
+    if (same) same.push(pair);
+    else sets.push([pair]);
+  }
+  const thin = sets.map((set) => {
+    const names = set.map((pair) => pair.name).join(" = ");
+    const [first] = set;
+    return {
+      ...first, name: names, showlegend: false, line: { ...first.line, dash: "solid", width: 1 },
+      hovertemplate: set.length > 1 ? `${names}<br>${first.hovertemplate}` : first.hovertemplate,
+    };
+  });
+  const envelope = {
+    type: "scatter", mode: "lines", name, meta: ENVELOPE, x, y: x.map((_, i) => Math.max(...pairs.map(({ y }) => y[i]))),
+    line: { color: chart.layout.font?.color, width: 2.5 }, hoverinfo: "skip",
+  };
+  const shapes = (chart.layout.shapes ?? []).map((shape) => ({ ...shape, line: { ...shape.line, dash: "dot" } }));
+  return {
+    data: [...thin, envelope, ...chart.data.filter((trace) => pairsOf(trace).length === 0)],
+    layout: { ...chart.layout, shapes },
+  };
+}
+
+/** The sets of pairs whose curves coincide, as they are named in the figure. */
+export function coinciding({ data }) {
+  return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => name);
 }

@@ -19,43 +19,57 @@ function freeName(taken) {
   }
 }
 
-/** `storage` is the browser's (lib/storage.js). */
+function newId() {
+  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 10)}`;
+}
+
+/** `storage` is the browser's (lib/storage.js); other tabs use it too, so it is read anew for every change. */
 export function createDesigns(storage) {
-  const found = parsed(storage.getItem(KEY), []);
-  let designs = Array.isArray(found) ? found.filter(isDesign) : [];
+  let text = null;
+  let designs = [];
+
+  function read() {
+    const found = storage.getItem(KEY) ?? text;
+    if (found === text) return designs;
+    text = found;
+    const all = parsed(text, []);
+    designs = Array.isArray(all) ? all.filter(isDesign).map((one) => ({ id: `${one.calculator} ${one.name}`, ...one })) : [];
+    return designs;
+  }
 
   function keep(changed) {
     designs = changed;
-    storage.setItem(KEY, JSON.stringify(designs));
+    text = JSON.stringify(designs);
+    storage.setItem(KEY, text);
   }
 
-  const of = (calculator) => designs.filter((design) => design.calculator === calculator);
-  const free = (calculator) => freeName(of(calculator).map(({ name }) => name));
+  const of = (calculator) => read().filter((design) => design.calculator === calculator);
+  const taken = (calculator, name, id) => of(calculator).some((one) => one.name === name && one.id !== id);
+
+  /** Keep an input (the canonical request) under the name wanted, or a free letter. */
+  function add(calculator, input, wanted = "", labels = {}) {
+    const name = wanted && !taken(calculator, wanted) ? wanted : freeName(of(calculator).map((one) => one.name));
+    const design = { id: newId(), name, calculator, input, ...labels };
+    keep([...read(), design]);
+    return design;
+  }
+
   return {
     of,
-    /** Keep an input (the canonical request) under a free letter. */
-    add(calculator, input) {
-      const design = { name: free(calculator), calculator, input };
-      keep([...designs, design]);
-      return design;
-    },
-    rename(design, name) {
+    add,
+    rename({ id, calculator }, name) {
       const wanted = name.trim();
-      const taken = of(design.calculator).some((one) => one !== design && one.name === wanted);
-      if (wanted !== "" && !taken) keep(designs.map((one) => (one === design ? { ...one, name: wanted } : one)));
+      if (wanted !== "" && !taken(calculator, wanted, id)) keep(read().map((one) => (one.id === id ? { ...one, name: wanted } : one)));
     },
-    remove: (design) => keep(designs.filter((one) => one !== design)),
+    remove: ({ id }) => keep(read().filter((one) => one.id !== id)),
     /** All designs as the text of a file. */
-    exported: () => `${JSON.stringify({ format: FORMAT, v: 1, designs }, null, 2)}\n`,
+    exported: () => `${JSON.stringify({ format: FORMAT, v: 1, designs: read() }, null, 2)}\n`,
     /** Add the designs of a file; how many, or null where it is none of ours. */
-    imported(text) {
-      const file = parsed(text, {});
-      if (file.format !== FORMAT || file.v !== 1 || !Array.isArray(file.designs)) return null;
-      const added = file.designs.filter(isDesign);
-      for (const { name, calculator, input } of added) {
-        const taken = of(calculator).some((one) => one.name === name);
-        keep([...designs, { name: taken ? free(calculator) : name, calculator, input }]);
-      }
+    imported(file) {
+      const { format, v, designs: found } = parsed(file, {});
+      if (format !== FORMAT || v !== 1 || !Array.isArray(found)) return null;
+      const added = found.filter(isDesign);
+      for (const { name, calculator, input, labels } of added) add(calculator, input, name, labels && { labels });
       return added.length;
     },
   };

@@ -36,6 +36,54 @@ export function parseNumber(text) {
   return ambiguous ? { value, ambiguous } : { value };
 }
 
+const TOKEN = /\s*(?:([-+*/×·÷()])|((?:\d[\d\s]*)?(?:[.,]\d*)?(?:e[+-]?\d+)?))/iy;
+
+function tokens(text) {
+  const all = [];
+  TOKEN.lastIndex = 0;
+  while (TOKEN.lastIndex < text.length) {
+    const from = TOKEN.lastIndex;
+    const match = TOKEN.exec(text);
+    if (!match || TOKEN.lastIndex === from) return [];
+    const [, sign, number] = match;
+    if (!sign && number.trim() === "") return [];
+    const value = sign ? undefined : parseNumber(number).value;
+    if (!sign && value === undefined) return [];
+    all.push(sign ?? value);
+  }
+  return all;
+}
+
+/** Read a number or a sum of numbers: `10/9`, `350+20`, `2*(3-0,5)`, `1 1/2`; as `parseNumber`, with `worked` for sums. */
+export function parseSum(text) {
+  const plain = parseNumber(text);
+  const typed = text.trim().replace(/[\u2212\u2013]/g, "-");
+  if (plain.value !== undefined || !/[-+*/×·÷(]/.test(typed.slice(1))) return plain;
+  const all = tokens(typed.replace(/^(\d+)\s+(\d+\s*\/\s*\d+)$/, "$1+$2"));
+  let at = 0;
+  const one = () => {
+    const token = all[at];
+    at += 1;
+    if (token === "-") return -one();
+    if (token !== "(") return typeof token === "number" ? token : NaN;
+    const value = sum();
+    at += 1;
+    return all[at - 1] === ")" ? value : NaN;
+  };
+  const product = () => {
+    let value = one();
+    while (/^[*/×·÷]$/.test(all[at])) value = "/÷".includes(all[at++]) ? value / one() : value * one();
+    return value;
+  };
+  const sum = () => {
+    let value = product();
+    while (all[at] === "+" || all[at] === "-") value = all[at++] === "+" ? value + product() : value - product();
+    return value;
+  };
+  const value = sum();
+  return at === all.length && Number.isFinite(value) ? { value: tidy(value), worked: true } : { problem: "number" };
+}
+
 /** Read a list: `0; 120; 240`, `0 120 240` or `0, 120, 240`. Returns `{ values }` or `{ problem }`. */
 export function parseNumbers(text) {
   const typed = text.trim().replace(/;$/, "");
@@ -115,7 +163,7 @@ function superscript(exponent) {
 }
 
 const UNITS = {
-  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°",
+  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
 };
 
 /** The unit that ends an API field name, "" for a plain number. */

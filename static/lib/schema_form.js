@@ -9,8 +9,8 @@
  * The *state* is what the user typed and chose, as text: `{ texts: {path: text}, chosen: {id: option} }`;
  * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
  */
-import { parseNumber, parseNumbers, typedText, unitOf } from "./format.js";
-import { canonicalValue, shownStep, shownValue, spell } from "./units.js";
+import { parseNumber, parseNumbers, parseSum, tidy, typedText, unitOf } from "./format.js";
+import { canonicalValue, DIAMETER, partedUnit, shownStep, shownValue, spell } from "./units.js";
 
 function resolver(openapi) {
   const resolve = (schema) => {
@@ -149,20 +149,44 @@ function groupsByField(schema, { groups, inline, hidden, resolve }) {
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
  * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
- * page decides for the user; `words(name, group)` gives title and help of a field, or null for those
- * of the schema.
+ * page decides for the user; `arranged` puts them in groups of the page's own; `suggestions` says which
+ * boxes follow others while they are empty (`linked`); `diameters` has title and help, by name, of
+ * radii that are shown as diameters; `words(name, group)` gives title and help of a field, or null for
+ * those of the schema.
  */
 export function formModel(openapi, {
-  path, groups, inline, choices = {}, optional = [], hidden = [], words = () => null,
+  path, groups, inline, choices = {}, optional = [], hidden = [], arranged = null, suggestions = {}, diameters = null,
+  words = () => null,
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
   const plain = inline
     ? groupsByField(schema, { groups, inline, hidden, resolve })
     : groups.map((id) => ({ id, items: sectionItems(resolve(schema.properties[id]), id, resolve, hidden) }));
-  const parts = plain.map(({ id, items }) => ({ id, items: withChoices(items, choices, optional) }));
+  const parts = plain.map((part) => ({
+    ...part,
+    items: withChoices(part.items, choices, optional).map((item) => (diameters ? asDiameter(item, diameters) : item)),
+  }));
   const items = parts.flatMap((part) => part.items);
   const fields = new Map(items.flatMap(fieldsOf).map((field) => [field.path, field]));
-  return { groups: parts, choices: items.filter((item) => !item.path), fields };
+  const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
+  return { groups: arranged ? inOrder(items, arranged) : parts, choices: items.filter((item) => !item.path), fields, linked };
+}
+
+/** The items in groups of the page's own, `{ group: [path or choice] }`; the last takes what is not named. */
+function inOrder(items, arranged) {
+  const named = Object.values(arranged).flat();
+  const at = (id) => items.find((item) => (item.path ?? item.id) === id);
+  const rest = items.filter((item) => !named.includes(item.path ?? item.id));
+  return Object.entries(arranged).map(([id, ids], i, all) =>
+    ({ id, items: [...ids.map(at).filter(Boolean), ...(i === all.length - 1 ? rest : [])] }));
+}
+
+/** A field of a radius that is shown and typed as a diameter. */
+function asDiameter(item, words) {
+  if (!item.path) return { ...item, options: item.options.map((option) => ({ ...option, fields: option.fields.map((field) => asDiameter(field, words)) })) };
+  if (item.kind !== "number" || !(item.name in words)) return item;
+  const [title, help] = words[item.name];
+  return { ...item, title, help, unit: DIAMETER, symbol: `2${item.symbol}` };
 }
 
 /** The fields of an item: itself, or those of all options of a choice. */
@@ -295,11 +319,21 @@ export function readField(field, text) {
     const value = values.map((one) => canonicalValue(one, field.unit));
     return value.map((one) => outside(field, one)).find(Boolean) ?? { value };
   }
-  const { value: number, problem, ambiguous } = parseNumber(typed);
+  const [, mark, rest] = /^([⌀Øø∅]?)\s*(.*)$/s.exec(typed);
+  const parted = partedUnit(rest, field.unit);
+  if (!parted) return { problem: "unit" };
+  const { value: number, problem, ambiguous, worked } = parseSum(parted.amount);
   if (problem) return { problem };
-  const value = canonicalValue(number, field.unit);
+  // A radius may be written as a diameter, Ø12; what is shown as one is twice the canonical value.
+  const radius = field.name?.endsWith("_radius_mm");
+  if (mark && !radius && !field.name?.endsWith("diameter_mm")) return { problem: "number" };
+  const halved = radius && (field.unit === DIAMETER || mark) ? 0.5 : 1;
+  const value = parted.size === undefined
+    ? canonicalValue(number, field.unit) * (mark && field.unit !== DIAMETER ? halved : 1)
+    : tidy(number * parted.size * halved);
   if (field.kind === "integer" && !Number.isInteger(value)) return { problem: "integer" };
-  return outside(field, value) ?? (ambiguous ? { value, readAs: number } : { value });
+  const read = { value, ...(ambiguous && { readAs: number }), ...((worked || mark || parted.size !== undefined) && { worked: true }) };
+  return outside(field, value) ?? read;
 }
 
 /**
@@ -316,8 +350,30 @@ export function readState(model, state) {
     const value = reading.problem ? undefined : reading.value ?? field.default;
     if (value !== undefined) put(filled, field.path, value);
   }
+  for (const [path, { value, needs }] of model.linked) {
+    if (readings[path]?.problem !== "required") continue;
+    const linked = value(filled);
+    readings[path] = Number.isFinite(linked) ? outside(model.fields.get(path), linked) ?? { value: linked } : {};
+    if (readings[path].value !== undefined) {
+      put(input, path, linked);
+      put(filled, path, linked);
+    } else if (readings[needs]?.value === undefined) {
+      readings[needs] = readings[needs]?.problem ? readings[needs] : { problem: "required" };
+    }
+  }
   const wrong = Object.keys(readings).filter((path) => readings[path].problem);
   return { input, filled, readings, wrong };
+}
+
+/** A state in which the boxes that say what their link gives are empty: they follow the others. */
+export function withLinks(model, state) {
+  const { filled, readings } = readState(model, state);
+  const texts = { ...state.texts };
+  for (const [path, { value }] of model.linked) {
+    const linked = value(filled);
+    if (texts[path] !== "" && Math.abs(readings[path]?.value - linked) <= 1e-12 * Math.abs(linked)) texts[path] = "";
+  }
+  return { ...state, texts };
 }
 
 /** The boxes of a state that say something, by groups: `[{ id, entries: [{ field, value }] }]`. */

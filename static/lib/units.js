@@ -6,10 +6,14 @@ const LBF = 4.4482216152605; // N
 const INCH = 25.4; // mm
 const PSI = LBF / INCH ** 2; // MPa
 
+/** The unit of a radius in mm that is shown and typed as a diameter. */
+export const DIAMETER = "⌀ mm";
+
 /** Canonical unit: the unit shown for it and its size in the canonical one. */
 const SHOWN = {
-  metric: {},
+  metric: { [DIAMETER]: ["mm", 0.5] },
   us: {
+    [DIAMETER]: ["in", INCH / 2],
     mm: ["in", INCH],
     N: ["lbf", LBF],
     "N·m": ["lbf·in", (LBF * INCH) / 1000],
@@ -34,6 +38,36 @@ export function setUnits(chosen) {
 /** Names of units where the language in use has its own. */
 export function setUnitNames(own) {
   names = own;
+}
+
+const DEGREE = Math.PI / 180;
+const NEWTON = { n: 1, kn: 1000, lbf: LBF, "н": 1, "кн": 1000 };
+const METRE = { mm: 1, cm: 10, m: 1000, "µm": 0.001, um: 0.001, in: INCH, inch: INCH, '"': INCH, "мм": 1, "см": 10, "м": 1000, "мкм": 0.001 };
+// Units that people write, by the canonical one, with their sizes in it; lower case, Cyrillic ones too.
+const WRITTEN = {
+  mm: METRE,
+  N: NEWTON,
+  "N·m": {
+    nm: 1, knm: 1000, nmm: 0.001, lbfin: (LBF * INCH) / 1000, lbfft: (12 * LBF * INCH) / 1000, "нм": 1, "кнм": 1000,
+  },
+  "N/mm": { "n/mm": 1, "lbf/in": LBF / INCH, "н/мм": 1 },
+  MPa: { mpa: 1, gpa: 1000, "n/mm²": 1, "n/mm2": 1, psi: PSI, ksi: 1000 * PSI, "мпа": 1, "гпа": 1000 },
+  GPa: { gpa: 1, mpa: 0.001, mpsi: 1000 * PSI, "гпа": 1, "мпа": 0.001 },
+  "°": { "°": 1, deg: 1, "град": 1, rad: 1 / DEGREE, "рад": 1 / DEGREE },
+  "": { "%": 0.01 },
+};
+
+/**
+ * A typed text parted into amount and unit, `{ amount, size }`: the size of the unit in the canonical
+ * one, undefined where none is written; null where it is a unit of something else.
+ */
+export function partedUnit(text, unit) {
+  const [, amount, written] = /^(.*?)((?:[a-zа-яµ"°%²·*.\s]|n\/mm[²2]?|lbf\/in|н\/мм)*)$/is.exec(text);
+  const named = written.toLowerCase().replace(/[·*.\s]/g, "");
+  if (named === "") return { amount: text };
+  const size = WRITTEN[unit === DIAMETER ? "mm" : unit]?.[named];
+  if (size !== undefined) return { amount: amount.trim(), size };
+  return Object.values(WRITTEN).some((units) => named in units) ? null : { amount: text };
 }
 
 function sizeOf(unit) {

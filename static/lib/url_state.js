@@ -32,25 +32,41 @@ export function encodeState(model, state) {
   return parameters;
 }
 
-/** The state that the parameters describe, or null if they describe none of this version. */
+/** What a link may hold besides the fields: which calculator, its version, how it is shown, what the design is called. */
+export const LABELS = ["title", "author", "revision", "note"];
+const KNOWN = ["calculator", "v", "units", "lang", ...LABELS];
+
+/**
+ * The state that the parameters describe, null where they describe none. A link without a version is
+ * of the current one; `unknown` lists what this version does not know, or what contradicts the rest.
+ */
 export function decodeState(model, parameters) {
-  if (parameters.get("v") !== VERSION) return null;
+  const names = [...new Set(parameters.keys())];
+  if (names.every((name) => ["calculator", "units", "lang"].includes(name))) return null;
   const texts = {};
   for (const field of model.fields.values()) {
     const given = parameters.get(field.path);
     texts[field.path] = given === null ? textIn(field, field.default) : textOfLink(field, given);
   }
+  for (const label of LABELS) texts[label] = parameters.get(label) ?? "";
   const chosen = {};
   for (const choice of model.choices) {
     const given = choice.options.find((o) => o.fields.some((field) => parameters.has(field.path)));
     chosen[choice.id] = (given ?? choice.options[0]).id;
   }
-  return { texts, chosen };
+  const shown = new Set(shownFields(model, { chosen }).map(({ path }) => path));
+  const version = parameters.get("v") ?? VERSION;
+  const unknown = [
+    ...(version === VERSION ? [] : [`v=${version}`]),
+    ...names.filter((name) => !KNOWN.includes(name) && !shown.has(name)),
+  ];
+  return { texts, chosen, unknown };
 }
 
 /** The query of a calculator's state, as it stands behind the `?`. */
 export function query(calculator, model, state) {
   const all = new URLSearchParams({ calculator, v: VERSION });
   for (const [key, value] of encodeState(model, state)) all.append(key, value);
+  for (const label of LABELS) if (state.texts[label]) all.append(label, state.texts[label]);
   return all.toString();
 }

@@ -35,10 +35,10 @@ export function message(key, values = {}) {
   return typeof found === "string" || found.other ? filled(found, values) : found;
 }
 
-/** Words of the service by kind and code; undefined for a code that this page does not know. */
+/** Words of the service by kind and code, a list of them where there are several; undefined for a code that this page does not know. */
 export function said(kind, code, values = {}) {
-  const text = texts.service[kind][code];
-  return text && filled(text, values);
+  const text = texts.service[kind]?.[code];
+  return Array.isArray(text) ? text : text && filled(text, values);
 }
 
 /** Title and help of a field by its name, or by group and name where groups differ; null for one that this page does not know. */

@@ -202,6 +202,7 @@ export default {
     "segment_exact": "segment-exact",
     "segments_cubic": "segment-exact, roots of a cubic",
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
+    "segments_gauss": "segment-exact, Gauss-Legendre quadrature",
     "segments_roots": "segment-exact, bracketed roots",
     "segments_tanh_sinh": "segment-exact, tanh-sinh quadrature",
     "simpson_phi": "Simpson in phi",
@@ -742,7 +743,8 @@ export default {
     "geometry": "Pins and holes",
     "body": "Satellite",
     "rollers": "Rollers",
-    "shaft": "Shaft and mesh"
+    "shaft": "Bending of the shaft",
+    "room": "Room for rollers and shaft"
   },
   "checkReasons": {
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow one",

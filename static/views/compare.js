@@ -1,9 +1,9 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
+import { ASIDE, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/schema_form.js";
-import { MOST } from "../lib/designs.js";
 import { shownUnit } from "../lib/units.js";
 import { following } from "../store.js";
 import { download } from "./files.js";
@@ -31,64 +31,101 @@ function inputRows(model, designs) {
   });
 }
 
-function change(value, own) {
-  if (value === own) return "";
-  const percent = (100 * (value - own)) / Math.abs(own);
+function change(value, base) {
+  if (value === base) return "";
+  const percent = (100 * (value - base)) / Math.abs(base);
   return Number.isFinite(percent) ? `${percent > 0 ? "+" : ""}${formatNumber(percent, 3)} %` : "≠";
 }
 
-/** The numbers of the sections, a row each: also what is known of some designs only. */
-function resultRows(sections, elsewhere, designs) {
-  const of = (section) => designs.map(({ answer }) => answer?.[section] ?? {});
-  return sections.flatMap((section) => [...new Set(of(section).flatMap((values) =>
-    Object.keys(values).filter((name) => typeof values[name] === "number" && !elsewhere.includes(name))))]
-    .map((name) => ({
-      title: message(`quantity.${name}`)[0],
-      unit: shownUnit(unitOf(name)),
-      cells: of(section).map(({ [name]: value }, i, [{ [name]: own }]) => {
-        if (value === undefined) return { text: "–" };
-        return {
-          text: quantityParts(value, unitOf(name), DIGITS).value,
-          ...(i > 0 && own !== undefined && { change: change(value, own), differs: value !== own }),
-        };
-      }),
-    })));
+const isNumber = (value) => typeof value === "number";
+const XYZ = ["x", "y", "z"];
+
+/** The numbers of a section, those of vectors each: `[[id, title, unit, value]]`. */
+function numbersOf(section, elsewhere) {
+  return Object.entries(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
+    const title = () => message(`quantity.${name}`)[0];
+    if (isNumber(value)) return [[name, title(), unitOf(name), value]];
+    const parts = Array.isArray(value) && value.length <= XYZ.length ? value.map((one, i) => [XYZ[i], one])
+      : value && !Array.isArray(value) && typeof value === "object" ? Object.entries(value) : [];
+    if (parts.length === 0 || name === "peak_pair" || !parts.every(([, one]) => isNumber(one))) return [];
+    return parts.map(([part, one]) => [`${name}.${part}`, `${title().split(":")[0]}: ${message(`quantity.${part}`)?.[0] ?? part}`, unitOf(name), one]);
+  });
 }
 
-/** Said above a design that cannot be built: its numbers are no reason to prefer it. */
-function refusedMark(calculator, { input, answer }) {
-  const reasons = answer && calculator.impossible ? calculator.impossible(answer, { input }) : [];
-  return reasons.length > 0 && html`<span class="refused" title="${reasons.join(" ")}">${sign("bad")}${message("state.refused")}</span>`;
+/** A row of numbers: its change against the base, the best of them marked where it is known which way is better. */
+function numberRow(title, unit, values, base, better) {
+  const known = values.filter((value) => value !== undefined);
+  const best = better && known.length > 1 ? (better > 0 ? Math.max(...known) : Math.min(...known)) : undefined;
+  const differs = new Set(values).size > 1;
+  return {
+    title, unit: shownUnit(unit), differs,
+    cells: values.map((value, i) => (value === undefined ? { text: "–" } : {
+      text: quantityParts(value, unit, DIGITS).value,
+      best: differs && value === best,
+      ...(i !== base && values[base] !== undefined && { change: change(value, values[base]), differs: value !== values[base] }),
+    })),
+  };
+}
+
+/** The rows that decide: the verdict, the check that governs, the largest torque. */
+function decisiveRows(calculator, designs, base) {
+  const all = designs.map(({ answer }) => judgedOf(calculator, answer));
+  if (!all.some(Boolean)) return [];
+  const text = (of) => all.map((judged) => (judged ? of(judged) : { text: "–" }));
+  const governing = (judged) => judged.checks?.find(({ code }) => code === judged.governing);
+  return [
+    { title: message("verdict.label"), cells: text((judged) => ({ level: levelOfWord(wordOf(judged)), text: message(`verdictWord.${wordOf(judged)}`) })) },
+    {
+      title: message("checks.governing"),
+      cells: text((judged) => {
+        const check = governing(judged);
+        return { text: check ? `${titleOf(check)}${check.utilisation === undefined ? "" : `, ${percent(check.utilisation)}`}` : "–" };
+      }),
+    },
+    numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
+  ];
+}
+
+/** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */
+function resultRows({ sections, elsewhere, better = {} }, designs, base) {
+  const rows = sections.flatMap((section) => {
+    const all = designs.map(({ answer }) => new Map(numbersOf(answer?.[section] ?? {}, elsewhere).map((one) => [one[0], one])));
+    const ids = [...new Set(all.flatMap((one) => [...one.keys()]))];
+    return ids.map((id) => {
+      const [, title, unit] = all.find((one) => one.has(id)).get(id);
+      return { id, ...numberRow(title, unit, all.map((one) => one.get(id)?.[3]), base, better[id]) };
+    });
+  });
+  const first = (row) => (row.id in better ? 0 : 1);
+  return [...rows.filter(({ differs }) => differs).sort((one, other) => first(one) - first(other)), ...rows.filter(({ differs }) => !differs)];
 }
 
 function tableRows(rows) {
-  return rows.map(({ title, unit, cells }) => html`
-    <tr><th scope="row">${title}${unit && html` <span class="unit">${unit}</span>`}</th>${cells.map((cell) => html`
-      <td class="${cell.differs && "differs"}">${cell.text}${cell.change && html` <small>${cell.change}</small>`}</td>`)}</tr>`);
+  return rows.map(({ title, unit, cells, differs }) => html`
+    <tr class="${differs === false && "equal"}"><th scope="row">${title}${unit && html` <span class="unit">${unit}</span>`}</th>${cells.map((cell) => html`
+      <td class="${cell.differs && "differs"} ${cell.best && "best"}">${sign(cell.level)}${cell.best && html`<span class="sign good" title="${message("compare.best")}">★</span>`}${cell.text}${cell.change && html` <small>${cell.change}</small>`}</td>`)}</tr>`);
 }
 
 /**
- * `on.pin()`, `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
+ * `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
  * `on.import(text)` report what the user does.
  */
 export function createCompare({ model, calculator, on }) {
   const root = element(html`
     <section class="card compare" aria-labelledby="compare-title">
       <div class="compare-head"><h2 id="compare-title">${message("compare.title")}</h2>
-        <button type="button" class="toggle" data-do="pin">${message("compare.pin")}</button>
         <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
         <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>
       </div>
       <div class="compare-table" tabindex="0" role="group" aria-labelledby="compare-title"></div>
     </section>`);
   const table = root.querySelector(".compare-table");
-  const pin = root.querySelector("[data-do=pin]");
   let designs = [];
 
   root.addEventListener("click", ({ target }) => {
     const act = target.closest("[data-do]")?.dataset.do;
     const design = designs[target.closest("[data-design]")?.dataset.design];
-    if (act === "pin" || act === "export") on[act]();
+    if (act === "export") on.export();
     else if (act) on[act](design);
   });
   root.addEventListener("change", async ({ target }) => {
@@ -106,20 +143,21 @@ export function createCompare({ model, calculator, on }) {
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
     update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
       designs = kept ?? [];
-      pin.disabled = !own || designs.length >= MOST;
       if (designs.length === 0 || !own) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;
       }
       const all = [own, ...designs];
+      const base = 1; // the design kept first: what comes after is held against it
       fill(table, html`
         <table class="data">
-          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")} ${refusedMark(calculator, own)}</th>${designs.map((design, i) => html`
-            <th scope="col" data-design="${i}"><input class="box free-text" value="${design.name}" maxlength="24" aria-label="${message("compare.name", design)}">
+          <thead><tr><th scope="col">${message("results.quantity")}</th><th scope="col">${message("compare.own")}</th>${designs.map((design, i) => html`
+            <th scope="col" data-design="${i}" class="series-${(i % 6) + 1}"><input class="box free-text" value="${design.name}" maxlength="24" aria-label="${message("compare.name", design)}">
               <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", design)}">${message("compare.open")}</button>
-              <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", design)}">×</button></span>${refusedMark(calculator, design)}</th>`)}</tr></thead>
+              <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", design)}">×</button></span>${i + 1 === base && html`<span class="note">${message("compare.base")}</span>`}</th>`)}</tr></thead>
+          <tbody>${tableRows(decisiveRows(calculator, all, base))}</tbody>
           <tbody>${tableRows(inputRows(model, all))}</tbody>
-          <tbody>${tableRows(resultRows(calculator.sections, calculator.elsewhere, all))}</tbody>
+          <tbody>${tableRows(resultRows(calculator, all, base))}</tbody>
         </table>`);
     }),
   };

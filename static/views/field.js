@@ -1,6 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
 import { element, fill, html } from "../lib/html.js";
-import { said } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
 
@@ -10,7 +10,7 @@ function box(field, id) {
   }
   const mode = field.kind === "integer" ? "numeric" : field.kind === "numbers" ? "text" : "decimal";
   return html`<input id="${id}" class="box" type="text" inputmode="${mode}" autocomplete="off"
-    spellcheck="false" aria-describedby="${id}-message">`;
+    spellcheck="false" aria-describedby="${id}-unit ${id}-message">`;
 }
 
 function titleOf(field) {
@@ -21,7 +21,7 @@ function titleOf(field) {
  * `on.typed(text)` follows the typing, `on.step(direction, factor)` the arrow keys, `on.suggest()`
  * the suggestion's button. Help and message share one line, so that nothing moves when one comes.
  */
-export function createField(field, { suggestion, on }) {
+export function createField(field, { suggestion, sizable, on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
   const root = element(html`
     <div class="field kind-${field.kind}" data-path="${field.path}">
@@ -29,12 +29,14 @@ export function createField(field, { suggestion, on }) {
       <span class="entry">
         ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
         ${box(field, id)}
+        ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
+          title="${message("sizing.at", { field: field.title })}">◎</button>`}
       </span>
-      <span class="unit">${shownUnit(field.unit)}</span>
-      <p class="field-message" id="${id}-message"></p>
+      <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
+      <p class="field-message" id="${id}-message"><span></span></p>
     </div>`);
   const input = root.querySelector(".box");
-  const line = root.querySelector(".field-message");
+  const line = root.querySelector(".field-message span");
   const button = root.querySelector(".suggest");
 
   input.addEventListener("input", () => on.typed(input.value));
@@ -45,6 +47,8 @@ export function createField(field, { suggestion, on }) {
     event.preventDefault();
     on.step(direction, event.shiftKey ? 10 : 1);
   });
+  const size = root.querySelector(".size");
+  size?.addEventListener("click", () => on.size());
   button?.addEventListener("click", () => on.suggest());
 
   return {
@@ -62,11 +66,17 @@ export function createField(field, { suggestion, on }) {
       if (error) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
     },
+    /** Whether a value may be looked for here. */
+    setSizable(possible) {
+      if (size) size.classList.toggle("idle", !possible);
+      if (size) size.disabled = !possible;
+    },
     setPlaceholder(text) {
       input.placeholder = text;
     },
-    setSuggestion({ label, possible }) {
+    setSuggestion({ label, possible, pressed }) {
       button.disabled = !possible;
+      button.setAttribute("aria-pressed", String(pressed));
       button.setAttribute("aria-label", label);
       button.title = label;
     },

@@ -1,6 +1,6 @@
 /** A figure made by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../lib/api.js";
-import { curveTables, inLanguage, overlaid } from "../lib/chart.js";
+import { coinciding, curveTables, enveloped, inLanguage, overlaid } from "../lib/chart.js";
 import { csvOfTables } from "../lib/exports.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -22,7 +22,8 @@ function completed({ measures, body = (input) => input, ...figure }) {
 /**
  * `titles` are those of API names. `on.tabled(id, shown)` reports whether the table is wanted,
  * `on.tables(figure)` gives the tables of a figure that has its own, to be saved;
- * `on.charted(id, data)` tells of what was drawn, and `on.picked(pair)` of a click on a pair.
+ * `on.charted(id, data)` tells of what was drawn, `on.picked(pair)` of a click on a pair, `on.turned(angle)`
+ * of the crank angle of a click, `on.set([path, value])` of the input that it means.
  */
 export function createFigure({ figure: about, client, titles, on }) {
   const figure = completed(about);
@@ -39,16 +40,20 @@ export function createFigure({ figure: about, client, titles, on }) {
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
-        ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}
+        ${figure.onDemand && html`<p class="measures"><button type="button" class="measure">${message("figure.measure")}</button>
+          ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}</p>`}
       </div>
+      ${figure.enveloped && html`<p class="figure-note"></p>`}
     </figure>`);
   const canvas = root.querySelector(".canvas");
   const table = root.querySelector(".figure-table");
   const trouble = root.querySelector(".figure-message");
   const tools = root.querySelector(".figure-tools");
   const toggle = root.querySelector(".show-table");
-  const measure = root.querySelector(".measure");
-  const plot = createPlot({ label: message(`figure.${figure.id}Label`), follows: figure.follows, picked: on.picked });
+  const measures = [...root.querySelectorAll(".measure")];
+  const [measure] = measures;
+  let example = false; // whether the figure's own example is measured
+  const plot = createPlot({ label: message(`figure.${figure.id}Label`), follows: figure.follows, picked: on.picked, clicked });
   canvas.prepend(plot.root);
   if (figure.follows) canvas.append(plot.cursor);
   const newest = newestOnly();
@@ -76,15 +81,24 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   function post({ input, answer }, theme, signal) {
-    return client.post(figure.path, figure.body(input, answer), { signal, query: { theme } }).then(inLanguage);
+    const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer);
+    return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage);
   }
+
+  /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */
+  function clicked(point) {
+    if (figure.follows) on.turned(point.x);
+    else if (figure.sets && latest) on.set(figure.sets(point, latest.filled));
+  }
+
+  const shaped = (one) => (figure.enveloped ? enveloped(one, message("figure.largest")) : one);
 
   /** The figure with those of the designs it is compared with, where it has curves to compare. */
   async function ask(signal) {
     const { theme, others } = latest;
     const [own, ...charts] = await Promise.all([latest, ...(figure.compared ? others : [])].map((design) =>
       post(design, theme, signal)));
-    return { own, all: overlaid(own, charts.map((one, i) => ({ name: others[i].name, chart: one }))) };
+    return { own, all: overlaid(shaped(own), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one) })), theme) };
   }
 
   async function draw() {
@@ -104,6 +118,12 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   async function show(all = chart) {
+    if (figure.enveloped) {
+      const same = coinciding(all);
+      root.querySelector(".figure-note").textContent = [
+        message("figure.switching"), ...same.length > 0 ? [message("figure.coinciding", { pairs: same.slice(0, 8).join("; ") + (same.length > 8 ? " …" : "") })] : [],
+      ].join(" ");
+    }
     if (!tabled) await plot.draw(all);
     else if (!figure.tables) fill(table, html`${curveTables(chart).map(tableMarkup)}`);
   }
@@ -117,22 +137,26 @@ export function createFigure({ figure: about, client, titles, on }) {
     else on.tabled(figure.id, tabled);
   });
 
-  measure?.addEventListener("click", async () => {
-    measure.disabled = true;
-    measure.textContent = message("figure.measuring");
+  for (const button of measures) button.addEventListener("click", async () => {
+    example = button !== measure;
+    for (const one of measures) one.disabled = true;
+    button.textContent = message("figure.measuring");
     const asked = latest;
     reserve(heightOf(asked.filled));
     await draw();
     if (latest !== asked) return;
-    measure.hidden = true;
+    for (const one of measures) one.hidden = true;
     tools.hidden = false;
   });
 
   /** A figure on demand of other inputs than these gives way to its button. */
   function fold() {
-    measure.hidden = false;
-    measure.disabled = latest === null;
-    measure.textContent = message("figure.measure");
+    example = false;
+    for (const one of measures) {
+      one.hidden = false;
+      one.disabled = latest === null;
+      one.textContent = message(one === measure ? "figure.measure" : "figure.measureExample");
+    }
     tools.hidden = true;
     newest.cancel();
     plot.purge();
@@ -142,7 +166,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   const picture = async (format, width) =>
-    pictureOf(await post(latest, "light"), { title, format, width, height: heightOf(latest.filled) });
+    pictureOf(shaped(await post(latest, "light")), { title, format, width, height: heightOf(latest.filled) });
 
   async function fileOf(kind) {
     if (kind !== "csv") return [await picture(kind)];
@@ -190,15 +214,17 @@ export function createFigure({ figure: about, client, titles, on }) {
   return {
     root,
     id: figure.id,
+    side: figure.side,
+    measured: Boolean(figure.onDemand),
     picture,
     drawn: () => plot.drawn() && latest !== null,
     /** When what is to be drawn is drawn. */
     settled: () => drawing,
     /** Fit what is drawn to paper, at once; `fromPaper` undoes it. */
-    toPaper(width) {
+    toPaper(width, share) {
       if (!plot.drawn() || tabled) return;
       root.dataset.drawn = latest.theme;
-      plot.fit({ width, height: heightOf(latest.filled) });
+      plot.fit({ width, height: share * heightOf(latest.filled) });
     },
     fromPaper() {
       if (!root.dataset.drawn) return;

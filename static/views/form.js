@@ -1,11 +1,14 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
 import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
+import { judgedOf, pathOf } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { textIn } from "../lib/schema_form.js";
 import { following, readingText, unread } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
+
+const FOLDED = ["requirements", "satellite_body", "more"]; // groups that are opened when wanted
 
 function choiceAbout(choice) {
   const own = choice.auto ? null : message(`choice.${choice.id}`);
@@ -56,8 +59,11 @@ function createChoice({ id, title, options }, { on }) {
   };
 }
 
-/** `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`, `on.apply()`. */
-export function createForm({ model, calculator, catalogues, on }) {
+/**
+ * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
+ * `on.apply()`, `on.lengths(option)`, `on.size(path)`.
+ */
+export function createForm({ model, calculator, catalogues, lengths, on }) {
   const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
   root.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -83,11 +89,14 @@ export function createForm({ model, calculator, catalogues, on }) {
     const create = field.kind === "records" ? createRows : createField;
     const view = create(field, {
       suggestion: suggestions[field.path],
+      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
       on: {
+        size: () => on.size(field.path),
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
+        /** What follows others does so while it is empty; else the value itself is put in. */
         suggest: () => {
-          on.typed(field.path, textIn(field, suggested[field.path]));
+          on.typed(field.path, suggestions[field.path].linked ? "" : textIn(field, suggested[field.path]));
           view.focus();
         },
       },
@@ -96,11 +105,23 @@ export function createForm({ model, calculator, catalogues, on }) {
     host.append(view.root);
   }
 
+  /** How radii are shown and typed, at the first group that has any. */
+  function addLengths(part) {
+    const options = ["radius", "diameter"].map((id) => ({ id, title: message(`form.${id}`) }));
+    const view = createChoice({ id: "lengths", title: message("form.lengths"), options }, { on: { chosen: on.lengths } });
+    view.setChosen(lengths);
+    part.append(view.root);
+  }
+
+  const isRadius = ({ name = "" }) => name.endsWith("_radius_mm");
+  const firstRadius = model.groups.find(({ items }) => items.some(isRadius));
   for (const group of model.groups) {
     const part = element(html`
       <fieldset class="group card" data-group="${group.id}"><legend>${message(`group.${group.id}`)}</legend></fieldset>`);
-    const rarely = group.items.filter((item) => item.advanced);
-    for (const item of group.items.filter((one) => !one.advanced)) {
+    if (group === firstRadius) addLengths(part);
+    const rare = (item) => FOLDED.includes(group.id) || item.advanced;
+    const rarely = group.items.filter(rare);
+    for (const item of group.items.filter((one) => !rare(one))) {
       if (item.path) {
         addField(item, part);
         continue;
@@ -113,63 +134,77 @@ export function createForm({ model, calculator, catalogues, on }) {
       part.append(view.root);
     }
     if (rarely.length > 0) {
-      const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
+      const more = element(html`<details class="more"><summary>${message(FOLDED.includes(group.id) ? `group.${group.id}` : "form.more")}</summary></details>`);
       for (const field of rarely) addField(field, more);
+      part.classList.toggle("folded", rarely.length === group.items.length);
       part.append(more);
     }
     root.append(part);
   }
 
-  function noteOf(field, reading, text) {
+  function noteOf(field, reading, text, filled) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });
+    if (reading?.worked) return `= ${formatQuantity(reading.value, field.unit, 12)}`;
     const entries = catalogues[field.path];
-    return entries ? properties(entries.find(({ name }) => name === text)) : "";
+    if (entries) return properties(entries.find(({ name }) => name === text));
+    return suggestions[field.path]?.note?.(filled) ?? "";
   }
 
   /** Texts, choices and messages. A field that nobody has touched asks: it is not called wrong. */
   function show(state) {
-    const { typed: { texts, chosen }, reading: { readings }, refusal } = state;
+    const { typed: { texts, chosen }, reading: { readings, filled }, refusal } = state;
     const { missing } = unread(state);
     for (const [id, view] of choices) view.setChosen(chosen[id]);
     for (const [path, field] of model.fields) {
       const view = fields.get(path);
       const reading = missing.includes(path) ? {} : readings[path];
-      if (field.advanced && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
+      if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
       const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
       if (names) view.setNames(names, texts[path]);
       view.setText(texts[path]);
       const refused = refusal?.at[path];
       view.setMessage({
         error: readingText(reading) || (refused?.words ?? ""),
-        note: noteOf(field, reading, texts[path]),
+        note: noteOf(field, reading, texts[path], filled),
         place: reading?.row === undefined ? refused?.place : { row: reading.row, column: reading.column.name },
       });
     }
   }
 
   /** What the theory gives from the other boxes. */
-  function suggest(filled) {
+  function suggest(filled, texts) {
     suggested = {};
-    for (const [path, { formula, value }] of Object.entries(suggestions)) {
+    for (const [path, { formula, value, linked }] of Object.entries(suggestions)) {
       const amount = value(filled);
       const possible = Number.isFinite(amount);
       if (possible) suggested[path] = amount;
-      const { title, required, unit } = model.fields.get(path);
+      const { title, unit } = model.fields.get(path);
       const shown = possible ? formatQuantity(amount, unit) : formula;
       fields.get(path).setSuggestion({
-        possible,
-        label: message("form.suggestion", { title, formula, value: shown }),
+        possible: possible || linked,
+        pressed: linked && texts[path] === "",
+        label: message(linked ? "form.link" : "form.suggestion", { title, formula, value: shown }),
       });
-      if (!required) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
+      if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
     }
   }
 
+  /** A value may be looked for where a check hangs on the field. */
+  const sizes = following(({ shown }) => [shown], ({ shown }) => {
+    const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
+    const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
+    for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
+  });
+  const boxes = following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
+    show(state);
+    suggest(state.reading.filled, state.typed.texts);
+  });
   return {
     root,
     focus: (path) => fields.get(path).focus(),
-    update: following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
-      show(state);
-      suggest(state.reading.filled);
-    }),
+    update(state) {
+      boxes(state);
+      sizes(state);
+    },
   };
 }

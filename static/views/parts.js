@@ -11,6 +11,15 @@ export function sign(level) {
   return SIGNS[level] && html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level]}</span>`;
 }
 
+const BAR = 1.5; // the share of a limit at which a bar is full
+
+/** How much of a limit is used, its mark at the limit; the number stands beside it. */
+export function barMarkup(used, level) {
+  return html`<svg class="bar-of ${level ?? ""}" viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true">
+    <rect class="whole" width="150" height="8"/><rect class="used" width="${Math.round((150 * Math.min(Math.max(used, 0), BAR)) / BAR)}" height="8"/>
+    <path d="M100 0v8"/></svg>`;
+}
+
 /** A symbol as the formulas write it: `r_in` has its index set low. */
 export function symbolMarkup(symbol) {
   const parts = symbol.split(/_([\p{L}\p{N}]+)/u);

@@ -1,5 +1,5 @@
 /** A figure drawn by Plotly: on the screen, following the drawing's crank angle, on paper, as a picture. */
-import { inShownUnits } from "../lib/chart.js";
+import { inShownUnits, pairsOf } from "../lib/chart.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
@@ -51,9 +51,9 @@ export async function pictureOf(chart, { title, format, height, width = PICTURE.
 
 /**
  * `follows(point)` names the pair that a point is of, in a figure that follows the drawing;
- * `picked(pair)` tells of a click on it.
+ * `picked(pair)` tells of a click on it, `clicked(point)` of any, with the place of the click on the axis.
  */
-export function createPlot({ label, follows, picked }) {
+export function createPlot({ label, follows, picked, clicked }) {
   const root = element(html`<div class="plot" role="group" aria-label="${label}"></div>`);
   const cursor = element(html`<div class="cursor" hidden></div>`);
   let Plotly = null; // once it has drawn
@@ -75,16 +75,21 @@ export function createPlot({ label, follows, picked }) {
   function emphasise() {
     const weight = (name) => (turn.pair === null || name === turn.pair ? 1 : 0.25);
     const bars = root.data.map((trace) => (trace.type === "bar" ? trace.y.map(weight) : 1));
-    const lines = root.data.map((trace) => (/^\d+\.\d+$/.test(trace.name) ? weight(trace.name) : trace.opacity ?? 1));
-    Plotly.restyle(root, { "marker.opacity": bars, opacity: lines });
+    const chosen = root.data.map((trace) => pairsOf(trace).includes(turn.pair));
+    const lines = root.data.map((trace, i) => (pairsOf(trace).length > 0 ? (chosen[i] ? 1 : 0.6) : trace.opacity ?? 1));
+    const widths = root.data.map((trace, i) => (chosen[i] ? 3 : trace.line?.width ?? 2));
+    Plotly.restyle(root, { "marker.opacity": bars, opacity: lines, "line.width": widths });
   }
 
   function listen() {
     root.removeAllListeners("plotly_click");
-    root.on("plotly_click", ({ points: [point] }) => {
-      const pair = follows(point);
+    root.on("plotly_click", ({ points: [point], event }) => {
+      const pair = follows?.(point);
       if (pair) picked(pair);
+      const { xaxis } = point;
+      clicked({ ...point, x: xaxis.p2d(event.clientX - root.getBoundingClientRect().left - xaxis._offset) });
     });
+    if (!follows) return;
     root.removeAllListeners("plotly_relayout");
     root.on("plotly_relayout", moveCursor);
     emphasise();
@@ -103,7 +108,7 @@ export function createPlot({ label, follows, picked }) {
       if (layout.xaxis?.dtick && root.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
       const locales = { page: { dictionary: message("plotly"), format: {} } };
       await Plotly.react(root, data, { ...layout, autosize: true, separators: separators() }, { ...CONFIG, locale: "page", locales });
-      if (follows) listen();
+      listen();
     },
     /** Follow the drawing: its crank angle, the pair selected. */
     follow(next) {

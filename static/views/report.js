@@ -1,14 +1,16 @@
-/** The report on paper and as one HTML file: what the page shows, its inputs as a table, all steps open. */
+/** The report on paper, as the page stands open, and as one HTML file with everything; inputs as a table. */
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/schema_form.js";
+import { LABELS } from "../lib/url_state.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .now, .say, .cursor, [hidden], script, link";
+const PAPER_HEIGHT = 0.66; // of that on the screen
+const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
 function valueText(field, value, catalogue) {
@@ -65,42 +67,52 @@ function svgOf(url) {
 }
 
 /**
- * On paper `plain`, the verdict in words, follows the numbers. `shown()` gives the results on the
+ * On paper a title block stands over the verdict, and the inputs follow the checks. `shown()` gives the results on the
  * screen (store.js), null where there are none; `light()` draws the figures for paper,
  * `back()` as they were; `failed(problem)` says that no file could be made.
  */
-export function createReport({ calculator, model, catalogues, version, outputs, figures, plain, worked, shown, light, back, failed }) {
+export function createReport({ calculator, model, catalogues, version, outputs, figures, worked, shown, light, back, failed }) {
   const head = element(html`<header class="report-head"></header>`);
+  const givens = element(html`<div class="report-givens"></div>`);
   outputs.prepend(head);
+  outputs.querySelector(".answer").after(givens);
+  let folds = []; // opened for paper
   const title = message("report.title", { calculator: message(`calculator.${calculator.id}`) });
   const listening = new AbortController();
-  const place = plain.nextSibling;
   let prepared = false;
 
-  function prepare() {
+  /** On paper stands what is open on the page, in a file of its own everything. */
+  function prepare({ whole } = {}) {
     const now = shown();
     if (!now || prepared) return;
     prepared = true;
     fill(head, html`<h1>${title}</h1>
+      <table class="title-block"><tbody><tr>${LABELS.filter((label) => label !== "note").map((label) => html`
+        <th scope="row">${message(`label.${label}`)}</th><td>${now.typed.texts[label] || "–"}</td>`)}
+        <th scope="row">${message("label.date")}</th><td>${new Date().toISOString().slice(0, 10)}</td></tr></tbody></table>
+      ${now.typed.texts.note && html`<p class="report-note">${now.typed.texts.note}</p>`}
       <p class="made">${message("report.made", { version, date: new Date().toISOString().slice(0, 10) })}</p>
-      <p class="made">${location.href}</p>
-      <h2>${message("report.inputs")}</h2>
+      <p class="made">${location.href}</p>`);
+    fill(givens, html`<h2>${message("report.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
-    outputs.querySelector(".verdict").after(plain);
-    worked.unfold();
-    for (const figure of figures) figure.toPaper(PAPER_WIDTH);
+    const closed = whole ? "details.fold:not([open], .accuracy-fold), .checks details.more:not([open])" : ".checks details.more:not([open])";
+    folds = [...outputs.querySelectorAll(closed)];
+    for (const fold of folds) fold.open = true;
+    if (whole) worked.unfold();
+    for (const figure of figures) figure.toPaper(PAPER_WIDTH, whole ? 1 : PAPER_HEIGHT);
   }
 
   function restore() {
     if (!prepared) return;
     prepared = false;
-    outputs.insertBefore(plain, place);
+    for (const fold of folds) fold.open = false;
     worked.fold();
     for (const figure of figures) figure.fromPaper();
     fill(head, html``);
+    fill(givens, html``);
   }
 
-  addEventListener("beforeprint", prepare, { signal: listening.signal });
+  addEventListener("beforeprint", () => prepare(), { signal: listening.signal });
   addEventListener("afterprint", () => {
     restore();
     back();
@@ -110,7 +122,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
     const css = await styles();
     const pictures = await Promise.all(figures.map(async (figure) =>
       [figure.id, figure.drawn() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
-    prepare();
+    prepare({ whole: true });
     const copy = outputs.cloneNode(true);
     restore();
     // The pictures join as text: in this document their style attributes would break the policy.

@@ -1,5 +1,6 @@
-/** All results as tables, a section each; warnings above, accuracy and cost below. */
-import { formatDuration, formatNumber, quantityParts, shownDigits, unitOf } from "../lib/format.js";
+/** All results as tables, a section each; warnings above. */
+import { ASIDE } from "../lib/checks.js";
+import { quantityParts, shownDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/verdict.js";
@@ -8,7 +9,7 @@ import { warningText } from "../service_texts.js";
 import { following } from "../store.js";
 import { sign, symbolMarkup, tableMarkup } from "./parts.js";
 
-const ASIDE = ["accuracy", "warnings"]; // have their own place in each section
+
 
 function isScalar(value) {
   return ["number", "boolean", "string"].includes(typeof value);
@@ -63,15 +64,6 @@ function records([name, value], elsewhere) {
   });
 }
 
-function accuracyMarkup({ method, method_code: code, relative_error: error, evaluations, run_time_us: time }) {
-  return html`<p class="accuracy">${message("results.accuracy", {
-    method: said("methods", code) ?? method,
-    error: error === 0 ? message("results.exact") : formatNumber(error, 2),
-    evaluations: formatNumber(evaluations, 15),
-    time: formatDuration(time),
-  })}</p>`;
-}
-
 function warningsMarkup(warnings = [], titles) {
   return warnings.length > 0 && html`<ul class="warnings">${warnings.map((warning) =>
     html`<li>${sign(levelOf(warning.code))}<span>${warningText(warning, titles)}</span></li>`)}</ul>`;
@@ -97,14 +89,7 @@ function sectionMarkup(id, section, elsewhere, titles) {
         <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
       </table>
       ${lists.map((list) => records(list, elsewhere))}
-      ${accuracyMarkup(section.accuracy)}
     </section>`;
-}
-
-/** What of the cited papers cannot be right as printed, and what is computed instead. */
-function notesMarkup(notes) {
-  return html`<section class="card result notes"><h2>${message("notes.title")}</h2>
-    <ul>${notes.flatMap((id) => message(`notes.${id}`)).map((note) => html`<li>${note}</li>`)}</ul></section>`;
 }
 
 /**
@@ -112,13 +97,15 @@ function notesMarkup(notes) {
  * API names in warnings.
  */
 export function createResults({ calculator, titles }) {
-  const root = element(html`<div class="results" aria-label="${message("results.label")}" role="region"></div>`);
+  const root = element(html`<details class="card fold all-results"><summary><h2>${message("results.all")}</h2></summary>
+    <div class="results"></div></details>`);
+  const host = root.querySelector(".results");
   return {
     root,
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
-      fill(root, html`${calculator.sections.map((id) =>
-        sectionMarkup(id, shown.answer[id], calculator.elsewhere, titles))}${notesMarkup(calculator.notes)}`);
+      fill(host, html`${calculator.sections.map((id) =>
+        sectionMarkup(id, shown.answer[id], calculator.elsewhere, titles))}`);
     }),
   };
 }

@@ -1,11 +1,13 @@
-/** The strip over the results: the few numbers that decide, and whether they match the inputs. */
+/**
+ * The answer first: the word over the whole design, the check that governs, the largest torque. It
+ * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
+ */
+import { checkRow, decisive, groupsOf, judgedOf, levelOfWord, notConsidered, wordOf } from "../lib/checks.js";
+import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following, standing } from "../store.js";
-import { sign } from "./parts.js";
-
-// A tick judges a design: that numbers and inputs belong together gets none.
-const PHASE_SIGNS = { wrong: "bad", refused: "bad", offline: "bad" };
+import { barMarkup, sign } from "./parts.js";
 
 function cellMarkup({ label, value, unit, note, level }) {
   return html`
@@ -16,35 +18,74 @@ function cellMarkup({ label, value, unit, note, level }) {
     </div>`;
 }
 
-function phaseMarkup({ phase, numbers }) {
-  const mark = phase === "computing" ? html`<span class="sign" aria-hidden="true">…</span>` : sign(PHASE_SIGNS[phase]);
-  return html`
-    <div class="cell state ${phase}">
-      <dt>${message("state.label")}</dt>
-      <dd><span class="figures">${mark}${message(`state.${phase}`)}</span>
-        <span class="note">${message(`state.${numbers}Note`)}</span></dd>
-    </div>`;
+/** The word, and under it of which inputs the numbers are where they are not of these. */
+function wordMarkup({ phase, numbers }, judged) {
+  const known = judged && numbers === "fresh";
+  const word = known ? wordOf(judged) : null;
+  const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
+  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad" }[phase];
+  return html`<p class="word ${level ?? ""}">${sign(level)}${text}</p>
+    <p class="note">${word ? message(`verdictWord.${word}Note`, { groups: groupsOf(judged) }) : message(`state.${numbers}Note`)}</p>`;
 }
 
-export function createVerdict({ calculator }) {
+function governingMarkup(judged, titles) {
+  const check = judged && decisive(judged);
+  if (!check) return html`<p class="label">${message("checks.governing")}</p><p class="note">–</p>`;
+  const { title, value, limit, used, level, reason, judged: known } = checkRow(check, titles);
+  return html`<p class="label">${message("checks.governing")}: <b>${title}</b></p>
+    ${used !== undefined && known && barMarkup(used, level)}
+    <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
+}
+
+function torqueMarkup(judged) {
+  const { value, unit } = judged?.largest_torque_Nm === undefined ? { value: "–", unit: "" }
+    : quantityParts(judged.largest_torque_Nm, "N·m", 4);
+  return html`<p class="label">${message("checks.torque")}</p>
+    <p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>`;
+}
+
+export function createVerdict({ calculator, titles }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
-      <div class="cells"><dl class="numbers"></dl><dl class="now"></dl></div>
+      <div class="judged"></div><div class="governing"></div><div class="torque"></div>
+      <nav class="jumps" aria-label="${message("jumps.label")}">${["answer", "inputs", "shown", "rest"].map((id) => html`
+        <button type="button" class="link" data-jump="${id}">${message(`jumps.${id}`)}</button>`)}</nav>
+    </section>`);
+  root.querySelector(".jumps").addEventListener("click", ({ target }) => {
+    document.querySelector(`.workbench .${target.dataset.jump}`)?.scrollIntoView();
+  });
+  const part = (name) => root.querySelector(`.${name}`);
+  return {
+    root,
+    update: following(({ shown, typed, phase }) => [shown, typed, phase], (state) => {
+      const judged = judgedOf(calculator, state.shown?.answer);
+      fill(part("judged"), wordMarkup(standing(state), judged));
+      fill(part("governing"), governingMarkup(judged, titles));
+      fill(part("torque"), torqueMarkup(judged));
+    }),
+  };
+}
+
+/** The few numbers that the calculator is asked for, the line of problems and warnings, what is not looked at. */
+export function createNumbers({ calculator }) {
+  const root = element(html`
+    <section class="summary card" aria-label="${message("results.label")}">
+      <dl class="numbers"></dl>
       <p class="say" data-level=""></p>
+      <p class="aside"></p>
     </section>`);
   const numbers = root.querySelector(".numbers");
-  const now = root.querySelector(".now");
   const say = root.querySelector(".say");
+  const aside = root.querySelector(".aside");
   const none = calculator.verdict({});
   return {
     root,
-    update: following(({ shown, typed, phase, line }) => [shown, typed, phase, line], (state) => {
-      fill(numbers, html`${(state.shown?.cells ?? none).map(cellMarkup)}`);
-      fill(now, phaseMarkup(standing(state)));
+    update: following(({ shown, line }) => [shown, line], ({ shown, line: [level, text] }) => {
+      fill(numbers, html`${(shown?.cells ?? none).map(cellMarkup)}`);
       // One line that is always there: the problem, the first warning, or that there is none.
-      const [level, text] = state.line;
       say.dataset.level = level;
       fill(say, html`${sign(level)}<span>${text}</span>`);
+      aside.textContent = shown ? notConsidered(judgedOf(calculator, shown.answer) ?? {}) : "";
     }),
   };
 }

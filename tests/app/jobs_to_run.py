@@ -18,6 +18,14 @@ def counts(last):
     yield from range(last)
 
 
+def sleeps_after(file: Path, seconds):
+    """From when a file is there."""
+    while not file.exists():
+        time.sleep(0.01)
+    time.sleep(seconds)
+    yield None
+
+
 def sleeps(seconds):
     time.sleep(seconds)
     yield os.getpid()

@@ -16,6 +16,12 @@ GEAR = {
 MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
 STUDIES = {
     "peak_force": {**MECHANISM, "output_torque_Nm": 500, "pin_circle_radius_mm": 50},
+    "output-efficiency": {
+        "mechanism": MECHANISM,
+        "load": {"output_torque_Nm": 500, "pin_circle_radius_mm": 50, "input_speed_rpm": 1450},
+        "contact": {"contact_length_mm": 20, "pin_radius_mm": 5, "eccentricity_mm": 2},
+        "friction": {"coefficient": 0.08},
+    },
     "contact_line_length": GEAR,
     "meshing_load": MESH,
     "roller_sharing": {

@@ -51,7 +51,7 @@ def choose(page: Page, choice: str, option: str) -> None:
 
 def verdict(page: Page, position: int) -> Locator:
     """The number in a cell of the verdict."""
-    return page.locator(".verdict .numbers .cell").nth(position).locator(".figures")
+    return page.locator(".summary .numbers .cell").nth(position).locator(".figures")
 
 
 def saved(page: Page, button: Locator) -> Path:
@@ -73,7 +73,7 @@ def words_at(page: Page, path: str) -> Locator:
 
 
 def result(page: Page, name: str) -> float:
-    return number(page.locator(f'.results [data-name="{name}"] .value').inner_text())
+    return number(page.locator(f'.results [data-name="{name}"] .value').text_content() or "")
 
 
 def number(text: str) -> float:

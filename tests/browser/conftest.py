@@ -56,7 +56,9 @@ def browser() -> Iterator[sync_api.Browser]:
         browser.close()
 
 
-DESCRIPTION = [f"/api/v1/{name}" for name in ("openapi.json", "examples", "materials")]
+DESCRIPTION = [
+    f"/api/v1/{name}" for name in ("openapi.json", "examples", "materials", "calculations")
+]
 
 
 @dataclass

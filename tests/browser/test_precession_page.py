@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     assert length == pytest.approx(40.2196026288, rel=2e-4)
     assert deflection == pytest.approx(answer["deflection_C_mm"]["total"], rel=5e-3)
     assert result(page, "max_line_load_N_per_mm") == pytest.approx(load, rel=1e-3)
-    expect(page.locator(".verdict .numbers")).to_contain_text("C 379.5")  # |(-171.17, 338.66)|
+    expect(page.locator(".summary .numbers")).to_contain_text("C 379.5")  # |(-171.17, 338.66)|
     for figure in ("contactLines", "lineLoad", "shaft"):
         line = page.locator(f'[data-figure="{figure}"] .scatterlayer .js-line')
         expect(line.first).to_be_attached()
@@ -60,7 +60,7 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     show(page, service, "precession")
     before = figures(page)
     page.get_by_role("button", name="Remove row 4").press("Enter")
-    expect(page.locator(".verdict")).to_contain_text("3 rollers")
+    expect(page.locator(".summary")).to_contain_text("3 rollers")
     expect(page.get_by_role("button", name="Remove row 1")).to_be_focused()
     page.get_by_role("button", name="Add a row").press("Enter")
     expect(cell(page, 4, "Position angle")).to_be_focused()
@@ -69,7 +69,7 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     page.keyboard.press("ArrowUp")  # by the schema's step of 15
     expect(cell(page, 4, "Position angle")).to_have_value("120")
     expect(words_at(page, "rollers")).to_contain_text("Position of the roller")
-    expect(page.locator(".verdict")).to_contain_text("4 rollers")
+    expect(page.locator(".summary")).to_contain_text("4 rollers")
     settled(page)
     assert figures(page) == before
     reopen(page)
@@ -114,7 +114,7 @@ def test_a_wheel_and_a_stepped_shaft_start_from_the_same_design(page: Page, serv
     settled(page)
     assert figures(page) == before
     cell(page, 2, "Diameter").fill("30")
-    expect(page.locator(".results [data-name=simplification_error_C]")).to_be_visible()
+    expect(page.locator(".results [data-name=simplification_error_C]")).to_be_attached()
     assert figures(page)[2] < before[2]
     reopen(page)
     expect(cell(page, 2, "Diameter")).to_have_value("30")
@@ -133,7 +133,7 @@ def test_a_wheel_and_a_stepped_shaft_start_from_the_same_design(page: Page, serv
     page.keyboard.press("Alt+3")
     expect(box(page, "wheel.z_min_mm")).to_have_value("-5")
     settled(page, "refused")
-    expect(page.locator(".verdict")).to_contain_text("phi = 0")
+    expect(page.locator(".say")).to_contain_text("phi = 0")
     expect(page.locator('[data-figure="lineLoad"] .figure-message')).to_contain_text("phi = 0")
 
 

@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     ]
     others = CALCULATORS - {"rollers"}
     assert not [path for path in watch.paths() for other in others if f"/{other}/" in path]
-    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 14
+    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 17
     expect(page.locator("[data-figure] .js-plotly-plot")).to_have_count(1)
 
     page.locator('[data-figure="rollers"] .show-table').click()
@@ -52,7 +52,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
 def test_typing_changes_the_verdict_and_the_link_keeps_it(page: Page, service: str) -> None:
     show(page, service, "rollers")
     box(page, "position_tolerance_mm").fill("0,05")
-    expect(page.locator(".verdict")).to_contain_text("1 of 4 rollers carry")
+    expect(page.locator(".summary")).to_contain_text("1 of 4 rollers carry")
     assert result(page, "load_nonuniformity") == 4
     reopen(page)
     assert box(page, "position_tolerance_mm").input_value() == "0.05"
@@ -104,7 +104,7 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     titles = page.locator("#example option").all_inner_texts()
     assert len(titles) > 2 and all("pairs" not in title for title in titles)
     page.locator("#example").select_option(label=next(one for one in titles if "fig. 5" in one))
-    expect(page.locator(".verdict .numbers .cell.bad")).to_contain_text("1 of")
+    expect(page.locator(".summary .numbers .cell.bad")).to_contain_text("1 of")
     expect(page.locator("#example-source")).to_contain_text("Ovsyannikov")
     fits_narrow_screens(page, "rollers")
     expect(page.locator(".notes")).to_contain_text("n/4")
@@ -115,6 +115,7 @@ def test_error_against_run_time_is_measured_on_demand_only(page: Page, service: 
     work = "/api/v1/work-precision/chart"
     assert work not in watch.paths()
     figure = page.locator('[data-figure="workSharing"]')
+    page.locator(".accuracy-fold > summary").click()
     figure.get_by_role("button", name="Measure on these inputs").click()
     expect(figure.locator(".legendtext", has_text="Used by the calculator")).to_be_visible()
     assert watch.paths().count(work) == 1

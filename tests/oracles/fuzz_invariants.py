@@ -160,7 +160,9 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
     if "load" in body:
         usual += ["contact_force", *(["hertz"] if "contact" in body else [])]
     asked = {*body.get("include", usual)}
-    expect(set(answer) - {"warnings"} == asked, "sections", list(answer))
+    verdict = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
+    said = {"warnings", "not_considered", *verdict}
+    expect(set(answer) - said == asked, "sections", list(answer))
     if "cyclogram" in answer:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)
     mechanism = {key: value for key, value in body["mechanism"].items() if key != "revolutions"}

@@ -356,6 +356,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
 }
 STUDIES = {
     "peak_force": contact_force,
+    "output-efficiency": output_efficiency,
     "contact_line_length": gear,
     "meshing_load": meshing_load,
     "roller_sharing": roller_strength,

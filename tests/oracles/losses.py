@@ -17,6 +17,9 @@ from tests.oracles.crank_planetary import breaks, phases
 SLIVER = mpf("1e-11")
 """Ranges of the wave angle shorter than this, rad, have no extremes of their own."""
 
+SWITCHED = mpf("1e-35")
+"""Cosine of a pair that just begins or ends to drive, but for rounding."""
+
 NEAR = 1e-5
 """How far below the largest of all, as a part of it, a sample is beside no largest value."""
 
@@ -59,7 +62,8 @@ class _Part:
 
     def force(self, psi: mpf) -> mpf:
         along, across = mp.cos_sin(psi)
-        cosines = [max(-across * cos - along * sin, mpf(0)) for cos, sin in self.turned]
+        cosines = [-across * cos - along * sin for cos, sin in self.turned]
+        cosines = [c if c > SWITCHED else mpf(0) for c in cosines]
         best, v = max(cosines), self.exponent
         if v == 0:
             return len(cosines) / mp.fsum(cosines)

@@ -75,7 +75,7 @@ def test_a_mechanism_that_cannot_work_says_where(calc):
 
 
 def test_what_no_calculation_is_is_refused(calc):
-    with pytest.raises(Refused, match="Not Found") as caught:
+    with pytest.raises(Refused, match="No such path") as caught:
         calc.ask("no-such-thing")
     assert caught.value.status == 404
 

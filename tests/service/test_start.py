@@ -99,7 +99,7 @@ def test_a_full_tmp_kills_no_worker(serve, tiny, monkeypatch, full):
             for _ in range(4):
                 assert httpx.get(service.url + path).status_code in (200, 404, 405)
         assert httpx.post(f"{service.url}/api/v1/hertz", json={}).status_code == 422
-        assert family(service.process.pid) == started
+        assert set(family(service.process.pid)) >= set(started)  # one may have started since
     assert not [line for line in service.log() if line["level"] == "error"]
 
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-import { curveTables, inShownUnits, overlaid, inLanguage } from "../../static/lib/chart.js";
+import { coinciding, curveTables, enveloped, inShownUnits, overlaid, inLanguage, pairsOf } from "../../static/lib/chart.js";
 import { useLanguage } from "../../static/messages/index.js";
 import { setUnits } from "../../static/lib/units.js";
 
@@ -90,11 +90,29 @@ test("curves that share no places become one long table", () => {
   assert.deepEqual(table.rows[2], ["b", 1, 1]);
 });
 
-test("other designs lie dashed over the curves, each named once", () => {
-  const { data } = overlaid(CHART, [{ name: "A", chart: CHART }]);
-  assert.equal(data.length, 5);
-  assert.deepEqual(data.slice(3).map(({ name, showlegend }) => [name, showlegend]), [["A", true], ["A", false]]);
-  assert.equal(data[3].line.dash, "dash");
-  assert.equal(data[3].line.color, "red");
-  assert.deepEqual(data[3].y, CHART.data[0].y);
+test("other designs have a colour each, their points by name, and room on the axes; equal curves lie there once", () => {
+  const other = {
+    data: [CHART.data[0], { ...CHART.data[1], y: [0, 300] }, CHART.data[2]],
+    layout: { ...CHART.layout, yaxis: { ...CHART.layout.yaxis, range: [0, 400] } },
+  };
+  const { data, layout } = overlaid(CHART, [{ name: "A", chart: other }, { name: "B", chart: other }]);
+  const added = data.slice(3);
+  assert.deepEqual(added.map(({ name, mode, showlegend }) => [name, mode, showlegend]), [
+    ["A", "lines", true], ["A", "markers+text", false], ["B", "lines", true], ["B", "markers+text", false],
+  ]);
+  assert.equal(added[0].line.dash, "dash");
+  assert.notEqual(added[0].line.color, added[2].line.color);
+  assert.deepEqual(added[1].text, ["A"]);
+  assert.deepEqual([layout.yaxis.range, layout.xaxis.range], [[0, 400], [0, 10]]);
+});
+
+test("pairs stand thin under the largest force; curves that coincide are one, and are said", () => {
+  const line = (name, y) => ({ name, mode: "lines", x: [0, 1, 2], y, line: { color: "red", dash: "dash" }, hovertemplate: name });
+  const chart = enveloped({ data: [line("1.1", [0, 4, 1]), line("1.2", [2, 3, 5]), line("2.2", [0, 4, 1]), { name: "Peak", mode: "markers", x: [1], y: [4] }], layout: { shapes: [{}] } }, "Largest");
+  assert.deepEqual(chart.data.map(({ name }) => name), ["1.1 = 2.2", "1.2", "Largest", "Peak"]);
+  assert.deepEqual(chart.data[2].y, [2, 4, 5]);
+  assert.deepEqual(coinciding(chart), ["1.1 = 2.2"]);
+  assert.deepEqual(pairsOf(chart.data[0]), ["1.1", "2.2"]);
+  const over = overlaid(chart, [{ name: "A", chart: { ...chart, data: [{ ...chart.data[2], y: [9, 9, 9] }, chart.data[1]] } }]);
+  assert.deepEqual(over.data.slice(4).map(({ name, y }) => [name, y]), [["A", [9, 9, 9]]], "of another design the envelope alone");
 });

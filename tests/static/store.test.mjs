@@ -38,7 +38,7 @@ test("a state is opened, asked for and answered", () => {
   assert.equal(state.pending, state.reading.filled);
   state = answeredWith(state);
   assert.deepEqual(next.standing(state), { phase: "fresh", numbers: "fresh" });
-  assert.deepEqual(state.line, ["good", "No warnings"]);
+  assert.deepEqual(state.line, ["", "No warnings"]);
   assert.match(state.said, /Force 5 N, all/);
   assert.equal(state.shown.input, state.reading.input);
 });
@@ -94,15 +94,27 @@ test("without the service the numbers count as older, and the reason is said", (
   assert.match(state.line[1], /cannot be reached/);
 });
 
-test("warnings, what is wanted and what cannot be built are said in the line", () => {
+test("warnings are said in the line", () => {
   const warned = { ...ANSWER, warnings: [{ code: "new_one", params: {}, detail: "a clearance" }] };
   assert.deepEqual(answeredWith(opened(), { answer: warned }).line, ["warning", "Warning: A clearance"]);
-  const wanted = opened(INPUT, { wanted: () => ["Enter a limit."] });
-  assert.deepEqual(answeredWith(wanted, { answer: warned }).line, ["warning", "2 warnings below: Enter a limit."]);
-  const impossible = answeredWith(opened(INPUT, { impossible: () => ["Not possible: overlap."] }));
-  assert.deepEqual([impossible.phase, next.standing(impossible).phase], ["fresh", "refused"]);
-  assert.deepEqual(impossible.line, ["bad", "Not possible: overlap."]);
-  assert.match(impossible.said, /^Not possible: overlap\. Results/);
+});
+
+test("what cannot be built stands as not possible, and is said with its check", () => {
+  const check = { code: "x", title: "Hole too small", status: "fail", impossible: true, value: 7.97, limit: 8, unit: "mm", keep: "above" };
+  const answer = { ...ANSWER, verdict: "fail", governing: "x", checks: [check] };
+  const state = answeredWith(opened(), { answer });
+  assert.deepEqual([state.phase, next.standing(state).phase], ["fresh", "refused"]);
+  assert.ok(state.said.startsWith("Not possible. Hole too small: 7.97\u00a0mm (≥\u00a08\u00a0mm)."));
+});
+
+test("a fix is applied as one step, and one of another design is passed over", () => {
+  const state = answeredWith(opened());
+  const mended = next.mended(state, state.shown, [{ sets: { "/mechanism/pins": 5 } }]);
+  assert.equal(mended.fixes.of, mended.shown);
+  assert.equal(next.mended(state, {}, []), state);
+  const applied = next.applied(mended, { "/mechanism/pins": 5, "/not/here": 1 }, 0);
+  assert.equal(applied.reading.input.mechanism.pins, 5);
+  assert.equal(next.steppedBack(applied).reading.input.mechanism.pins, 3);
 });
 
 test("an option starts from the same design, from the table, and not over what was typed", () => {
@@ -131,6 +143,22 @@ test("the drawing waits for the curves of its figure, unless that has none or is
   assert.equal(next.drawable(next.tabled(next.tabled(state, "force", true), "force", false)), null);
 });
 
+test("the drawing opens at the place that decides, until the user turns it", () => {
+  const drawing = { section: "force", start: ({ force }) => force.value };
+  const first = answeredWith(opened(INPUT, { drawing }));
+  assert.equal(first.turn.angle, 5);
+  const turned = answeredWith(next.turned(first, 40));
+  assert.equal(turned.turn.angle, 40);
+  assert.equal(answeredWith(next.taken(turned, stateFromInput(MODEL, INPUT), 0)).turn.angle, 5);
+});
+
+test("a title is no input: it leaves the numbers fresh, stands in the link and can be undone", () => {
+  const titled = next.addressed(next.labelled(answeredWith(opened()), "title", "Hoist", 0));
+  assert.deepEqual(next.standing(titled), { phase: "fresh", numbers: "fresh" });
+  assert.match(titled.address, /&title=Hoist$/);
+  assert.equal(next.steppedBack(titled).typed.texts.title, undefined);
+});
+
 test("views are told of every state, and act only on what they follow", () => {
   const store = next.createStore(opened());
   const seen = [];
@@ -140,5 +168,5 @@ test("views are told of every state, and act only on what they follow", () => {
   store.apply(next.themed, "dark");
   store.apply(next.selected, "1.2");
   assert.deepEqual(seen, [0, 30, 30]);
-  assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2" });
+  assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2", own: true });
 });

@@ -67,6 +67,21 @@ test("designs are kept, renamed, removed, and found again", () => {
   assert.deepEqual(designs.of("other"), []);
 });
 
+test("two tabs keep designs in one storage, and neither loses the other's", () => {
+  const storage = memory();
+  const [one, other] = [createDesigns(storage), createDesigns(storage)];
+  const first = one.add("job", { pins: 3 });
+  const second = other.add("job", { pins: 4 });
+  assert.deepEqual([first.name, second.name], ["A", "B"]);
+  assert.notEqual(first.id, second.id);
+  one.rename(second, "Wide");
+  other.remove(first);
+  assert.deepEqual(one.of("job").map(({ name, input }) => [name, input.pins]), [["Wide", 4]]);
+  const older = createDesigns(memory({ "khv-calc.designs": '[{"name":"A","calculator":"job","input":{}}]' }));
+  older.rename(older.of("job")[0], "Old");
+  assert.equal(older.of("job")[0].name, "Old", "designs kept before there were ids");
+});
+
 test("a file of designs loads elsewhere; names that are taken get a free one", () => {
   const first = createDesigns(memory());
   first.add("job", { pins: 3 });

@@ -49,9 +49,19 @@ test("a default that was cleared on purpose stays cleared or means the same", ()
   assert.equal(back.texts["mechanism.satellites"], "2");
 });
 
-test("addresses of no or another version describe no state", () => {
-  assert.equal(decodeState(MODEL, new URLSearchParams("mechanism.pins=3")), null);
-  assert.equal(decodeState(MODEL, new URLSearchParams("v=2&mechanism.pins=3")), null);
+test("a link without a version is of this one; another version, unknown and contradicting names are said", () => {
+  const read = (text) => decodeState(MODEL, new URLSearchParams(text));
+  assert.equal(read(""), null);
+  assert.equal(read("calculator=job&units=us&lang=uk"), null, "no design, the example will do");
+  assert.deepEqual([read("mechanism.pins=5").texts["mechanism.pins"], read("mechanism.pins=5").unknown], ["5", []]);
+  assert.deepEqual(read("calculator=job&v=2&mechanism.pins=5&foo=1").unknown, ["v=2", "foo"]);
+  assert.deepEqual(read("v=1&mechanism.ratio=20&mechanism.ring_teeth=42").unknown, ["mechanism.ring_teeth"]);
+});
+
+test("title, author, revision and note travel in the link", () => {
+  const state = withTexts(stateFromInput(MODEL, INPUT), { title: "Hoist & winch", note: "first" });
+  assert.match(query("job", MODEL, state), /&title=Hoist\+%26\+winch&note=first$/);
+  assert.deepEqual([through(state).texts.title, through(state).texts.author, through(state).unknown], ["Hoist & winch", "", []]);
 });
 
 test("names that the form does not know are passed over", () => {

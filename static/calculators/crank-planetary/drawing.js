@@ -10,6 +10,7 @@ const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
 const MARGIN = 26; // px
 
+const LABEL_PX = 96; // room for the dimensions about the pair
 const FIELD = {
   R: "load.pin_circle_radius_mm",
   pin: "contact.pin_radius_mm",
@@ -222,7 +223,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
   const close = m.eccentricity
-    ? createView({ ...detail, scale: (detail.half * 0.62) / (m.holeRadius + m.eccentricity) })
+    ? createView({ ...detail, scale: Math.max(detail.half * 0.3, Math.min(detail.half * 0.62, detail.half - LABEL_PX)) / (m.holeRadius + m.eccentricity) })
     : null;
   const { peak_force_N: peak, peak_pair: most } = answer.contact_force ?? {};
   const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton

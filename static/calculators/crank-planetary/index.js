@@ -6,14 +6,20 @@
  */
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
+import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
-import { impossible, impossibleWords, judged, judgement, wantedWords, withoutFalseSafety } from "./judgement.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { sentences } from "./sentences.js";
 import { workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
+
+/** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
+const TRADE_OFF = {
+  pins: 5, satellites: 3, crank_angles_deg: [0, 100, 230], ratio: 17.31, output_torque_Nm: 280, pin_circle_radius_mm: 28,
+  force_exponent: 1.1,
+};
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
 function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
@@ -24,13 +30,16 @@ function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
   return { ...contact, force_N: answer.contact_force.peak_force_N };
 }
 
-function positive(value) {
-  return value > 0 ? value : NaN;
+/** How much the hole is larger than pin and eccentricity need, or smaller. */
+function clearanceNote({ contact }) {
+  const clearance = tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
+  if (!(Math.abs(clearance) > 1e-9)) return "";
+  return message(`form.${clearance > 0 ? "clearance" : "interference"}`, { value: formatQuantity(Math.abs(clearance), "mm", 4) });
 }
 
-/** Tooth numbers of exactly this ratio, with a difference as small as usual; none where there are none. */
+/** Tooth numbers of exactly this ratio, with the least difference; none where there are none. */
 function teethOf(ratio) {
-  const difference = [2, 1, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
+  const difference = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10].find((d) => Number.isInteger(tidy(ratio * d)));
   if (!difference) return {};
   const satellite = tidy(ratio * difference);
   return { "mechanism.satellite_teeth": satellite, "mechanism.ring_teeth": satellite + difference };
@@ -62,12 +71,19 @@ function peakCell(section) {
   };
 }
 
-function pressureCell(answer, context) {
-  const { pressure, level } = judged(answer);
-  const value = pressure === undefined ? {} : stated(answer.hertz, pressure, "MPa", 4);
-  return impossible(answer).length > 0
-    ? { ...value, level: "bad", note: message("state.refused") }
-    : { ...value, level, note: judgement(answer, context) };
+function pressureCell(section) {
+  const { governing_pressure_MPa: pressure, safety_factor: safety } = section;
+  return {
+    ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
+    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3) }),
+  };
+}
+
+/** An answer as it is shown: no safety of what cannot be built. */
+function withoutFalseSafety(answer) {
+  if (!answer.hertz || !answer.checks?.some(({ impossible }) => impossible)) return answer;
+  const { safety, safety_factor, ...hertz } = answer.hertz;
+  return { ...answer, hertz };
 }
 
 function columns(...names) {
@@ -117,8 +133,20 @@ function approximated({ pins, satellites }) {
 export default {
   id: "crank-planetary",
   path: "/crank-planetary",
-  groups: ["mechanism", "load", "contact"],
-  hidden: ["load.include", "load.samples", "include", "crank_angle_deg"],
+  groups: ["mechanism", "load", "contact", "satellite_body", "requirements"],
+  arranged: {
+    reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
+    pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
+    load: ["torque", "contact.dynamic_factor"],
+    materials: ["contact.pin_material", "contact.hole_material"],
+    requirements: ["requirements.pitting_safety", "requirements.min_wall_mm"],
+    satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
+    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
+  },
+  hidden: [
+    "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
+    "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
+  ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
     ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
@@ -131,15 +159,15 @@ export default {
   suggestions: {
     "mechanism.crank_spacing_deg": {
       formula: "360°/K",
+      linked: true,
       value: ({ mechanism }) => 360 / mechanism.satellites,
     },
     "contact.hole_radius_mm": {
       formula: "r_in + e",
+      linked: true,
+      needs: "contact.eccentricity_mm",
       value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm),
-    },
-    "contact.eccentricity_mm": {
-      formula: "r_out − r_in",
-      value: ({ contact }) => positive(tidy(contact?.hole_radius_mm - contact?.pin_radius_mm)),
+      note: clearanceNote,
     },
   },
 
@@ -161,30 +189,40 @@ export default {
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
-      ...(sections.includes("hertz") && { contact: input.contact }),
-      include: sections,
+      ...(sections.includes("hertz") && {
+        contact: input.contact,
+        ...(input.satellite_body && { satellite_body: input.satellite_body }),
+        ...(input.requirements && { requirements: input.requirements }),
+      }),
+      include: [...sections, "checks"],
     }));
   },
 
-  verdict: (answer, context) => [
+  mend: ({ post, input }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
+
+  /** Which way results are better. */
+  better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },
+
+  /** What a field may be sized for besides the checks. */
+  targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
+
+  verdict: (answer) => [
     cell("peak", answer.contact_force, peakCell),
     cell("pairs", answer.cyclogram, pairsCell),
-    cell("pressure", answer.hertz, () => pressureCell(answer, context)),
+    cell("pressure", answer.hertz, pressureCell),
   ],
 
-  /** Why the design cannot be built, and what has to be given before it can be judged: sentences. */
-  impossible: (answer, { input }) => impossibleWords(answer, input),
-  wanted: wantedWords,
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
   elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
 
   /** The drawing takes its forces from a figure's curves. */
-  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true },
+  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
 
   figures: [
     {
       id: "cyclogram",
+      side: true,
       follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
       path: "/cyclogram/chart",
@@ -196,7 +234,8 @@ export default {
       id: "force",
       section: "contact_force",
       path: "/contact-force/chart",
-      follows: ({ data }) => (data.mode === "lines" ? data.name : null),
+      follows: ({ data }) => pairsOf(data)[0] ?? null,
+      enveloped: true,
       compared: true,
       body: forceBody,
       height: 400,
@@ -204,13 +243,14 @@ export default {
     },
     {
       id: "hertz",
+      side: true,
       section: "hertz",
       path: "/hertz/chart",
       compared: true,
       body: hertzBody,
       height: 320,
     },
-    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody },
+    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
 
   worked: workedSteps,

@@ -75,8 +75,9 @@ function same(rollers, name) {
 export default {
   id: "precession",
   path: "/precession/shaft-deflection",
-  groups: ["gear", "rollers", "load", "shaft"],
-  inline: ["wheel"],
+  groups: ["gear", "rollers", "load", "shaft", "requirements"],
+  inline: ["wheel", "requirements"],
+  hidden: ["include", "fixes_for", ...["pitting_safety", "bending_safety", "min_wall_mm"].map((name) => `requirements.${name}`)],
   choices: {
     rollersBy: {
       list: ["rollers"],
@@ -120,12 +121,16 @@ export default {
     const bodies = {
       contact_line: ["/precession/contact-line", lineBody(input)],
       meshing_load: ["/precession/meshing-load", loadBody(input)],
-      shaft_deflection: ["/precession/shaft-deflection", input],
+      shaft_deflection: ["/precession/shaft-deflection", { ...input, include: ["checks"] }],
     };
     const answer = {};
     for (const id of sections) answer[id] = await post(...bodies[id]);
     return answer;
   },
+
+  better: { max_line_load_N_per_mm: -1, "deflection_B_mm.total": -1, "deflection_C_mm.total": -1 },
+  judgedIn: "shaft_deflection",
+  mend: async ({ post, input }) => ({ shaft_deflection: await post("/precession/shaft-deflection", { ...input, include: ["fixes"] }) }),
 
   verdict: (answer) => [
     cell("lineLength", answer.contact_line, lengthCell),

@@ -31,8 +31,9 @@ function stressCell(section) {
 export default {
   id: "rollers",
   path: "/roller-strength",
-  groups: ["load", "roller", "material"],
-  inline: [],
+  groups: ["load", "roller", "material", "requirements"],
+  inline: ["requirements"],
+  hidden: ["include", "fixes_for", ...["pitting_safety", "min_wall_mm", "max_deflection_mm", "max_slope_mrad"].map((name) => `requirements.${name}`)],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
@@ -51,8 +52,11 @@ export default {
   sections: ["roller_strength"],
 
   async ask({ post, input }) {
-    return { roller_strength: await post("/roller-strength", input) };
+    return { roller_strength: await post("/roller-strength", { ...input, include: ["checks"] }) };
   },
+  better: { max_force_N: -1, load_nonuniformity: -1, bending_stress_MPa: -1, displacement_mm: -1 },
+  judgedIn: "roller_strength",
+  mend: async ({ post, input }) => ({ roller_strength: await post("/roller-strength", { ...input, include: ["fixes"] }) }),
 
   verdict: ({ roller_strength: section }) => [
     cell("rollerForce", section, forceCell),
@@ -71,6 +75,9 @@ export default {
       path: "/roller-strength/chart",
       compared: true,
       height: 940,
+      /** A click on a curve over l/d sets the length. */
+      sets: ({ x, data: { xaxis } }, { diameter_mm: diameter, cylinder_length_mm: length }) =>
+        ["cylinder_length_mm", xaxis === "x2" ? length : Number((x * diameter).toPrecision(3))],
       tables: ({ roller_strength: { forces_N: forces } }) => [{
         title: message("figure.rollerForces"),
         columns: [{ title: message("figure.roller") }, { title: message("figure.rollerForce"), unit: "N" }],

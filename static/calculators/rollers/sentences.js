@@ -18,6 +18,5 @@ export function sentences({ roller_strength: section }, { input }) {
       limit: formatQuantity((tolerance * all) / 4 / delta, "mm", 3),
       tolerance: formatQuantity(tolerance, "mm", 3),
     })],
-    ["", say("bending", { stress: formatQuantity(section.bending_stress_MPa, "MPa", 4) })],
   ];
 }

@@ -55,8 +55,12 @@ def mesh(r: Draw) -> Body:
     if r.chance(0.25):
         total = r.randint(1, 60)
         low, high = by_length(r, body, mpf("0.5"))
-        wheel = {"rollers_total": total, "rollers_in_mesh": r.randint(1, min(total, 5))}
-        wheel |= {"position_angle_deg": position(r), "z_min_mm": low, "z_max_mm": high}
+        mesh = r.randint(1, min(total, 5))
+        first = position(r)
+        while not r.extreme and without_arm(first, total, mesh):
+            first = position(r)
+        wheel = {"rollers_total": total, "rollers_in_mesh": mesh, "position_angle_deg": first}
+        wheel |= {"z_min_mm": low, "z_max_mm": high}
         return body | {"wheel": wheel}
     rollers = []
     for _ in range(r.choice((1, 1, 2, 3, 5))):
@@ -69,6 +73,12 @@ def mesh(r: Draw) -> Body:
             roller = {"phi_min_deg": low, "phi_max_deg": high}
         rollers.append({"position_angle_deg": angle} | roller)
     return body | {"rollers": rollers}
+
+
+def without_arm(first: float, total: int, in_mesh: int) -> bool:
+    """Whether a roller of a wheel lies at a multiple of half a turn, where it has no arm."""
+    places = (typed(first) + mpf(360) * index / total for index in range(in_mesh))
+    return any(abs(place / 180 - mp.nint(place / 180)) < mpf("1e-30") for place in places)
 
 
 def position(r: Draw) -> float:

@@ -1,0 +1,119 @@
+/** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
+import { message, said } from "../messages/index.js";
+import { ofTitle, reasonText } from "../service_texts.js";
+import { formatNumber, formatQuantity, shownDigits } from "./format.js";
+
+export const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
+/** Names of an answer that say how it is judged or how exact it is: no results of their own. */
+export const ASIDE = [
+  "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve", "largest_torque_Nm",
+];
+const JUDGED = ["pass", "marginal", "fail"];
+
+/** What an answer says of the whole design, from the section that has it; null where none has. */
+export function judgedOf({ judgedIn }, answer) {
+  const part = judgedIn ? answer?.[judgedIn] : answer;
+  return part?.verdict ? part : null;
+}
+
+/** The verdict's word: what cannot exist is not merely unfit. */
+export function wordOf({ verdict, checks = [] }) {
+  return checks.some(({ impossible }) => impossible) ? "impossible" : verdict;
+}
+
+export const levelOfWord = (word) => (word === "impossible" ? "bad" : LEVELS[word]);
+
+export function titleOf({ code, title }) {
+  return said("checks", code)?.[0] ?? title ?? code;
+}
+
+/** A share of a limit in per cent. */
+export function percent(share) {
+  return `${formatNumber(100 * share, share < 0.1 ? 2 : 3)}\u00a0%`;
+}
+
+const amount = (value, unit) => (value === undefined ? "" : formatQuantity(value, unit, 4));
+
+/**
+ * A check for a row: `level`, `title`, `why`, `value`, `limit` (with the sense), `used` (share of the
+ * limit), `source`, `place`, `reason`, `missing` (paths of fields).
+ */
+export function checkRow(check, titles) {
+  const { code, status, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, at, reason, missing = [] } = check;
+  return {
+    code,
+    status,
+    level: LEVELS[status],
+    title: titleOf(check),
+    why: said("checks", code)?.[1] ?? check.why ?? "",
+    value: amount(value, unit),
+    limit: limit === undefined ? "" : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
+    used: utilisation,
+    formula: check.formula ?? "",
+    source: [
+      criterion && (said("criteria", criterion) ?? criterion),
+      source && (said("limitSources", sourceCode) ?? said("checkSources", sourceCode) ?? source),
+      check.verified && message(`checks.${check.verified}`),
+    ].filter(Boolean).join(": "),
+    place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatQuantity(at.crank_angle_deg ?? 0, "°", 5) }),
+    reason: reason ? reasonText(reason, titles) : "",
+    missing: missing.map(pathOf),
+    judged: JUDGED.includes(status),
+  };
+}
+
+/** Dotted path of a JSON pointer. */
+export const pathOf = (pointer) => pointer.slice(1).replaceAll("/", ".");
+
+/** A fix: what to change, by how much, to what verdict, and what else it does; `titleAt(path)` names a field. */
+export function fixRow(fix, titleAt, checks) {
+  const { pointer, unit, from, to, change, standard, status, verdict, side_effects: effects = [] } = fix;
+  const title = titleAt(pathOf(pointer)) ?? fix.title;
+  const values = {
+    field: title, from: formatQuantity(from, unit, 5), to: to === undefined ? "" : formatQuantity(to, unit, 5),
+    change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
+  };
+  const named = (code) => titleOf(checks.find((check) => check.code === code) ?? { code });
+  return {
+    applies: status !== "not_enough" && fix.sets !== undefined,
+    text: status === "not_enough" ? message("fixes.notEnough", values) : message("fixes.change", values),
+    standard: standard ?? "",
+    level: LEVELS[verdict],
+    then: verdict ? message(`verdictWord.${verdict}`) : "",
+    effects: effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
+      level: LEVELS[effect.status_to],
+      text: message("fixes.effect", {
+        check: named(effect.code), before: percent(effect.utilisation_from ?? 0), after: percent(effect.utilisation_to ?? 0),
+      }),
+    })),
+  };
+}
+
+/** The check that decides: what is not known as long as nothing fails, else the one that governs. */
+export function decisive({ verdict, governing, checks = [] }) {
+  const unknown = verdict === "incomplete" && checks.find(({ status }) => status === "not_checked");
+  return unknown || checks.find(({ code }) => code === governing);
+}
+
+/** The verdict in a sentence. */
+export function verdictSentence(judged, titles) {
+  const word = wordOf(judged);
+  const check = decisive(judged);
+  const row = check && checkRow(check, titles);
+  const torque = judged.largest_torque_Nm === undefined ? ""
+    : message("checks.largestTorque", { torque: formatQuantity(judged.largest_torque_Nm, "N·m", shownDigits(0, 4)) });
+  const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
+  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, torque && `${torque}.`].filter(Boolean).join(" ");
+}
+
+/** What the checks that have been judged are about. */
+export function groupsOf({ checks = [] }) {
+  const groups = new Set(checks.filter(({ status }) => JUDGED.includes(status)).map(({ group }) => group));
+  return [...groups].map((group) => said("checkGroups", group) ?? group).join(", ").toLowerCase();
+}
+
+/** What is not looked at, in words. */
+export function notConsidered({ not_considered: codes = [] }) {
+  if (codes.length === 0) return "";
+  return message("checks.notConsidered", { what: codes.map((code) => said("notConsidered", code) ?? code).join("; ") });
+}

@@ -1,0 +1,86 @@
+/** All checks, the one that governs first: how much of its limit each uses, from where the limit is, what mends it. */
+import { checkRow, fixRow, judgedOf } from "../lib/checks.js";
+import { percent } from "../lib/checks.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { following } from "../store.js";
+import { barMarkup, sign } from "./parts.js";
+
+const AT_ONCE = 6; // rows in sight; the rest is folded
+const FIXES = 4;
+
+function detailsMarkup({ why, formula, source, place, reason }) {
+  return html`<div class="check-more">${[reason, why, formula, source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</div>`;
+}
+
+function missingMarkup(missing, titleAt) {
+  return missing.length > 0 && html`<span class="asked">${message("checks.enter")} ${missing.map((path) => html`
+    <button type="button" class="link" data-ask="${path}">${titleAt(path) ?? path}</button>`)}</span>`;
+}
+
+function rowMarkup(row, titleAt) {
+  const { code, level, status, title, value, limit, used, source, reason, missing, judged } = row;
+  return html`
+    <li class="check ${level ?? ""}" data-code="${code}" data-status="${status}">
+      <details><summary>
+        <span class="check-title">${sign(level)}${title}<span class="unseen">: ${message(`status.${status}`)}</span></span>
+        <span class="check-used">${used !== undefined && judged ? html`${barMarkup(used, level)}<span>${percent(used)}</span>`
+          : html`<span class="note">${message(`status.${status}`)}</span>`}</span>
+        <span class="check-value">${value}${value && limit && " "}<span class="check-limit">${limit}</span></span>
+        <span class="check-source">${judged ? source : reason}</span>
+      </summary>${detailsMarkup(row)}</details>${missingMarkup(missing, titleAt)}
+    </li>`;
+}
+
+function fixMarkup({ applies, text, standard, then, level, effects }, i) {
+  return html`<li>${applies
+    ? html`<button type="button" class="fix" data-fix="${i}">${text}${standard && ` (${standard})`}</button>`
+    : html`<span class="note">${text}</span>`}
+    ${then && html`<span class="note">${sign(level)}${message("fixes.then", { verdict: then })}</span>`}
+    ${effects.map((effect) => html`<span class="note">${sign(effect.level)}${effect.text}</span>`)}</li>`;
+}
+
+/** `titleAt(path)` names a field; `on.fixed(sets)` applies `{pointer: value}`, `on.asked(path)` leads to a field. */
+export function createChecks({ calculator, titles, titleAt, on }) {
+  const root = element(html`
+    <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
+      <ul class="rows"></ul><div class="fixes"></div>
+      <details class="more"><summary></summary><ul class="rows"></ul></details></section>`);
+  const [first, rest] = root.querySelectorAll(".rows");
+  const more = root.querySelector(".more");
+  const fixes = root.querySelector(".fixes");
+  let list = [];
+  let room = { width: 0, height: 0 };
+
+  root.addEventListener("click", ({ target }) => {
+    const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
+    if (fix) on.fixed(list[fix].sets);
+    if (ask) on.asked(ask);
+  });
+
+  return {
+    root,
+    update: following(({ shown, fixes: found }) => [shown, found], ({ shown, fixes: found }) => {
+      const judged = judgedOf(calculator, shown?.answer);
+      root.style.visibility = shown && !judged?.checks ? "hidden" : "";
+      if (!judged?.checks) return;
+      const rows = judged.checks.map((check) => checkRow(check, titles));
+      // What is asked for stands in sight wherever it comes.
+      const inSight = rows.filter(({ judged: known, status }, i) => (known && i < AT_ONCE) || status === "not_checked");
+      fill(first, html`${inSight.map((row) => rowMarkup(row, titleAt))}`);
+      const others = rows.filter((row) => !inSight.includes(row));
+      more.hidden = others.length === 0;
+      more.querySelector("summary").textContent = message("checks.more", { count: others.length });
+      fill(rest, html`${others.map((row) => rowMarkup(row, titleAt))}`);
+      fixes.dataset.open = String(Boolean(calculator.mend) && ["fail", "marginal"].includes(judged.verdict));
+      list = found?.of === shown ? found.list.slice(0, FIXES) : [];
+      fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
+        <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);
+      // It keeps the room that it has had, so that nothing under it moves while one types.
+      if (room.width !== innerWidth) room = { width: innerWidth, height: 0 };
+      root.style.minHeight = "";
+      room.height = Math.max(room.height, more.open ? 0 : root.offsetHeight);
+      root.style.minHeight = `${room.height}px`;
+    }),
+  };
+}

@@ -1,0 +1,104 @@
+/** The service's verdict, checks, fixes and sizes in words. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { checkRow, fixRow, judgedOf, notConsidered, verdictSentence, wordOf } from "../../static/lib/checks.js";
+import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
+import { useLanguage } from "../../static/messages/index.js";
+
+const PRESSURE = {
+  code: "new_pressure", title: "Contact pressure of the hole", status: "fail", value: 548.2, limit: 484.9, unit: "MPa", keep: "below",
+  utilisation: 1.13, torque_reserve: 0.78, criterion: "endurance", source: "A book", verified: "secondary", why: "It pits.",
+  at: { satellite: 1, pin: 3, crank_angle_deg: 28.57 }, inputs: ["/contact/pin_radius_mm"],
+};
+const UNKNOWN = {
+  code: "new_unknown", title: "Pin", status: "not_checked", keep: "below", unit: "MPa",
+  reason: { code: "new_reason", params: {}, detail: "no limit is known" }, missing: ["/contact/pin_material"], inputs: ["/contact/pin_radius_mm"],
+};
+const JUDGED = { verdict: "fail", governing: "new_pressure", torque_reserve: 0.78, largest_torque_Nm: 218.13, checks: [PRESSURE, UNKNOWN], not_considered: ["clearance"] };
+const titles = new Map();
+
+test("the verdict stands at the answer or in the section that a calculator names", () => {
+  assert.equal(judgedOf({}, JUDGED), JUDGED);
+  assert.equal(judgedOf({ judgedIn: "shaft" }, { shaft: JUDGED }), JUDGED);
+  assert.equal(judgedOf({}, {}), null);
+  assert.equal(judgedOf({ judgedIn: "shaft" }, undefined), null);
+});
+
+test("what is impossible is more than failing", () => {
+  assert.equal(wordOf(JUDGED), "fail");
+  assert.equal(wordOf({ verdict: "fail", checks: [{ impossible: true }] }), "impossible");
+  assert.equal(verdictSentence(JUDGED, titles), "Does not work. Contact pressure of the hole: 548.2\u00a0MPa (≤\u00a0484.9\u00a0MPa). Largest torque allowed 218.1\u00a0N·m.");
+});
+
+test("a check says value, limit with its sense, share, source and place; one without data what is missing, and never passes", () => {
+  const row = checkRow(PRESSURE, titles);
+  assert.deepEqual([row.level, row.value, row.limit, row.used], ["bad", "548.2\u00a0MPa", "≤\u00a0484.9\u00a0MPa", 1.13]);
+  assert.match(row.source, /: A book: secondary sources$/);
+  assert.equal(row.place, "satellite 1, pin 3, φ = 28.57°");
+  const unknown = checkRow(UNKNOWN, titles);
+  assert.deepEqual([unknown.level, unknown.judged, unknown.reason, unknown.missing], ["warning", false, "No limit is known", ["contact.pin_material"]]);
+  for (const status of ["not_asked", "not_applicable", "new"]) assert.equal(checkRow({ ...UNKNOWN, status }, titles).level, undefined);
+});
+
+test("what is not looked at is said", () => {
+  assert.match(notConsidered(JUDGED), /^Not looked at: .+\.$/);
+  assert.equal(notConsidered({}), "");
+});
+
+test("a fix says the change, the verdict it leads to and what else it does; one that is not enough cannot be applied", () => {
+  const fix = {
+    pointer: "/contact/pin_radius_mm", from: 8, to: 12.5, unit: "mm", change: 0.5625, standard: "ISO 8734", status: "solved", verdict: "marginal",
+    sets: { "/contact/pin_radius_mm": 12.5 },
+    side_effects: [{ code: "new_pressure", status_from: "fail", status_to: "pass", utilisation_from: 1.13, utilisation_to: 0.9 }],
+  };
+  const row = fixRow(fix, () => "Pin radius", JUDGED.checks);
+  assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Marginal", "warning"]);
+  assert.equal(row.effects[0].text, "Contact pressure of the hole: 113\u00a0% → 90\u00a0% of the limit");
+  assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, () => "Pin radius", []).applies, false);
+});
+
+const FIELD = { path: "contact.pin_radius_mm", name: "pin_radius_mm", title: "Pin radius", kind: "number", unit: "mm", lowest: 1e-12, highest: 1e12 };
+const calculator = { path: "/job", targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }] };
+const shown = { input: { contact: { pin_radius_mm: 8 } }, filled: { contact: { pin_radius_mm: 8 } } };
+
+test("a field is sized for the checks that hang on it, about its value", () => {
+  const targets = targetsOf(calculator, JUDGED, FIELD.path);
+  assert.deepEqual(targets.map(({ pointer, value }) => [pointer, value]), [
+    ["/hertz/safety_factor", 1.5], ["/torque_reserve", 1.1], ["/checks/new_pressure/utilisation", 100],
+  ]);
+  assert.deepEqual(targetsOf(calculator, JUDGED, "mechanism.pins"), []);
+  assert.deepEqual(solveBody(calculator, FIELD, shown, targets[2], 90, "smallest"), {
+    calculation: "job", input: shown.input, variable: { pointer: "/contact/pin_radius_mm", from: 0.4, to: 160, log: true },
+    target: { pointer: "/checks/new_pressure/utilisation", at_most: 0.9 }, want: "smallest",
+  });
+  const pins = { ...FIELD, path: "mechanism.pins", kind: "integer", lowest: 2, highest: 40 };
+  assert.deepEqual(solveBody(calculator, pins, { ...shown, filled: { mechanism: { pins: 6 } } }, targets[0], 1.5, "smallest").variable,
+    { pointer: "/mechanism/pins", from: 2, to: 40, integer: true });
+});
+
+test("the answer of the solver in words, with what a click applies", () => {
+  const [target] = targetsOf(calculator, JUDGED, FIELD.path);
+  const solved = solutionOf(FIELD, target, "smallest", { status: "solved", value: 8.03, standard_size: 8.5 });
+  assert.deepEqual(solved, { text: "Pin radius: at least 8.03\u00a0mm. Next standard size: 8.5\u00a0mm.", sets: { "/contact/pin_radius_mm": 8.03 } });
+  const linked = { "/contact/pin_radius_mm": 10.8739458878, "/contact/hole_radius_mm": 12.8739458878 };
+  const rounded = solutionOf(FIELD, target, "smallest", { status: "solved", value: 10.8739458878, sets: linked });
+  assert.deepEqual(rounded.sets, { "/contact/pin_radius_mm": 10.88, "/contact/hole_radius_mm": 12.88 }, "to the safe side, the hole too");
+  assert.equal(solutionOf(FIELD, target, "largest", { status: "solved", value: 10.8739 }).sets["/contact/pin_radius_mm"], 10.87);
+  const not = solutionOf(FIELD, target, "smallest", { status: "infeasible", best: { value: 20, target: 1.2 } });
+  assert.deepEqual(not, { text: "Not enough: at best 1.2, at 20\u00a0mm." });
+  assert.equal(solutionOf(FIELD, target, "largest", { status: "always" }).sets, undefined);
+});
+
+for (const language of ["uk", "ru"]) {
+  test(`${language}: no English in what the page says of a verdict`, async () => {
+    await useLanguage(language);
+    try {
+      const { title, why, source, ...row } = checkRow({ ...PRESSURE, reason: undefined }, titles);
+      const text = [row.limit, row.place, verdictSentence({ ...JUDGED, governing: undefined }, titles)].join();
+      assert.doesNotMatch(text, /[a-z]{3,}|\{/);
+    } finally {
+      await useLanguage("en");
+    }
+  });
+}
