@@ -45,7 +45,8 @@ from core.fatigue import (
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import Support
-from core.output.pin_strength import FatigueStrength, PinStrength, pin_strength
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, pin_strength
 from core.results import Notice
 
 MAX_PAIRS = 500

@@ -7,55 +7,31 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 """
 
 import math
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
-from core.arrays import FloatArray, Number
+from core.arrays import FloatArray, IntArray, Number
 from core.errors import InvalidInput
-from core.fatigue import (
-    LOW_CYCLES,
-    Criterion,
-    EnduranceFactors,
-    cycles_to_failure,
-    utilisation,
-)
+from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support
+from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_forces import reference_force
-from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
+from core.output.pin_search import largest, worst_cycle
+from core.output.pin_turn import ComplexArray, PinTurn, pin_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
-DIRECTIONS = 144
-"""Directions of stress that are looked at first."""
-
-ROUNDS = 7
-"""How often a range of sections is narrowed to an eighth."""
-
-NEAR = 1e-5
-"""How far apart directions are of which one is seen to be worse, rad."""
-
-NARROW = 1e-7
-"""Range of directions, rad, within which the utilisation does not change: by its square."""
-
-MOST_LOOKS = 24
-"""Most directions that are looked at about a summit."""
-
-SECTIONS = 8
+SECTIONS = 4
 """Parts of each stretch between ends of loads and supports at which sections are looked at."""
 
-TURNS_BETWEEN = 40
-"""Most changes between the worst section in one direction and the worst direction of one."""
+SEARCHED = 1e-11
+"""Relative error of what is searched for along the pin also."""
 
-SETTLED = 1e-12
-"""Relative growth by such a change that ends them."""
-
-FLAT = 1e-4
-"""Relative error of direction, amplitude and mean: the utilisation is flat about its largest."""
+AT_ZERO = 1e-6
+"""Directions closer to 0 than this, rad, are 0: none is known better."""
 
 
 def section_stress(*, bending: Number, mean_shear: Number) -> Number:
@@ -91,90 +67,6 @@ def section_stress(*, bending: Number, mean_shear: Number) -> Number:
     shear = math.sqrt(3) * 4 / 3 * mean_shear
     apart = abs(bending * bending - shear * shear)
     return ((abs(bending) ** 2 + abs(shear) ** 2 + apart) / 2) ** 0.5
-
-
-@dataclass(frozen=True, slots=True)
-class FatigueStrength:
-    """What the fatigue of a pin is judged by.
-
-    Attributes
-    ----------
-    endurance_limit : float
-        Endurance limit Se, Pa.
-    tensile_strength : float
-        Tensile strength Rm, Pa.
-    yield_strength : float or None
-        Yield strength Re, Pa.
-    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
-        How the mean stress counts.
-    factors : EnduranceFactors or None
-        What the limit was made of; None where it was given.
-    """
-
-    endurance_limit: float
-    tensile_strength: float
-    yield_strength: float | None = None
-    criterion: Criterion = "goodman"
-    factors: EnduranceFactors | None = None
-
-    def __post_init__(self) -> None:
-        for name in ("endurance_limit", "tensile_strength"):
-            if not getattr(self, name) > 0:
-                raise InvalidInput(name, getattr(self, name), "greater_than", limit=0)
-        if self.criterion == "soderberg" and self.yield_strength is None:
-            raise InvalidInput("yield_strength", None, "needed", field="criterion")
-
-    def utilisation(self, amplitude: Number, mean: Number) -> Number:
-        """Share of the strength that a cycle takes."""
-        return utilisation(
-            amplitude=amplitude,
-            mean=mean,
-            endurance=self.endurance_limit,
-            tensile_strength=self.tensile_strength,
-            yield_strength=self.yield_strength,
-            criterion=self.criterion,
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class PinFatigue:
-    """The worst stress cycle of a pin.
-
-    Attributes
-    ----------
-    direction : float or None
-        Direction chi of the point of the section's edge from the tangential one, towards growing
-        pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
-    position : float
-        Distance of the section from the carrier's face, m.
-    max_stress, min_stress : float
-        Largest and least stress there over the turn, Pa.
-    amplitude, mean : float
-        Of the cycle, Pa.
-    endurance_limit : float
-        Endurance limit Se, Pa.
-    factors : EnduranceFactors or None
-        What the limit was made of.
-    safety_factor : float
-        By the criterion: all stresses may grow by this factor.
-    cycles : float or None
-        Cycles that it stands, one a turn of the crank against the output; None within the
-        endurance limit: as many as there are.
-    life : float or None
-        The same as time, s, where it is finite and the speed is known.
-    """
-
-    direction: float | None
-    position: float
-    max_stress: float
-    min_stress: float
-    amplitude: float
-    mean: float
-    endurance_limit: float
-    factors: EnduranceFactors | None
-    safety_factor: float
-    cycles: float | None
-    life: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -356,6 +248,8 @@ def pin_strength(
     if not reference > 0:
         raise InvalidInput("output_torque", output_torque, "greater_than", limit=0)
     peak = force_peak(mechanism, force_exponent)
+    if support != "cantilever" and span is None:
+        raise InvalidInput("span", None, "needed", field="support")
     beam = PinBeam.round(
         support=support,
         diameter=diameter,
@@ -364,30 +258,41 @@ def pin_strength(
         poissons_ratio=material.poissons_ratio,
         span=span if support != "cantilever" else None,
     )
-    if support != "cantilever" and span is None:
-        raise InvalidInput("span", None, "needed", field="support")
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
     turn = pin_turn(mechanism, force_exponent)
-    pin = _Pin(turn, beam, satellite_positions)
+    positions = np.array(satellite_positions)
+    sections = _sections(beam, positions)
     area, modulus = math.pi * diameter**2 / 4, math.pi * diameter**3 / 32
+    unit = reference / modulus
+    parts = np.array([[unit, 0.0], [0.0, reference / area], [unit, reference / area]])
 
-    def equivalent(moment: ComplexArray, shear: ComplexArray) -> FloatArray:
-        found: FloatArray = section_stress(bending=moment / modulus, mean_shear=shear / area)
+    def stress(kind: IntArray, x: FloatArray, forces: ComplexArray) -> FloatArray:
+        """By bending, by shear, and by both."""
+        forces = forces.swapaxes(0, 1)
+        bends, shears = parts.T[:, kind, None, None]
+        found: FloatArray = section_stress(
+            bending=bends * (beam.moment(x[..., None], positions) @ forces),
+            mean_shear=shears * (beam.shear(x[..., None], positions) @ forces),
+        )
         return found
 
-    moment, place = pin.worst(lambda moment, _: np.abs(moment))
-    shear, _ = pin.worst(lambda _, shear: np.abs(shear))
-    most, _ = pin.worst(equivalent)
-    bending, most = reference * moment / modulus, reference * most
-    cycle = None
-    notices = []
+    values, places = largest(turn, stress, len(parts), sections)
+    (bending, sheared, most), (place, *_) = values.tolist(), places.tolist()
+    shear = sheared * area / (math.sqrt(3) * 4 / 3)
+    cycle, chi, seen, notices = None, None, place, []
     if fatigue is not None:
-        unit = reference / modulus
-        worst: tuple[float | None, float, float, float] = None, place, bending, -bending
+        worst: tuple[float, float] = bending, -bending
         if not rotates:
-            chi, where, largest, least = pin.worst_cycle(fatigue, unit)
-            worst = chi, where, largest * unit, least * unit
-        cycle = _cycle(fatigue, *worst)
+            angle, seen, top, bottom = worst_cycle(
+                turn,
+                lambda x: beam.moment(x[..., None], positions),
+                sections,
+                lambda top, bottom: fatigue.utilisation(
+                    unit * (top - bottom) / 2, unit * (top + bottom) / 2
+                ),
+            )
+            chi, worst = _turned(angle), (unit * top, unit * bottom)
+        cycle = judged(fatigue, chi, seen, *worst)
         if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
@@ -395,26 +300,27 @@ def pin_strength(
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
+    arms = reference * beam.moment(np.float64(seen), positions)
     accuracy = Accuracy(
         "locus_support",
         8 * peak.accuracy.relative_error
         + ROUNDING * (64 + 16 * force_exponent)
-        + (0.0 if beam.span is None else 4 * SETTLED),
-        len(turn.places),
+        + (0.0 if beam.span is None else SEARCHED),
+        turn.forces[0].size,
     )
     strength = material.yield_strength
     return PinStrength(
         peak_force=reference * peak.peak_force_ratio,
-        peak_moment=reference * moment,
+        peak_moment=bending * modulus,
         peak_moment_position=place,
         peak_bending_stress=bending,
-        peak_shear_force=reference * shear,
-        peak_shear_stress=4 / 3 * reference * shear / area,
+        peak_shear_force=shear,
+        peak_shear_stress=4 / 3 * shear / area,
         peak_equivalent_stress=most,
         static_safety_factor=None if strength is None else strength / most,
         fatigue=cycle,
-        deflection=pin.largest_deflection(reference) if deflection else None,
-        locus=_locus(pin, mechanism, reference, modulus, place, cycle) if locus else None,
+        deflection=_deflection(turn, beam, positions, reference) if deflection else None,
+        locus=_locus(turn, mechanism, seen, arms, modulus, chi) if locus else None,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
     )
@@ -436,268 +342,64 @@ def _check_positions(
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
 
 
-def _cycle(
-    strength: FatigueStrength,
-    direction: float | None,
-    position: float,
-    largest: float,
-    least: float,
-) -> PinFatigue:
-    """The fatigue of a cycle."""
-    amplitude, mean = (largest - least) / 2, (largest + least) / 2
-    cycles = cycles_to_failure(
-        amplitude=amplitude,
-        mean=mean,
-        endurance=strength.endurance_limit,
-        tensile_strength=strength.tensile_strength,
-    )
-    return PinFatigue(
-        direction=direction,
-        position=position,
-        max_stress=largest,
-        min_stress=least,
-        amplitude=amplitude,
-        mean=mean,
-        endurance_limit=strength.endurance_limit,
-        factors=strength.factors,
-        safety_factor=1 / float(strength.utilisation(amplitude, mean)),
-        cycles=cycles if cycles < math.inf else None,
-        life=None,
-    )
-
-
 def _locus(
-    pin: "_Pin",
+    turn: PinTurn,
     mechanism: Mechanism,
-    reference: float,
+    position: float,
+    arms: FloatArray,
     modulus: float,
-    place: float,
-    cycle: PinFatigue | None,
+    chi: float | None,
 ) -> MomentLocus:
-    """The locus of the section that is judged."""
-    position = place if cycle is None else cycle.position
-    turn = pin.turn
-    weights = pin.moments(np.asarray(position))
-    moment = reference * combine(weights=weights, forces=turn.forces)
-    along = moment[np.abs(moment).argmax()]
-    chi = float(np.angle(along))
-    if cycle is not None and cycle.direction is not None:
-        chi = cycle.direction
+    """The locus by the arms of the satellites' forces, and its stress in a direction, else in that of
+    the largest moment.
+    """
+    places, forces = turn.drawn()
+    moment = arms @ forces
+    if chi is None:
+        chi = float(np.angle(moment[np.abs(moment).argmax()]))
     return MomentLocus(
         position=position,
-        crank_angle=turn.places * mechanism.crank_angle_per_wave,
+        crank_angle=places * mechanism.crank_angle_per_wave,
         tangential=moment.real,
         radial=moment.imag,
         stress=(moment * np.exp(-1j * chi)).real / modulus,
     )
 
 
-Measure = Callable[[ComplexArray, ComplexArray], FloatArray]
-"""A measure of moments and shear forces, element by element."""
+def _sections(beam: PinBeam, positions: FloatArray) -> FloatArray:
+    """Sections that are looked at first: the root of a cantilever, as no other bends more."""
+    if beam.span is None:
+        return np.zeros(1)
+    half = beam.contact_length / 2
+    ends = np.unique(
+        np.clip([0.0, *(positions - half), *(positions + half), beam.span], 0, beam.span)
+    )
+    steps = np.arange(SECTIONS) / SECTIONS
+    return np.append((ends[:-1, None] + np.diff(ends)[:, None] * steps).ravel(), beam.span)
 
 
-class _Pin:
-    """A pin over the turn: where any measure of its sections is largest."""
+def _deflection(
+    turn: PinTurn, beam: PinBeam, positions: FloatArray, reference: float
+) -> PinDeflection:
+    """Deflection and rotation where the pin bends most in the middle of a satellite."""
 
-    def __init__(self, turn: PinTurn, beam: PinBeam, positions: tuple[float, ...]) -> None:
-        self.turn, self.beam = turn, beam
-        self.positions = np.array(positions)
-        half = beam.contact_length / 2
-        if beam.span is None:
-            self.sections = np.zeros(1)
-            return
-        ends = np.unique([0.0, *(self.positions - half), *(self.positions + half), beam.span])
-        steps = np.linspace(0.0, 1.0, SECTIONS, endpoint=False)
-        inner = (ends[:-1, None] + np.diff(ends)[:, None] * steps).ravel()
-        self.sections = np.unique(np.clip([*inner, beam.span], 0.0, beam.span))
+    def most(influence: FloatArray) -> FloatArray:
+        """Of rows of influences of the satellites' forces."""
 
-    def moments(self, x: FloatArray) -> FloatArray:
-        """Moment of each satellite's unit force at sections, m, shape (..., K)."""
-        found: FloatArray = self.beam.moment(x[..., None], self.positions)
-        return found
+        def measure(kind: IntArray, _: FloatArray, forces: ComplexArray) -> FloatArray:
+            return np.abs(influence[kind, None] @ forces.swapaxes(0, 1))
 
-    def shears(self, x: FloatArray) -> FloatArray:
-        """Shear force of each satellite's unit force at sections, shape (..., K)."""
-        found: FloatArray = self.beam.shear(x[..., None], self.positions)
-        return found
+        return largest(turn, measure, len(influence), np.zeros(1))[0]
 
-    def candidates(self, values: FloatArray) -> list[int]:
-        """Sections that may be the worst beside them."""
-        before, after = np.append(values[:1], values[:-1]), np.append(values[1:], values[-1:])
-        summit = (values >= before) & (values >= after)
-        chosen = summit & (2 * values - np.minimum(before, after) >= values.max() * (1 - 1e-3))
-        indices: list[int] = np.flatnonzero(chosen).tolist()
-        return indices
-
-    def narrow(self, index: int, value: Callable[[FloatArray], FloatArray]) -> float:
-        """Section beside another with the largest value."""
-        start = self.sections[max(index - 1, 0)]
-        stop = self.sections[min(index + 1, len(self.sections) - 1)]
-        for _ in range(ROUNDS):
-            places = np.linspace(start, stop, 17)
-            best = int(np.argmax(value(places)))
-            start, stop = places[max(best - 1, 0)], places[min(best + 1, 16)]
-        return float(places[best])
-
-    def worst(self, measure: Measure) -> tuple[float, float]:
-        """The largest measure of any section over the turn, and the section."""
-
-        def at(places: FloatArray, forces: ComplexArray) -> FloatArray:
-            return measure(
-                combine(weights=self.moments(places), forces=forces),
-                combine(weights=self.shears(places), forces=forces),
-            )
-
-        coarse = at(self.sections, self.turn.forces).max(axis=1)
-        found = []
-        for index in self.candidates(coarse):
-            place, before = np.asarray(self.sections[index]), 0.0
-            for _ in range(TURNS_BETWEEN):
-                value, forces = self.turn.largest(partial(at, place))
-                if len(self.sections) == 1 or value <= before * (1 + SETTLED):
-                    break
-                before = value
-                place = np.asarray(self.narrow(index, partial(at, forces=forces)))
-            found.append((max(value, before), float(place)))
-        return max(found)
-
-    def worst_cycle(
-        self, strength: FatigueStrength, unit: float
-    ) -> tuple[float, float, float, float]:
-        """Direction and section with the largest utilisation; largest and least moment there."""
-
-        def used(largest: Number, least: Number) -> Number:
-            return strength.utilisation(unit * (largest - least) / 2, unit * (largest + least) / 2)
-
-        grid = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
-        moments = combine(weights=self.moments(self.sections), forces=self.turn.forces)
-        # largest moment of each section in each direction; the least is that of the opposite one
-        largest = np.stack([(np.exp(-1j * chi) * moments).real.max(axis=1) for chi in grid], axis=1)
-        table = used(largest, -np.roll(largest, DIRECTIONS // 2, axis=1))
-        found = []
-        for index in self.candidates(table.max(axis=1)):
-            place, before = np.asarray(self.sections[index]), 0.0
-            for _ in range(TURNS_BETWEEN):
-                value, chi, ends = self._worst_direction(place, table[index], grid, used)
-                along = (np.exp(-1j * chi) * ends).real
-                if len(self.sections) == 1 or value <= before * (1 + SETTLED):
-                    break
-                before = value
-
-                def at(places: FloatArray, along: FloatArray = along) -> FloatArray:
-                    uses: FloatArray = used(*np.moveaxis(self.moments(places) @ along, -1, 0))
-                    return uses
-
-                place = np.asarray(self.narrow(index, at))
-            most, least = (self.moments(place) @ along).tolist()
-            found.append((value, _turned(chi), float(place), most, least))
-        return max(found)[1:]
-
-    def _worst_direction(
-        self,
-        place: FloatArray,
-        coarse: FloatArray,
-        grid: FloatArray,
-        used: Callable[[Number, Number], Number],
-    ) -> tuple[float, float, ComplexArray]:
-        """Largest utilisation of a section, its direction, and the forces of both ends of the
-        cycle.
-        """
-        weights = self.moments(place)
-        moments = combine(weights=weights, forces=self.turn.forces)
-        ends = np.zeros((len(weights), 2), dtype=np.complex128)
-
-        def look(chi: float) -> tuple[float, float]:
-            """Utilisation in a direction, and how fast it grows with it.
-
-            The forces of both ends turn with the direction too, but at an extreme that changes
-            nothing to the first order.
-            """
-            turned = np.exp(-1j * chi)
-            along = (turned * moments).real
-            up, down = self.turn.peaks(along), self.turn.peaks(-along)
-            index = np.concatenate((up, down))
-            signed = turned * np.repeat([1.0, -1.0], [len(up), len(down)])[:, None]
-            values, places = self.turn.narrow(
-                index, lambda forces: (signed * combine(weights=weights, forces=forces)).real
-            )
-            chosen = [int(values[: len(up)].argmax()), len(up) + int(values[len(up) :].argmax())]
-            ends[:] = self.turn.at(places[chosen], self.turn.segment[index[chosen]])
-            own = combine(weights=weights, forces=ends) * turned
-            beside = own[:, None] * np.exp(-1j * np.array([0.0, NEAR, -NEAR]))
-            value, after, before = used(beside[0].real, beside[1].real).tolist()
-            return value, after - before
-
-        around = np.concatenate((coarse[-1:], coarse, coarse[:1]))
-        summit = (coarse >= around[:-2]) & (coarse >= around[2:])
-        drop = coarse - np.minimum(around[:-2], around[2:])
-        step = 2 * np.pi / len(grid)
-        best = (-math.inf, 0.0, ends)
-        for start in grid[summit & (coarse + drop >= coarse.max())].tolist():
-            for value, chi in _climb(look, start, step):
-                if value > best[0]:
-                    best = value, chi, ends.copy()
-        return best
-
-    def largest_deflection(self, reference: float) -> PinDeflection:
-        """Deflection and rotation where the pin bends most in the middle of a satellite."""
-        turn, beam = self.turn, self.beam
-
-        def largest(weights: FloatArray) -> float:
-            return turn.largest(lambda forces: np.abs(combine(weights=weights, forces=forces)))[0]
-
-        most, satellite, z = max(
-            (largest(beam.deflection(z, self.positions)), satellite, z)
-            for satellite, z in enumerate(self.positions, start=1)
-        )
-        slope = largest(beam.slope(z, self.positions))
-        return PinDeflection(satellite, reference * most, reference * slope)
+    deflections = most(beam.deflection(positions[:, None], positions))
+    satellite = int(deflections.argmax())
+    slope = most(beam.slope(positions[satellite], positions)[None])
+    return PinDeflection(
+        satellite + 1, reference * float(deflections[satellite]), reference * float(slope[0])
+    )
 
 
 def _turned(chi: float) -> float:
-    """Direction from 0 to less than a turn; a trifle below a turn is 0."""
+    """Direction from 0 to less than a turn."""
     chi %= 2 * math.pi
-    return chi if chi < 2 * math.pi - NARROW else 0.0
-
-
-def _climb(
-    look: Callable[[float], tuple[float, float]], start: float, step: float
-) -> Iterator[tuple[float, float]]:
-    """Values on the way to a summit, and their places: regula falsi on the growth, halving behind.
-
-    Parameters
-    ----------
-    look : callable
-        Value and growth at a place.
-    start, step : float
-        Where it begins, and how far it looks for the other side.
-
-    Yields
-    ------
-    value, place : float
-    """
-    value, growth = look(start)
-    yield value, start
-    if growth == 0:
-        return
-    low, at_low = start, growth
-    for _ in range(3):
-        high = low + math.copysign(step, at_low)
-        value, at_high = look(high)
-        yield value, high
-        if at_high * at_low <= 0:
-            break
-        low, at_low = high, at_high
-    else:
-        return
-    for _ in range(MOST_LOOKS):
-        share = at_low / (at_low - at_high) if at_low != at_high else 0.5
-        place = low + (high - low) * min(max(share, 0.01), 0.99)
-        value, growth = look(place)
-        yield value, place
-        if growth * at_low > 0:
-            low, at_low, at_high = place, growth, at_high / 2
-        else:
-            high, at_high, at_low = place, growth, at_low / 2
-        if growth == 0 or abs(high - low) < NARROW:
-            return
+    return chi if AT_ZERO < chi < 2 * math.pi - AT_ZERO else 0.0

@@ -1,43 +1,51 @@
-"""The forces that one pin feels over a turn, and where any measure of them is largest.
+"""The forces that one pin feels over a turn of the wave: as functions of the place, and sampled.
 
-In the frame of the carrier the force of satellite j on a pin is ``F_j*(cos(gamma_j),
-sin(gamma_j))``, tangential and radial: as the pressure angle sweeps half a turn, so does the force.
-Forces are complex numbers here, tangential + i*radial. All pins of a mechanism are alike but for
-the time at which they feel them.
+Between the places at which a pair starts or stops driving, or another becomes the best placed, the
+forces are smooth; such a stretch of a pin's turn is an arc. With t the tangent of the pressure
+angle of the best placed pair and d the phase of another against it, that one's cosine over the best
+is ``u = cos(d) - t*sin(d)``, and its sine ``s = sin(d) + t*cos(d)``, so that its force is
+
+    F/F0 = u^v*(u + i*s)/T,   T = sum(u^(1 + v)) over all driving pairs
+
+as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are linear in t,
+and are taken between their values at the ends of the arc: sums of positive numbers only.
+
+All pins of a mechanism are alike but for the time at which they feel the forces.
 """
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray, IntArray
+from core.output.driving_set import segments
+from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
 
 ComplexArray = NDArray[np.complex128]
 
-SAMPLES = 512
-"""Places a turn at which the forces are looked at first, for exponents up to 4; denser towards the
-ends of a segment, where a power below 1 of a cosine rises steeply."""
+MANY = 64
+"""Driving pairs above which samples are fewer: each pair changes little over an arc."""
 
-MOST_SAMPLES = 4096
+SPARSE, DENSE = 0.5, 0.7
+"""Ratio of the distances of neighbouring samples from the nearer end of their arc."""
 
-NONE = 1e-13
-"""Cosine below which a pair begins or ends to drive."""
+FIRST = 0.05
+"""Distance of the first sample from an end, over the arc, where the forces are as smooth as their
+cosines; a force exponent above 1 divides it, as it does the distance within which the force goes
+over from one pair to the next."""
 
-POINTS, ROUNDS = 33, 5
-"""Places in a bracket, which is narrowed to two of their distances, and how often."""
+SINGULAR = 1e-5
+"""The same where the force rises with a power of the cosine that is not whole."""
 
-WAY = np.linspace(0.0, 1.0, POINTS)
+NOTHING = 1e-30
+"""Force of a pair, over that of the best placed one, that no sum feels."""
 
 
 class PinTurn:
-    """Forces on a pin over the turn of the wave, over F0, segment by segment.
-
-    Between the places at which any pair starts or stops driving the forces are smooth; each place
-    belongs to one such segment, its ends to both.
+    """Forces on a pin over the turn of the wave, over F0, arc by arc.
 
     Parameters
     ----------
@@ -45,170 +53,144 @@ class PinTurn:
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+
+    Attributes
+    ----------
+    smooth : bool
+        Whether the forces have a slope and a curvature where a pair switches.
+    nodes : array, shape (n,)
+        Places of the samples, as parts of the way along an arc, by the tangent.
+    arcs : array of int, shape (a,)
+        Arcs over which the pin feels anything, and one of the others.
+    forces : array, shape (K, a, n)
+        Forces of the satellites on the pin at the samples of these.
     """
 
     def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         phases = mechanism.phases
-        self.exponent = force_exponent
-        self.satellite = np.array(phases.satellite_phase) - 0.75
-        sectors = np.arange(phases.pins) / phases.pins
-        self.phase = np.add.outer(np.array(phases.sector_phases) - 0.75, sectors).ravel()
-        self.weight = np.repeat(np.array(phases.multiplicity, dtype=float), phases.pins)
-        first = np.array([place for place, _ in phases.switching()])
-        self.low = np.add.outer(sectors, first).ravel()
-        self.high = np.append(self.low[1:], self.low[0] + 1.0)
-        self.middle = (self.low + self.high) / 2
-        wanted = min(SAMPLES * max(1.0, math.sqrt(force_exponent) / 2), MOST_SAMPLES)
-        counts = np.maximum(np.ceil((self.high - self.low) * wanted).astype(int), 4) + 1
-        self.places = np.concatenate(
-            [
-                low + (high - low) * (1 - np.cos(np.linspace(0.0, np.pi, count))) / 2
-                for low, high, count in zip(self.low, self.high, counts, strict=True)
-            ]
-        )
-        self.segment = np.repeat(np.arange(len(counts)), counts)
-        self.forces = self.at(self.places, self.segment)
-        self.neighbours = self.beside(np.arange(len(self.places)))
+        self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
+        parts = list(segments(phases))
+        ends = np.array([[part.low for part in parts], [part.high for part in parts]])
+        self._all_pairs([part.driving.pairs() for part in parts], ends)
+        # over a turn a pin meets the segments of one repeat as often as there are repeats
+        repeats = phases.pins * phases.symmetry
+        part = np.repeat(np.arange(len(parts)), repeats)
+        turn = np.tile(np.arange(repeats) / repeats, len(parts))
+        shift = turn - np.array([each.phase for each in parts])[part]
+        self._own_pairs(np.add.outer(np.array(phases.satellite_phase), shift), ends[:, part])
+        self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
+        self.ends, self.part = ends[:, part], part
+        felt = (self.own**force_exponent * self.drives).max(axis=(0, 1)) > NOTHING
+        idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
+        self.arcs = np.concatenate((np.flatnonzero(felt), idle))
+        self.nodes = _nodes(force_exponent, self.weights.shape[1])
+        total = self._total(np.arange(len(parts)), np.tile(self.nodes, (len(parts), 1)))
+        own = self._own(self.arcs, np.tile(self.nodes, (len(self.arcs), 1)))
+        self.forces: ComplexArray = own / total[part[self.arcs]]
 
-    def at(self, places: FloatArray, segment: IntArray) -> ComplexArray:
+    def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
+        """Relative cosines of all driving pairs of each segment at its ends, and their weights."""
+        most = max(len(weights) for _, weights in pairs)
+        phase = np.full((len(pairs), most), 0.5)  # drives nowhere
+        self.weights = np.zeros((len(pairs), most))
+        for row, (own, weights) in enumerate(pairs):
+            phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
+        self.cosines = _relative_cosines(phase, ends[..., None])
+
+    def _own_pairs(self, phase: FloatArray, ends: FloatArray) -> None:
+        """Relative cosines and sines of the pin's own pairs at the ends of each arc."""
+        middle = ends.mean(axis=0)
+        phase = phase - np.rint(phase + middle)
+        self.drives = np.abs(phase + middle) < 0.25
+        self.own = np.where(self.drives, _relative_cosines(phase, ends[:, None]), 0.0)
+        turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[:, None]
+        self.sines = np.sin(turned) + tangents * np.cos(turned)
+
+    def _total(self, part: IntArray, way: FloatArray) -> FloatArray:
+        """T of segments at parts of the way along them, shape (rows, m)."""
+        low, high = self.cosines[:, part, :, None]
+        found = _between(low, high, way[:, None])
+        shares: FloatArray = self.weights[part][:, None] @ (found * found**self.exponent)
+        return shares[:, 0]
+
+    def _own(self, arcs: IntArray, way: FloatArray) -> ComplexArray:
+        """T times the forces of the satellites on the pin, shape (K, rows, m)."""
+        low, high = self.own[:, :, arcs, None]
+        cosines = _between(low, high, way)
+        low, high = self.sines[:, :, arcs, None]
+        sines = _between(low, high, way)
+        powers = cosines**self.exponent * self.drives[:, arcs, None]
+        found: ComplexArray = powers * (cosines + 1j * sines)
+        return found
+
+    def at(self, arcs: IntArray, way: FloatArray) -> ComplexArray:
         """Forces of the satellites on the pin over F0.
 
         Parameters
         ----------
-        places : array
-            Places of the wave, in turns.
-        segment : array, same shape
-            The segments that they belong to.
+        arcs : array of int, shape (rows,)
+            Arcs.
+        way : array, shape (rows, m)
+            Places as parts of the way along each.
 
         Returns
         -------
-        array, shape (K, ...)
+        array, shape (K, rows, m)
         """
-        middle = self.middle[segment]
-        cosines, drives, _ = _cosines(self.phase, places, middle)
-        best = cosines.max(axis=0)
-        relative = cosines / best
-        powers = np.where(drives, relative**self.exponent, 0.0)
-        shares = (powers * relative).reshape(len(self.phase), -1)
-        total = best * (self.weight[:, None] * shares).sum(axis=0).reshape(best.shape)
-        own, drives, angles = _cosines(self.satellite, places, middle)
-        ratios = np.where(drives, (own / best) ** self.exponent, 0.0) / total
-        found: ComplexArray = ratios * np.exp(2j * np.pi * angles)
-        return found
+        return self._own(arcs, way) / self._total(self.part[arcs], way)
 
-    def peaks(self, values: FloatArray) -> IntArray:
-        """Samples that may have the largest value of all beside them.
-
-        Parameters
-        ----------
-        values : array, shape (n,)
-            Value of each sample.
+    def drawn(self) -> tuple[FloatArray, ComplexArray]:
+        """Forces over the turn, both sides of every switching angle.
 
         Returns
         -------
-        array of int
+        places : array, shape (n,)
+            Ascending, in turns of the wave.
+        forces : array, shape (K, n)
         """
-        before, after = self.neighbours
-        least = np.minimum(values[before], values[after])
-        summit = (values >= values[before]) & (values >= values[after])
-        chosen: IntArray = np.flatnonzero(summit & (2 * values - least >= values.max()))
-        return chosen
-
-    def beside(self, index: IntArray) -> tuple[IntArray, IntArray]:
-        """The samples before and after, of the same segment."""
-        last = len(self.places) - 1
-        before, after = np.maximum(index - 1, 0), np.minimum(index + 1, last)
-        own = self.segment[index]
-        return (
-            np.where(self.segment[before] == own, before, index),
-            np.where(self.segment[after] == own, after, index),
-        )
-
-    def narrow(
-        self, index: IntArray, value: Callable[[ComplexArray], FloatArray]
-    ) -> tuple[FloatArray, FloatArray]:
-        """Largest values beside samples, and their places.
-
-        Parameters
-        ----------
-        index : array of int, shape (n,)
-            The samples.
-        value : callable
-            Value of forces of the shape (K, n, m), of the shape (n, m).
-
-        Returns
-        -------
-        values, places : array, shape (n,)
-        """
-        before, after = self.beside(index)
-        start, stop = self.places[before], self.places[after]
-        segment = np.repeat(self.segment[index][:, None], POINTS, axis=1)
-        rows = np.arange(len(index))
-        for _ in range(ROUNDS):
-            places = start[:, None] + (stop - start)[:, None] * WAY
-            values = value(self.at(places, segment))
-            best = values.argmax(axis=1)
-            start = places[rows, np.maximum(best - 1, 0)]
-            stop = places[rows, np.minimum(best + 1, POINTS - 1)]
-        return values[rows, best], places[rows, best]
-
-    def largest(self, value: Callable[[ComplexArray], FloatArray]) -> tuple[float, ComplexArray]:
-        """The largest value over the turn, and the forces there.
-
-        Parameters
-        ----------
-        value : callable
-            Value of forces of the shape (K, ...), of the shape (...).
-
-        Returns
-        -------
-        value : float
-        forces : array, shape (K,)
-        """
-        index = self.peaks(value(self.forces))
-        values, places = self.narrow(index, value)
-        best = int(values.argmax())
-        forces = self.at(places[best : best + 1], self.segment[index[best : best + 1]])
-        return float(values[best]), forces[:, 0]
+        low, high = np.tan(2 * np.pi * self.ends)[..., None]
+        angles = np.arctan(_between(low, high, self.nodes)) / (2 * np.pi)
+        places = angles + (self.middle - self.ends.mean(axis=0))[:, None]
+        forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
+        forces[:, self.arcs] = self.forces
+        order = np.argsort(self.middle, kind="stable")
+        return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
 
 
-def _cosines(
-    phase: FloatArray, places: FloatArray, middle: FloatArray
-) -> tuple[FloatArray, NDArray[np.bool_], FloatArray]:
-    """Cosines of pressure angles, which pairs drive in the middle of the segment, and the angles
-    in turns.
-    """
-    angles = np.add.outer(phase, places)
-    angles -= np.rint(np.add.outer(phase, middle))
-    drives = np.abs(angles - (places - middle)) < 0.25
-    cosines = np.sin(2 * np.pi * np.maximum(0.25 - np.abs(angles), 0.0))
-    cosines = np.where(drives & (cosines > NONE), cosines, 0.0)
-    return cosines, drives, angles
-
-
-def combine(*, weights: FloatArray, forces: ComplexArray) -> ComplexArray:
-    """Sums of the satellites' forces with weights.
+def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:
+    """Cosines of pairs over that of the best placed one; exactly 0 where a pair switches.
 
     Parameters
     ----------
-    weights : array, shape (..., K)
-        Weights, any number of sets.
-    forces : array, shape (K, ...)
-        Forces, any number of sets.
-
-    Returns
-    -------
-    array
-        The shape of the sets of weights, then that of the forces. (The products are too small for
-        a library of linear algebra.)
+    phase : array
+        Phases against the best placed pair, in turns.
+    offset : array
+        Its pressure angle, in turns.
     """
-    sets = weights.reshape(-1, len(forces), 1)
-    columns = forces.reshape(len(forces), -1)
-    found = sets[:, 0] * columns[0]
-    for k in range(1, len(forces)):
-        found = found + sets[:, k] * columns[k]
-    sums: ComplexArray = found.reshape(weights.shape[:-1] + forces.shape[1:])
-    return sums
+    away = 0.25 - np.abs(phase + offset)
+    best = np.sin(2 * np.pi * (0.25 - np.abs(offset)))
+    found: FloatArray = np.where(away > AT_SWITCH, np.sin(2 * np.pi * away), 0.0) / best
+    return found
+
+
+def _between(low: FloatArray, high: FloatArray, way: FloatArray) -> FloatArray:
+    """Between two values; exactly these at the ends."""
+    found: FloatArray = low * (1 - way) + high * way
+    return found
+
+
+def _smooth(exponent: float) -> bool:
+    """Whether the forces have a slope and a curvature where a pair switches."""
+    return exponent in (0.0, 1.0) or exponent >= 2
+
+
+def _nodes(exponent: float, pairs: int) -> FloatArray:
+    """Places at which an arc is sampled, as parts of the way: the denser the nearer to an end."""
+    first = FIRST / max(exponent, 1.0) if _smooth(exponent) else SINGULAR
+    ratio = DENSE if pairs <= MANY else SPARSE
+    count = math.ceil(math.log(2 * first) / math.log(ratio))
+    half = np.concatenate(([0.0], 0.5 * ratio ** np.arange(count, -1, -1.0)))
+    return np.concatenate((half, 1 - half[-2::-1]))
 
 
 @lru_cache(maxsize=256)

@@ -26,7 +26,8 @@ from core.fatigue import (
 from core.materials import ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
-from core.output.pin_strength import FatigueStrength, PinStrength, pin_strength, section_stress
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, pin_strength, section_stress
 from core.output.pin_turn import pin_turn
 from tests.oracles.pin import bend
 

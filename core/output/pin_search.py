@@ -1,0 +1,286 @@
+"""Where over the turn, along the pin and around its section a measure of the moment is largest.
+
+All is looked at in samples first. Then every summit that may be the largest is narrowed down, in
+all its variables at once: each round looks at a grid about the best place known, and the next one
+at the cells beside the best of that grid. What is found are values of the measure itself, so that
+none is too large, and their error is the square of the last grid's width.
+"""
+
+from collections.abc import Callable, Iterator
+from itertools import product
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.output.pin_turn import ComplexArray, PinTurn
+
+ROUNDS = {True: 7, False: 12}
+"""Most rounds by whether the forces are smooth: else a summit may be much narrower than a cell."""
+
+SETTLED = 4e-14
+"""How much lower the neighbours of the best place may be, as a part of it, for it to be the end."""
+
+WAYS, CUTS = 16, 8
+"""Cells of a round's grid on each side of the best place, over the turn and along the pin."""
+
+FEW, MANY = 24, 144
+"""Directions in which all sections are looked at, and those that may be the worst."""
+
+NEARLY = 0.98
+"""Share of the largest utilisation in few directions that a section needs to be looked at again."""
+
+Measure = Callable[[IntArray, FloatArray, ComplexArray], FloatArray]
+"""Measure of the kinds (rows,), at sections (rows, s) under forces (K, rows, m): (rows, s, m)."""
+
+Use = Callable[[FloatArray, FloatArray], FloatArray]
+"""Utilisation by a cycle of the largest and the least moment."""
+
+
+class Box:
+    """Ranges of one variable about the best place known, one a row.
+
+    Parameters
+    ----------
+    best, low, high : array, shape (rows,)
+        The best place known, and between which it may lie.
+    cells : int
+        Cells of the grid on each side; 0 if there is nothing to choose.
+    kept : int
+        Cells on each side of the best that the next round looks at.
+    """
+
+    def __init__(
+        self, best: FloatArray, low: FloatArray, high: FloatArray, cells: int, kept: int = 1
+    ) -> None:
+        self.best, self.low, self.high = best, low, high
+        self.width = np.maximum(high - best, best - low)
+        self.cells, self.kept = cells, kept
+        self.way = np.arange(cells + 1) / max(cells, 1)
+
+    def places(self) -> FloatArray:
+        """The grid, shape (rows, 2*cells + 1), ascending, the best place in its middle."""
+        before = np.minimum(self.best - self.low, self.width)[:, None]
+        after = np.minimum(self.high - self.best, self.width)[:, None]
+        best = self.best[:, None]
+        self.grid = np.concatenate(
+            (best - before * self.way[:0:-1], best + after * self.way), axis=1
+        )
+        if self.cells:
+            np.clip(self.grid, self.low[:, None], self.high[:, None], out=self.grid)
+        return self.grid
+
+    def stuck(self, index: IntArray) -> FloatArray:
+        """Whether the best of the grid is at its edge and could lie beyond."""
+        at = self.grid[np.arange(len(index)), index]
+        edge = (index == 0) & (at > self.low) | (index == 2 * self.cells) & (at < self.high)
+        found: FloatArray = edge & bool(self.cells)
+        return found
+
+    def move(self, index: IntArray, stuck: FloatArray) -> None:
+        """Go on about the best of the grid, with narrower cells unless a row is stuck."""
+        self.best = self.grid[np.arange(len(index)), index]
+        if self.cells:
+            self.width = np.where(stuck, self.width, self.width * (self.kept / self.cells))
+
+
+def largest(
+    turn: PinTurn, measure: Measure, kinds: int, sections: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """The largest of each kind of measure over the turn and over all sections.
+
+    Parameters
+    ----------
+    turn : PinTurn
+        Forces over the turn.
+    measure : callable
+        The measures.
+    kinds : int
+        How many there are.
+    sections : array, shape (s,)
+        Sections to be looked at first, from end to end; one if there is no other.
+
+    Returns
+    -------
+    values, sections : array, shape (kinds,)
+    """
+    count = len(turn.nodes)
+    forces = turn.forces.reshape(len(turn.forces), 1, -1)
+    every = np.arange(kinds)
+    values = measure(every, np.tile(sections, (kinds, 1)), np.repeat(forces, kinds, axis=1))
+    values = values.reshape(kinds, len(sections), -1, count)
+    over_turn, turn_drop = _summits(values)
+    along, drop = _summits(values.swapaxes(1, 3))
+    chosen = over_turn & along.swapaxes(1, 3)
+    bound = values + turn_drop + drop.swapaxes(1, 3)
+    chosen &= bound >= values.max(axis=(1, 2, 3), keepdims=True)
+    kind, section, arc, node = np.nonzero(chosen)
+    rows = np.arange(len(kind))
+    alone = len(sections) == 1
+    box = Box(
+        sections[section],
+        sections[np.maximum(section - 1, 0)],
+        sections[np.minimum(section + 1, len(sections) - 1)],
+        0 if alone else CUTS,
+    )
+    way = _ways(turn, node, node - 1, node + 1, 1 if alone else 2)
+    arcs = turn.arcs[arc]
+    for _ in range(ROUNDS[turn.smooth]):
+        places, ways = box.places(), way.places()
+        found = measure(kind, places, turn.at(arcs, ways))
+        flat = found.reshape(len(rows), -1)
+        middle = flat.shape[1] // 2
+        index = _better(flat)
+        best = flat[rows, index]
+        at, on = np.divmod(index, ways.shape[1])
+        stuck = box.stuck(at) | way.stuck(on)
+        beside = flat[rows, np.maximum(index - 1, 0)], flat[rows, np.minimum(index + 1, middle * 2)]
+        box.move(at, stuck)
+        way.move(on, stuck)
+        settled = best - np.minimum(*beside) <= SETTLED * best
+        if turn.smooth:
+            settled |= (way.best == way.low) | (way.best == way.high)
+        if alone and settled.all():
+            break
+    picked = np.array([np.flatnonzero(kind == each)[best[kind == each].argmax()] for each in every])
+    return best[picked], box.best[picked]
+
+
+def _summits(values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Which values are largest beside their neighbours along the last axis, and by how much."""
+    before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
+    after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
+    return (values >= before) & (values >= after), values - np.minimum(before, after)
+
+
+def _ways(turn: PinTurn, best: IntArray, low: IntArray, high: IntArray, kept: int) -> Box:
+    """Range of the way along arcs by numbers of samples."""
+    nodes, last = turn.nodes, len(turn.nodes) - 1
+    return Box(nodes[best], nodes[np.maximum(low, 0)], nodes[np.minimum(high, last)], WAYS, kept)
+
+
+def worst_cycle(
+    turn: PinTurn, moments: Callable[[FloatArray], FloatArray], sections: FloatArray, used: Use
+) -> tuple[float, float, float, float]:
+    """The cycle of stress with the largest utilisation, of all directions and sections.
+
+    A point of the section's edge in the direction chi goes from the least to the largest
+    component of the moment in that direction, so that all to be searched for is the largest
+    utilisation by any two places of the turn as the ends of the cycle, in any direction: it never
+    falls where the upper end rises or the lower one falls.
+
+    Parameters
+    ----------
+    turn : PinTurn
+        Forces over the turn.
+    moments : callable
+        Moments at sections (...) by the satellites' unit forces, shape (..., K).
+    sections : array, shape (s,)
+        Sections to be looked at first, from end to end; one if there is no other.
+    used : callable
+        Utilisation.
+
+    Returns
+    -------
+    direction, section, largest, least : float
+        Direction chi, rad; section, m; moments of the ends of the cycle over F0.
+    """
+    samples = turn.forces.reshape(len(turn.forces), -1)
+    locus = moments(sections) @ samples
+    worst = _cycles(locus, FEW, used)[1].max(axis=1)
+    summit, drop = _summits(worst)
+    found = [
+        (section, *start)
+        for section in np.flatnonzero(summit & (worst + drop >= NEARLY * worst.max())).tolist()
+        for start in _starts(locus[section], len(turn.nodes), used)
+    ]
+    section, direction, arcs, ends = (np.array(each) for each in zip(*found, strict=True))
+    last = len(sections) - 1
+    places = Box(
+        sections[section],
+        sections[np.maximum(section - 1, 0)],
+        sections[np.minimum(section + 1, last)],
+        CUTS if last else 0,
+    )
+    step = 2 * np.pi / MANY
+    chi = step * direction
+    angles = Box(chi, chi - step, chi + step, WAYS, 2)
+    upper, lower = (_ways(turn, *ends[:, k].T, 2) for k in (0, 1))
+    rows = np.arange(len(section))
+    for _ in range(ROUNDS[turn.smooth]):
+        weights, around = moments(places.places()), angles.places()
+        turned = np.stack((np.cos(around), np.sin(around)), axis=-1)[:, None]
+        reached = []
+        for k, way in enumerate((upper, lower)):
+            moment = weights @ turn.at(turn.arcs[arcs[:, k]], way.places()).swapaxes(0, 1)
+            along = turned @ np.stack((moment.real, moment.imag), axis=-2)
+            far = along.argmin(axis=-1) if k else along.argmax(axis=-1)
+            reached.append((np.take_along_axis(along, far[..., None], -1)[..., 0], far))
+        (top, high), (bottom, low) = reached
+        use = used(top, bottom).reshape(len(rows), -1)
+        index = _better(use)
+        best = use[rows, index]
+        at, on = np.divmod(index, around.shape[1])
+        moves = (places, at), (angles, on), (upper, high[rows, at, on]), (lower, low[rows, at, on])
+        stuck = np.any([box.stuck(each) for box, each in moves], axis=0)
+        for box, each in moves:
+            box.move(each, stuck)
+    row = int(best.argmax())
+    end = row, at[row], on[row]
+    return angles.best[row], places.best[row], top[end], bottom[end]
+
+
+def _better(values: FloatArray) -> IntArray:
+    """Where each row is largest; in its middle if nothing is larger."""
+    index = values.argmax(axis=1)
+    middle = values.shape[1] // 2
+    found: IntArray = np.where(values.max(axis=1) > values[:, middle], index, middle)
+    return found
+
+
+def _cycles(locus: ComplexArray, directions: int, used: Use) -> tuple[IntArray, FloatArray]:
+    """Samples that reach farthest in each direction, and the utilisation, shape (..., directions)."""
+    turned = 2 * np.pi * np.arange(directions) / directions
+    turned = np.stack((np.cos(turned), np.sin(turned)), axis=-1)
+    along = turned @ np.stack((locus.real, locus.imag), axis=-2)
+    far = along.argmax(axis=-1)
+    top = np.take_along_axis(along, far[..., None], -1)[..., 0]
+    return far, used(top, -np.roll(top, directions // 2, axis=-1))
+
+
+Start = tuple[int, tuple[int, int], tuple[tuple[int, int, int], tuple[int, int, int]]]
+"""Direction, arcs of both ends of the cycle, and numbers of the sample, of the first and the last
+between which each may lie."""
+
+
+def _starts(locus: ComplexArray, count: int, used: Use) -> Iterator[Start]:
+    """Where a section's worst cycle may be, by its samples."""
+    outer = _outer(locus)
+    far, use = _cycles(locus[outer], MANY, used)
+    far = outer[far]
+    around = np.concatenate((use[-1:], use, use[:1]))
+    drop = use - np.minimum(around[:-2], around[2:])
+    summit = (use >= around[:-2]) & (use >= around[2:])
+    for direction in np.flatnonzero(summit & (use + drop >= use.max())).tolist():
+        ends = []
+        for middle in (direction, direction + MANY // 2):
+            near: dict[int, list[int]] = {}
+            for k in (0, -1, 1):
+                arc, node = divmod(int(far[(middle + k) % MANY]), count)
+                near.setdefault(arc, []).append(node)
+            ends.append(near)
+        for arcs in product(*ends):
+            nodes = [each[arc] for each, arc in zip(ends, arcs, strict=True)]
+            upper, lower = ((n[0], min(n) - 1, max(n) + 1) for n in nodes)
+            yield direction, arcs, (upper, lower)
+
+
+def _outer(locus: ComplexArray) -> IntArray:
+    """Samples that may reach farthest in some direction: not inside the polygon of some that do."""
+    turned = 2 * np.pi * np.arange(FEW) / FEW
+    corners = locus[
+        (np.cos(turned)[:, None] * locus.real + np.sin(turned)[:, None] * locus.imag).argmax(axis=1)
+    ]
+    sides = np.roll(corners, -1) - corners
+    inside = (np.conj(sides)[:, None] * (locus - corners[:, None])).imag > 0
+    found: IntArray = np.flatnonzero(~(inside | (sides == 0)[:, None]).all(axis=0))
+    return found
