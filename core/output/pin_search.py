@@ -11,7 +11,7 @@ from itertools import product
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.pin_turn import ComplexArray, PinTurn
 
 ROUNDS = {True: 7, False: 12}
@@ -29,8 +29,8 @@ FEW, MANY = 24, 144
 NEARLY = 0.98
 """Share of the largest utilisation in few directions that a section needs to be looked at again."""
 
-Measure = Callable[[IntArray, FloatArray, ComplexArray], FloatArray]
-"""Measure of the kinds (rows,), at sections (rows, s) under forces (K, rows, m): (rows, s, m)."""
+Arms = tuple[FloatArray, ...]
+"""What the satellites' unit forces do to sections, each shape (rows, s, K)."""
 
 Use = Callable[[FloatArray, FloatArray], FloatArray]
 """Utilisation by a cycle of the largest and the least moment."""
@@ -54,37 +54,46 @@ class Box:
     ) -> None:
         self.best, self.low, self.high = best, low, high
         self.width = np.maximum(high - best, best - low)
-        self.cells, self.kept = cells, kept
-        self.way = np.arange(cells + 1) / max(cells, 1)
+        self.cells, self.narrower = cells, kept / max(cells, 1)
+        self.after = np.maximum(np.arange(-cells, cells + 1) / max(cells, 1), 0.0)
+        self.before = self.after[::-1]
+        self.rows = np.arange(len(best))
 
     def places(self) -> FloatArray:
         """The grid, shape (rows, 2*cells + 1), ascending, the best place in its middle."""
+        if not self.cells:
+            self.grid = self.best[:, None]
+            return self.grid
         before = np.minimum(self.best - self.low, self.width)[:, None]
         after = np.minimum(self.high - self.best, self.width)[:, None]
-        best = self.best[:, None]
-        self.grid = np.concatenate(
-            (best - before * self.way[:0:-1], best + after * self.way), axis=1
-        )
-        if self.cells:
-            np.clip(self.grid, self.low[:, None], self.high[:, None], out=self.grid)
+        grid = self.best[:, None] + (after * self.after - before * self.before)
+        self.grid = np.minimum(np.maximum(grid, self.low[:, None]), self.high[:, None])
         return self.grid
 
-    def stuck(self, index: IntArray) -> FloatArray:
-        """Whether the best of the grid is at its edge and could lie beyond."""
-        at = self.grid[np.arange(len(index)), index]
-        edge = (index == 0) & (at > self.low) | (index == 2 * self.cells) & (at < self.high)
-        found: FloatArray = edge & bool(self.cells)
-        return found
+    def move(self, index: IntArray) -> BoolArray:
+        """Go on about the best of the grid.
 
-    def move(self, index: IntArray, stuck: FloatArray) -> None:
-        """Go on about the best of the grid, with narrower cells unless a row is stuck."""
-        self.best = self.grid[np.arange(len(index)), index]
-        if self.cells:
-            self.width = np.where(stuck, self.width, self.width * (self.kept / self.cells))
+        Returns
+        -------
+        array of bool, shape (rows,)
+            Whether the best is at the edge of the grid and could lie beyond.
+        """
+        self.best = self.grid[self.rows, index]
+        edge = (index == 0) & (self.best > self.low)
+        edge |= (index == 2 * self.cells) & (self.best < self.high)
+        return edge
+
+    def narrow(self, stuck: BoolArray) -> None:
+        """Narrower cells, unless a row is stuck at an edge."""
+        self.width = np.where(stuck, self.width, self.width * self.narrower)
 
 
 def largest(
-    turn: PinTurn, measure: Measure, kinds: int, sections: FloatArray
+    turn: PinTurn,
+    arms: Callable[[IntArray, FloatArray], Arms],
+    measure: Callable[[Arms, ComplexArray], FloatArray],
+    kinds: int,
+    sections: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
     """The largest of each kind of measure over the turn and over all sections.
 
@@ -92,8 +101,10 @@ def largest(
     ----------
     turn : PinTurn
         Forces over the turn.
+    arms : callable
+        Of the kinds (rows,) and sections (rows, s).
     measure : callable
-        The measures.
+        Of arms and forces (rows, K, m): the measure, shape (rows, s, m).
     kinds : int
         How many there are.
     sections : array, shape (s,)
@@ -103,46 +114,50 @@ def largest(
     -------
     values, sections : array, shape (kinds,)
     """
-    count = len(turn.nodes)
-    forces = turn.forces.reshape(len(turn.forces), 1, -1)
+    count, last = len(turn.nodes), len(sections) - 1
     every = np.arange(kinds)
-    values = measure(every, np.tile(sections, (kinds, 1)), np.repeat(forces, kinds, axis=1))
-    values = values.reshape(kinds, len(sections), -1, count)
-    over_turn, turn_drop = _summits(values)
-    along, drop = _summits(values.swapaxes(1, 3))
-    chosen = over_turn & along.swapaxes(1, 3)
-    bound = values + turn_drop + drop.swapaxes(1, 3)
+    forces = turn.forces.reshape(1, len(turn.forces), -1)
+    values = measure(arms(every, np.tile(sections, (kinds, 1))), forces)
+    values = values.reshape(kinds, last + 1, -1, count)
+    chosen, bound = _summits(values)
+    bound = values + bound
+    if last:
+        along, drop = (each.swapaxes(1, 3) for each in _summits(values.swapaxes(1, 3)))
+        chosen, bound = chosen & along, bound + drop
     chosen &= bound >= values.max(axis=(1, 2, 3), keepdims=True)
     kind, section, arc, node = np.nonzero(chosen)
-    rows = np.arange(len(kind))
-    alone = len(sections) == 1
-    box = Box(
-        sections[section],
-        sections[np.maximum(section - 1, 0)],
-        sections[np.minimum(section + 1, len(sections) - 1)],
-        0 if alone else CUTS,
-    )
-    way = _ways(turn, node, node - 1, node + 1, 1 if alone else 2)
-    arcs = turn.arcs[arc]
+    places = _places(sections, section)
+    way = _ways(turn, node, node - 1, node + 1, 2 if last else 1)
+    at = turn.at(turn.arcs[arc])
+    own = arms(kind, places.places())
     for _ in range(ROUNDS[turn.smooth]):
-        places, ways = box.places(), way.places()
-        found = measure(kind, places, turn.at(arcs, ways))
-        flat = found.reshape(len(rows), -1)
-        middle = flat.shape[1] // 2
-        index = _better(flat)
-        best = flat[rows, index]
-        at, on = np.divmod(index, ways.shape[1])
-        stuck = box.stuck(at) | way.stuck(on)
-        beside = flat[rows, np.maximum(index - 1, 0)], flat[rows, np.minimum(index + 1, middle * 2)]
-        box.move(at, stuck)
-        way.move(on, stuck)
-        settled = best - np.minimum(*beside) <= SETTLED * best
+        if last:
+            own = arms(kind, places.places())
+        found = measure(own, at(way.places())).reshape(len(kind), -1)
+        index = _better(found)
+        best = found[places.rows, index]
+        on_pin, on_turn = np.divmod(index, way.grid.shape[1])
+        stuck = places.move(on_pin) | way.move(on_turn)
+        places.narrow(stuck)
+        way.narrow(stuck)
+        beside = np.minimum(
+            found[places.rows, np.maximum(index - 1, 0)],
+            found[places.rows, np.minimum(index + 1, found.shape[1] - 1)],
+        )
+        settled = best - beside <= SETTLED * best
         if turn.smooth:
             settled |= (way.best == way.low) | (way.best == way.high)
-        if alone and settled.all():
+        if not last and settled.all():
             break
     picked = np.array([np.flatnonzero(kind == each)[best[kind == each].argmax()] for each in every])
-    return best[picked], box.best[picked]
+    return best[picked], places.best[picked]
+
+
+def _places(sections: FloatArray, section: IntArray) -> Box:
+    """Range of sections beside those of these numbers."""
+    last = len(sections) - 1
+    before, after = np.maximum(section - 1, 0), np.minimum(section + 1, last)
+    return Box(sections[section], sections[before], sections[after], CUTS if last else 0)
 
 
 def _summits(values: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -194,39 +209,38 @@ def worst_cycle(
         for start in _starts(locus[section], len(turn.nodes), used)
     ]
     section, direction, arcs, ends = (np.array(each) for each in zip(*found, strict=True))
-    last = len(sections) - 1
-    places = Box(
-        sections[section],
-        sections[np.maximum(section - 1, 0)],
-        sections[np.minimum(section + 1, last)],
-        CUTS if last else 0,
-    )
+    places = _places(sections, section)
     step = 2 * np.pi / MANY
     chi = step * direction
     angles = Box(chi, chi - step, chi + step, WAYS, 2)
-    upper, lower = (_ways(turn, *ends[:, k].T, 2) for k in (0, 1))
-    rows = np.arange(len(section))
+    # upper ends of the cycles, then lower ends
+    ways = _ways(turn, *ends.swapaxes(0, 1).reshape(-1, 3).T, 2)
+    at = turn.at(turn.arcs[arcs.T.ravel()])
+    rows = places.rows
+    weights = moments(places.places())
     for _ in range(ROUNDS[turn.smooth]):
-        weights, around = moments(places.places()), angles.places()
+        if len(sections) > 1:
+            weights = moments(places.places())
+        around = angles.places()
         turned = np.stack((np.cos(around), np.sin(around)), axis=-1)[:, None]
-        reached = []
-        for k, way in enumerate((upper, lower)):
-            moment = weights @ turn.at(turn.arcs[arcs[:, k]], way.places()).swapaxes(0, 1)
-            along = turned @ np.stack((moment.real, moment.imag), axis=-2)
-            far = along.argmin(axis=-1) if k else along.argmax(axis=-1)
-            reached.append((np.take_along_axis(along, far[..., None], -1)[..., 0], far))
-        (top, high), (bottom, low) = reached
+        forces = at(ways.places())
+        moment = weights @ forces.reshape(2, len(rows), *forces.shape[1:])
+        along = turned @ np.stack((moment.real, moment.imag), axis=-2)
+        top, bottom = along[0].max(axis=-1), along[1].min(axis=-1)
         use = used(top, bottom).reshape(len(rows), -1)
         index = _better(use)
         best = use[rows, index]
-        at, on = np.divmod(index, around.shape[1])
-        moves = (places, at), (angles, on), (upper, high[rows, at, on]), (lower, low[rows, at, on])
-        stuck = np.any([box.stuck(each) for box, each in moves], axis=0)
-        for box, each in moves:
-            box.move(each, stuck)
+        on_pin, on_round = np.divmod(index, around.shape[1])
+        chosen = along[:, rows, on_pin, on_round]
+        on_turn = np.concatenate((chosen[0].argmax(axis=-1), chosen[1].argmin(axis=-1)))
+        stuck = places.move(on_pin) | angles.move(on_round)
+        stuck |= ways.move(on_turn).reshape(2, -1).any(axis=0)
+        for box in (places, angles):
+            box.narrow(stuck)
+        ways.narrow(np.tile(stuck, 2))
     row = int(best.argmax())
-    end = row, at[row], on[row]
-    return angles.best[row], places.best[row], top[end], bottom[end]
+    end = row, on_pin[row], on_round[row]
+    return float(angles.best[row]), float(places.best[row]), float(top[end]), float(bottom[end])
 
 
 def _better(values: FloatArray) -> IntArray:
@@ -238,7 +252,7 @@ def _better(values: FloatArray) -> IntArray:
 
 
 def _cycles(locus: ComplexArray, directions: int, used: Use) -> tuple[IntArray, FloatArray]:
-    """Samples that reach farthest in each direction, and the utilisation, shape (..., directions)."""
+    """Samples that reach farthest in each direction, and the utilisation of each; last axis."""
     turned = 2 * np.pi * np.arange(directions) / directions
     turned = np.stack((np.cos(turned), np.sin(turned)), axis=-1)
     along = turned @ np.stack((locus.real, locus.imag), axis=-2)

@@ -20,7 +20,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_forces import reference_force
-from core.output.pin_search import largest, worst_cycle
+from core.output.pin_search import Arms, largest, worst_cycle
 from core.output.pin_turn import ComplexArray, PinTurn, pin_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
@@ -266,17 +266,13 @@ def pin_strength(
     unit = reference / modulus
     parts = np.array([[unit, 0.0], [0.0, reference / area], [unit, reference / area]])
 
-    def stress(kind: IntArray, x: FloatArray, forces: ComplexArray) -> FloatArray:
-        """By bending, by shear, and by both."""
-        forces = forces.swapaxes(0, 1)
+    def arms(kind: IntArray, x: FloatArray) -> Arms:
+        """Of bending, of shear, of both."""
         bends, shears = parts.T[:, kind, None, None]
-        found: FloatArray = section_stress(
-            bending=bends * (beam.moment(x[..., None], positions) @ forces),
-            mean_shear=shears * (beam.shear(x[..., None], positions) @ forces),
-        )
-        return found
+        x = x[..., None]
+        return bends * beam.moment(x, positions), shears * beam.shear(x, positions)
 
-    values, places = largest(turn, stress, len(parts), sections)
+    values, places = largest(turn, arms, _stress, len(parts), sections)
     (bending, sheared, most), (place, *_) = values.tolist(), places.tolist()
     shear = sheared * area / (math.sqrt(3) * 4 / 3)
     cycle, chi, seen, notices = None, None, place, []
@@ -300,7 +296,6 @@ def pin_strength(
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
-    arms = reference * beam.moment(np.float64(seen), positions)
     accuracy = Accuracy(
         "locus_support",
         8 * peak.accuracy.relative_error
@@ -320,7 +315,11 @@ def pin_strength(
         static_safety_factor=None if strength is None else strength / most,
         fatigue=cycle,
         deflection=_deflection(turn, beam, positions, reference) if deflection else None,
-        locus=_locus(turn, mechanism, seen, arms, modulus, chi) if locus else None,
+        locus=_locus(
+            turn, mechanism, seen, unit * beam.moment(np.float64(seen), positions), modulus, chi
+        )
+        if locus
+        else None,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
     )
@@ -342,6 +341,12 @@ def _check_positions(
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
 
 
+def _stress(arms: Arms, forces: ComplexArray) -> FloatArray:
+    """Equivalent stress."""
+    found: FloatArray = section_stress(bending=arms[0] @ forces, mean_shear=arms[1] @ forces)
+    return found
+
+
 def _locus(
     turn: PinTurn,
     mechanism: Mechanism,
@@ -350,11 +355,11 @@ def _locus(
     modulus: float,
     chi: float | None,
 ) -> MomentLocus:
-    """The locus by the arms of the satellites' forces, and its stress in a direction, else in that of
-    the largest moment.
+    """The locus by what the satellites' forces bend, with its stress in a direction, else in that
+    of the largest moment.
     """
     places, forces = turn.drawn()
-    moment = arms @ forces
+    moment = modulus * arms @ forces
     if chi is None:
         chi = float(np.angle(moment[np.abs(moment).argmax()]))
     return MomentLocus(
@@ -382,20 +387,23 @@ def _deflection(
     turn: PinTurn, beam: PinBeam, positions: FloatArray, reference: float
 ) -> PinDeflection:
     """Deflection and rotation where the pin bends most in the middle of a satellite."""
-
-    def most(influence: FloatArray) -> FloatArray:
-        """Of rows of influences of the satellites' forces."""
-
-        def measure(kind: IntArray, _: FloatArray, forces: ComplexArray) -> FloatArray:
-            return np.abs(influence[kind, None] @ forces.swapaxes(0, 1))
-
-        return largest(turn, measure, len(influence), np.zeros(1))[0]
-
-    deflections = most(beam.deflection(positions[:, None], positions))
+    bent = np.stack(
+        (beam.deflection(positions[:, None], positions), beam.slope(positions[:, None], positions))
+    )
+    own = bent.reshape(-1, 1, len(positions))
+    found, _ = largest(
+        turn,
+        lambda kind, _: (own[kind],),
+        lambda arms, forces: np.abs(arms[0] @ forces),
+        len(own),
+        np.zeros(1),
+    )
+    deflections, slopes = found.reshape(2, -1)
     satellite = int(deflections.argmax())
-    slope = most(beam.slope(positions[satellite], positions)[None])
     return PinDeflection(
-        satellite + 1, reference * float(deflections[satellite]), reference * float(slope[0])
+        satellite + 1,
+        reference * float(deflections[satellite]),
+        reference * float(slopes[satellite]),
     )
 
 

@@ -14,7 +14,9 @@ All pins of a mechanism are alike but for the time at which they feel the forces
 """
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,16 +79,17 @@ class PinTurn:
         part = np.repeat(np.arange(len(parts)), repeats)
         turn = np.tile(np.arange(repeats) / repeats, len(parts))
         shift = turn - np.array([each.phase for each in parts])[part]
-        self._own_pairs(np.add.outer(np.array(phases.satellite_phase), shift), ends[:, part])
+        self._own_pairs(np.add.outer(shift, np.array(phases.satellite_phase)), ends[:, part])
         self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
         self.ends, self.part = ends[:, part], part
-        felt = (self.own**force_exponent * self.drives).max(axis=(0, 1)) > NOTHING
+        felt = (self.own.real**force_exponent * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
         self.nodes = _nodes(force_exponent, self.weights.shape[1])
-        total = self._total(np.arange(len(parts)), np.tile(self.nodes, (len(parts), 1)))
-        own = self._own(self.arcs, np.tile(self.nodes, (len(self.arcs), 1)))
-        self.forces: ComplexArray = own / total[part[self.arcs]]
+        every = np.arange(len(parts))
+        total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[part[self.arcs]]
+        forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
+        self.forces: ComplexArray = np.ascontiguousarray(forces.swapaxes(0, 1))
 
     def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
         """Relative cosines of all driving pairs of each segment at its ends, and their weights."""
@@ -98,46 +101,53 @@ class PinTurn:
         self.cosines = _relative_cosines(phase, ends[..., None])
 
     def _own_pairs(self, phase: FloatArray, ends: FloatArray) -> None:
-        """Relative cosines and sines of the pin's own pairs at the ends of each arc."""
-        middle = ends.mean(axis=0)
+        """Relative cosines + i*sines of the pin's own pairs at the ends of each arc."""
+        middle = ends.mean(axis=0)[:, None]
         phase = phase - np.rint(phase + middle)
         self.drives = np.abs(phase + middle) < 0.25
-        self.own = np.where(self.drives, _relative_cosines(phase, ends[:, None]), 0.0)
-        turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[:, None]
-        self.sines = np.sin(turned) + tangents * np.cos(turned)
+        cosines = np.where(self.drives, _relative_cosines(phase, ends[..., None]), 0.0)
+        turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
+        self.own = cosines + 1j * (np.sin(turned) + tangents * np.cos(turned))
 
-    def _total(self, part: IntArray, way: FloatArray) -> FloatArray:
-        """T of segments at parts of the way along them, shape (rows, m)."""
+    def _total(self, part: IntArray) -> Callable[[FloatArray], FloatArray]:
+        """T of segments at parts of the way along them, shape (rows, 1, m)."""
         low, high = self.cosines[:, part, :, None]
-        found = _between(low, high, way[:, None])
-        shares: FloatArray = self.weights[part][:, None] @ (found * found**self.exponent)
-        return shares[:, 0]
+        weights = self.weights[part][:, None]
 
-    def _own(self, arcs: IntArray, way: FloatArray) -> ComplexArray:
-        """T times the forces of the satellites on the pin, shape (K, rows, m)."""
-        low, high = self.own[:, :, arcs, None]
-        cosines = _between(low, high, way)
-        low, high = self.sines[:, :, arcs, None]
-        sines = _between(low, high, way)
-        powers = cosines**self.exponent * self.drives[:, arcs, None]
-        found: ComplexArray = powers * (cosines + 1j * sines)
-        return found
+        def total(way: FloatArray) -> FloatArray:
+            cosines = _between(low, high, way[:, None])
+            found: FloatArray = weights @ (cosines * cosines**self.exponent)
+            return found
 
-    def at(self, arcs: IntArray, way: FloatArray) -> ComplexArray:
-        """Forces of the satellites on the pin over F0.
+        return total
+
+    def _own(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
+        """T times the forces of the satellites on the pin, shape (rows, K, m)."""
+        low, high = self.own[:, arcs, :, None]
+        drives = self.drives[arcs, :, None]
+
+        def own(way: FloatArray) -> ComplexArray:
+            turned = _between(low, high, way[:, None])
+            found: ComplexArray = turned * (turned.real**self.exponent * drives)
+            return found
+
+        return own
+
+    def at(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
+        """Forces of the satellites on the pin over F0, along arcs.
 
         Parameters
         ----------
         arcs : array of int, shape (rows,)
             Arcs.
-        way : array, shape (rows, m)
-            Places as parts of the way along each.
 
         Returns
         -------
-        array, shape (K, rows, m)
+        callable
+            Of parts of the way along each, shape (rows, m): forces, shape (rows, K, m).
         """
-        return self._own(arcs, way) / self._total(self.part[arcs], way)
+        own, total = self._own(arcs), self._total(self.part[arcs])
+        return lambda way: own(way) / total(way)
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
         """Forces over the turn, both sides of every switching angle.
@@ -173,9 +183,9 @@ def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:
     return found
 
 
-def _between(low: FloatArray, high: FloatArray, way: FloatArray) -> FloatArray:
+def _between(low: NDArray[Any], high: NDArray[Any], way: FloatArray) -> NDArray[Any]:
     """Between two values; exactly these at the ends."""
-    found: FloatArray = low * (1 - way) + high * way
+    found: NDArray[Any] = low * (1 - way) + high * way
     return found
 
 
