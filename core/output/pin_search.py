@@ -12,10 +12,13 @@ from itertools import product
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.output.pin_turn import ComplexArray, PinTurn
+from core.output.pin_turn import ComplexArray, PinTurn, combine
 
-ROUNDS = {True: 7, False: 12}
+ROUNDS = {True: 6, False: 9}
 """Most rounds by whether the forces are smooth: else a summit may be much narrower than a cell."""
+
+MOST = 4
+"""Most times as many, where the best place lies beyond what was looked at."""
 
 SETTLED = 4e-14
 """How much lower the neighbours of the best place may be, as a part of it, for it to be the end."""
@@ -43,6 +46,8 @@ class Box:
     ----------
     best, low, high : array, shape (rows,)
         The best place known, and between which it may lie.
+    width : array, shape (rows,)
+        How far from the best place is looked at first.
     cells : int
         Cells of the grid on each side; 0 if there is nothing to choose.
     kept : int
@@ -50,14 +55,20 @@ class Box:
     """
 
     def __init__(
-        self, best: FloatArray, low: FloatArray, high: FloatArray, cells: int, kept: int = 1
+        self,
+        best: FloatArray,
+        low: FloatArray,
+        high: FloatArray,
+        width: FloatArray,
+        cells: int,
+        kept: int = 1,
     ) -> None:
-        self.best, self.low, self.high = best, low, high
-        self.width = np.maximum(high - best, best - low)
+        self.best, self.low, self.high, self.width = best, low, high, width
         self.cells, self.narrower = cells, kept / max(cells, 1)
         self.after = np.maximum(np.arange(-cells, cells + 1) / max(cells, 1), 0.0)
         self.before = self.after[::-1]
         self.rows = np.arange(len(best))
+        self.free = np.zeros(len(best), dtype=bool)
 
     def places(self) -> FloatArray:
         """The grid, shape (rows, 2*cells + 1), ascending, the best place in its middle."""
@@ -78,14 +89,16 @@ class Box:
         array of bool, shape (rows,)
             Whether the best is at the edge of the grid and could lie beyond.
         """
+        if not self.cells:
+            return self.free
         self.best = self.grid[self.rows, index]
         edge = (index == 0) & (self.best > self.low)
         edge |= (index == 2 * self.cells) & (self.best < self.high)
         return edge
 
     def narrow(self, stuck: BoolArray) -> None:
-        """Narrower cells, unless a row is stuck at an edge."""
-        self.width = np.where(stuck, self.width, self.width * self.narrower)
+        """Narrower cells, or wider ones where a row is stuck at an edge."""
+        self.width = self.width * np.where(stuck, 2.0, self.narrower)
 
 
 def largest(
@@ -117,22 +130,24 @@ def largest(
     count, last = len(turn.nodes), len(sections) - 1
     every = np.arange(kinds)
     forces = turn.forces.reshape(1, len(turn.forces), -1)
-    values = measure(arms(every, np.tile(sections, (kinds, 1))), forces)
+    own = arms(every, np.tile(sections, (kinds, 1)))
+    values = measure(own, forces)
     values = values.reshape(kinds, last + 1, -1, count)
     chosen, bound = _summits(values)
-    bound = values + bound
+    bound = values + bound / 2
     if last:
         along, drop = (each.swapaxes(1, 3) for each in _summits(values.swapaxes(1, 3)))
-        chosen, bound = chosen & along, bound + drop
+        chosen, bound = chosen & along, bound + drop / 2
     chosen &= bound >= values.max(axis=(1, 2, 3), keepdims=True)
     kind, section, arc, node = np.nonzero(chosen)
     places = _places(sections, section)
     way = _ways(turn, node, node - 1, node + 1, 2 if last else 1)
     at = turn.at(turn.arcs[arc])
-    own = arms(kind, places.places())
+    own = tuple(each[kind, section, None] for each in own)
     for _ in range(ROUNDS[turn.smooth]):
+        here = places.places()
         if last:
-            own = arms(kind, places.places())
+            own = arms(kind, here)
         found = measure(own, at(way.places())).reshape(len(kind), -1)
         index = _better(found)
         best = found[places.rows, index]
@@ -157,7 +172,8 @@ def _places(sections: FloatArray, section: IntArray) -> Box:
     """Range of sections beside those of these numbers."""
     last = len(sections) - 1
     before, after = np.maximum(section - 1, 0), np.minimum(section + 1, last)
-    return Box(sections[section], sections[before], sections[after], CUTS if last else 0)
+    low, best, high = sections[before], sections[section], sections[after]
+    return Box(best, low, high, np.maximum(high - best, best - low), CUTS if last else 0)
 
 
 def _summits(values: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -170,7 +186,10 @@ def _summits(values: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _ways(turn: PinTurn, best: IntArray, low: IntArray, high: IntArray, kept: int) -> Box:
     """Range of the way along arcs by numbers of samples."""
     nodes, last = turn.nodes, len(turn.nodes) - 1
-    return Box(nodes[best], nodes[np.maximum(low, 0)], nodes[np.minimum(high, last)], WAYS, kept)
+    start, stop = nodes[np.maximum(low, 0)], nodes[np.minimum(high, last)]
+    best = nodes[best]
+    ends = np.zeros(len(best)), np.ones(len(best))
+    return Box(best, *ends, np.maximum(stop - best, best - start), WAYS, kept)
 
 
 def worst_cycle(
@@ -199,33 +218,38 @@ def worst_cycle(
     direction, section, largest, least : float
         Direction chi, rad; section, m; moments of the ends of the cycle over F0.
     """
-    samples = turn.forces.reshape(len(turn.forces), -1)
-    locus = moments(sections) @ samples
-    worst = _cycles(locus, FEW, used)[1].max(axis=1)
-    summit, drop = _summits(worst)
+    last = len(sections) - 1
+    weights = moments(sections)
+    locus = combine(weights, turn.forces.reshape(len(turn.forces), -1))
+    near = [0]
+    if last:
+        worst = _cycles(locus, FEW, used)[1].max(axis=1)
+        summit, drop = _summits(worst)
+        near = np.flatnonzero(summit & (worst + drop >= NEARLY * worst.max())).tolist()
     found = [
         (section, *start)
-        for section in np.flatnonzero(summit & (worst + drop >= NEARLY * worst.max())).tolist()
+        for section in near
         for start in _starts(locus[section], len(turn.nodes), used)
     ]
     section, direction, arcs, ends = (np.array(each) for each in zip(*found, strict=True))
     places = _places(sections, section)
     step = 2 * np.pi / MANY
     chi = step * direction
-    angles = Box(chi, chi - step, chi + step, WAYS, 2)
+    angles = Box(chi, chi - 2 * step, chi + 2 * step, np.full(len(chi), step), WAYS, 2)
     # upper ends of the cycles, then lower ends
     ways = _ways(turn, *ends.swapaxes(0, 1).reshape(-1, 3).T, 2)
     at = turn.at(turn.arcs[arcs.T.ravel()])
     rows = places.rows
-    weights = moments(places.places())
-    for _ in range(ROUNDS[turn.smooth]):
-        if len(sections) > 1:
-            weights = moments(places.places())
-        around = angles.places()
-        turned = np.stack((np.cos(around), np.sin(around)), axis=-1)[:, None]
+    weights = weights[section, None]
+    left = np.full(len(rows), ROUNDS[turn.smooth])
+    for _ in range(MOST * ROUNDS[turn.smooth]):
+        here = places.places()
+        if last:
+            weights = moments(here)
         forces = at(ways.places())
-        moment = weights @ forces.reshape(2, len(rows), *forces.shape[1:])
-        along = turned @ np.stack((moment.real, moment.imag), axis=-2)
+        moment = combine(weights, forces.reshape(2, len(rows), *forces.shape[1:]))
+        around = angles.places()
+        along = _along(moment[..., None, :], around[:, None, :, None])
         top, bottom = along[0].max(axis=-1), along[1].min(axis=-1)
         use = used(top, bottom).reshape(len(rows), -1)
         index = _better(use)
@@ -235,6 +259,9 @@ def worst_cycle(
         on_turn = np.concatenate((chosen[0].argmax(axis=-1), chosen[1].argmin(axis=-1)))
         stuck = places.move(on_pin) | angles.move(on_round)
         stuck |= ways.move(on_turn).reshape(2, -1).any(axis=0)
+        left -= ~stuck
+        if left.max() <= 0:
+            break
         for box in (places, angles):
             box.narrow(stuck)
         ways.narrow(np.tile(stuck, 2))
@@ -251,11 +278,16 @@ def _better(values: FloatArray) -> IntArray:
     return found
 
 
+def _along(moment: ComplexArray, chi: FloatArray) -> FloatArray:
+    """Components of moments in directions."""
+    found: FloatArray = np.cos(chi) * moment.real + np.sin(chi) * moment.imag
+    return found
+
+
 def _cycles(locus: ComplexArray, directions: int, used: Use) -> tuple[IntArray, FloatArray]:
     """Samples that reach farthest in each direction, and the utilisation of each; last axis."""
-    turned = 2 * np.pi * np.arange(directions) / directions
-    turned = np.stack((np.cos(turned), np.sin(turned)), axis=-1)
-    along = turned @ np.stack((locus.real, locus.imag), axis=-2)
+    chi = 2 * np.pi * np.arange(directions) / directions
+    along = _along(locus[..., None, :], chi[:, None])
     far = along.argmax(axis=-1)
     top = np.take_along_axis(along, far[..., None], -1)[..., 0]
     return far, used(top, -np.roll(top, directions // 2, axis=-1))
@@ -290,10 +322,8 @@ def _starts(locus: ComplexArray, count: int, used: Use) -> Iterator[Start]:
 
 def _outer(locus: ComplexArray) -> IntArray:
     """Samples that may reach farthest in some direction: not inside the polygon of some that do."""
-    turned = 2 * np.pi * np.arange(FEW) / FEW
-    corners = locus[
-        (np.cos(turned)[:, None] * locus.real + np.sin(turned)[:, None] * locus.imag).argmax(axis=1)
-    ]
+    chi = 2 * np.pi * np.arange(FEW) / FEW
+    corners = locus[_along(locus, chi[:, None]).argmax(axis=1)]
     sides = np.roll(corners, -1) - corners
     inside = (np.conj(sides)[:, None] * (locus - corners[:, None])).imag > 0
     found: IntArray = np.flatnonzero(~(inside | (sides == 0)[:, None]).all(axis=0))

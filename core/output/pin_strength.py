@@ -21,7 +21,7 @@ from core.output.pin_beam import PinBeam, Support
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_forces import reference_force
 from core.output.pin_search import Arms, largest, worst_cycle
-from core.output.pin_turn import ComplexArray, PinTurn, pin_turn
+from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 SECTIONS = 4
@@ -343,7 +343,9 @@ def _check_positions(
 
 def _stress(arms: Arms, forces: ComplexArray) -> FloatArray:
     """Equivalent stress."""
-    found: FloatArray = section_stress(bending=arms[0] @ forces, mean_shear=arms[1] @ forces)
+    found: FloatArray = section_stress(
+        bending=combine(arms[0], forces), mean_shear=combine(arms[1], forces)
+    )
     return found
 
 
@@ -359,7 +361,7 @@ def _locus(
     of the largest moment.
     """
     places, forces = turn.drawn()
-    moment = modulus * arms @ forces
+    moment = combine(modulus * arms[None], forces)[0]
     if chi is None:
         chi = float(np.angle(moment[np.abs(moment).argmax()]))
     return MomentLocus(
@@ -394,7 +396,7 @@ def _deflection(
     found, _ = largest(
         turn,
         lambda kind, _: (own[kind],),
-        lambda arms, forces: np.abs(arms[0] @ forces),
+        lambda arms, forces: np.abs(combine(arms[0], forces)),
         len(own),
         np.zeros(1),
     )

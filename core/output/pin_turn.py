@@ -71,6 +71,7 @@ class PinTurn:
     def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         phases = mechanism.phases
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
+        self.least = NOTHING ** (1 / force_exponent) if force_exponent > 1 else 0.0
         parts = list(segments(phases))
         ends = np.array([[part.low for part in parts], [part.high for part in parts]])
         self._all_pairs([part.driving.pairs() for part in parts], ends)
@@ -82,7 +83,7 @@ class PinTurn:
         self._own_pairs(np.add.outer(shift, np.array(phases.satellite_phase)), ends[:, part])
         self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
         self.ends, self.part = ends[:, part], part
-        felt = (self.own.real**force_exponent * self.drives).max(axis=(0, 2)) > NOTHING
+        felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
         self.nodes = _nodes(force_exponent, self.weights.shape[1])
@@ -109,14 +110,24 @@ class PinTurn:
         turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
         self.own = cosines + 1j * (np.sin(turned) + tangents * np.cos(turned))
 
+    def _power(self, cosines: FloatArray) -> FloatArray:
+        """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
+        with which processors take a hundred times as long.
+        """
+        if self.least:
+            cosines = cosines * (cosines > self.least)
+        found: FloatArray = cosines**self.exponent
+        return found
+
     def _total(self, part: IntArray) -> Callable[[FloatArray], FloatArray]:
         """T of segments at parts of the way along them, shape (rows, 1, m)."""
         low, high = self.cosines[:, part, :, None]
-        weights = self.weights[part][:, None]
+        weights = self.weights[part][..., None]
 
         def total(way: FloatArray) -> FloatArray:
             cosines = _between(low, high, way[:, None])
-            found: FloatArray = weights @ (cosines * cosines**self.exponent)
+            shares = weights * cosines * self._power(cosines)
+            found: FloatArray = shares.sum(axis=1, keepdims=True)
             return found
 
         return total
@@ -128,7 +139,7 @@ class PinTurn:
 
         def own(way: FloatArray) -> ComplexArray:
             turned = _between(low, high, way[:, None])
-            found: ComplexArray = turned * (turned.real**self.exponent * drives)
+            found: ComplexArray = turned * (self._power(turned.real) * drives)
             return found
 
         return own
@@ -201,6 +212,27 @@ def _nodes(exponent: float, pairs: int) -> FloatArray:
     count = math.ceil(math.log(2 * first) / math.log(ratio))
     half = np.concatenate(([0.0], 0.5 * ratio ** np.arange(count, -1, -1.0)))
     return np.concatenate((half, 1 - half[-2::-1]))
+
+
+def combine(arms: FloatArray, forces: ComplexArray) -> ComplexArray:
+    """Sums of the satellites' forces times what each does to sections.
+
+    Parameters
+    ----------
+    arms : array, shape (..., s, K)
+        What unit forces do.
+    forces : array, shape (..., K, m)
+        Forces.
+
+    Returns
+    -------
+    array, shape (..., s, m)
+        Summed here, as a library of linear algebra would wake its threads for products this small.
+    """
+    found: ComplexArray = arms[..., :1] * forces[..., :1, :]
+    for k in range(1, arms.shape[-1]):
+        found = found + arms[..., k : k + 1] * forces[..., k : k + 1, :]
+    return found
 
 
 @lru_cache(maxsize=256)
