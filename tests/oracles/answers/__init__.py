@@ -4,6 +4,7 @@ from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
 from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
+from tests.oracles.answers.pins import PIN_STRENGTH
 from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
 from tests.oracles.answers.rollers import ROLLER_STRENGTH
 
@@ -13,6 +14,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     GEOMETRY,
     HERTZ,
     OUTPUT_EFFICIENCY,
+    PIN_STRENGTH,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,
