@@ -208,3 +208,38 @@ class PinBeam:
         if self.support != "supported":
             return 0.0
         return -self._sunk(self.span, z) / self.span
+
+
+def section_stress(*, bending: Number, mean_shear: Number) -> Number:
+    """Largest equivalent stress (Mises) of a round section in bending and shear.
+
+    The shear stress is largest, 4/3 of its mean, where there is no bending. With the moment's
+    stress m and ``v = sqrt(3)*4/3*V/A`` as vectors of the section it is
+    ``sqrt((|m|^2 + |v|^2 + |m^2 - v^2|)/2)``, squares as of complex numbers: the larger of the two
+    where they are parallel, the hypotenuse where they are at right angles.
+
+    Parameters
+    ----------
+    bending : complex, float or array
+        ``M/W``, Pa, in the direction of the force that makes it.
+    mean_shear : complex, float or array
+        ``V/A``, Pa, in its direction.
+
+    Returns
+    -------
+    float or array
+        Pa.
+
+    Notes
+    -----
+    Derived with Jourawski's shear stress, at the edge along the edge: there, at the angle phi,
+    ``s^2*cos^2(phi) + t^2*sin^2(phi - beta)``, whose largest value this is; inside it is less.
+
+    Examples
+    --------
+    >>> round(section_stress(bending=50.0, mean_shear=40.0), 4)
+    92.376
+    """
+    shear = math.sqrt(3) * 4 / 3 * mean_shear
+    apart = abs(bending * bending - shear * shear)
+    return ((abs(bending) ** 2 + abs(shear) ** 2 + apart) / 2) ** 0.5

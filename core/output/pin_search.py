@@ -92,7 +92,7 @@ class Box:
         if not self.cells:
             return self.free
         self.best = self.grid[self.rows, index]
-        edge = (index == 0) & (self.best > self.low)
+        edge: BoolArray = (index == 0) & (self.best > self.low)
         edge |= (index == 2 * self.cells) & (self.best < self.high)
         return edge
 
@@ -133,11 +133,11 @@ def largest(
     own = arms(every, np.tile(sections, (kinds, 1)))
     values = measure(own, forces)
     values = values.reshape(kinds, last + 1, -1, count)
-    chosen, bound = _summits(values)
-    bound = values + bound / 2
+    chosen, drop = _summits(values)
+    bound = values + drop / 2
     if last:
-        along, drop = (each.swapaxes(1, 3) for each in _summits(values.swapaxes(1, 3)))
-        chosen, bound = chosen & along, bound + drop / 2
+        along, drop = _summits(values.swapaxes(1, 3))
+        chosen, bound = chosen & along.swapaxes(1, 3), bound + drop.swapaxes(1, 3) / 2
     chosen &= bound >= values.max(axis=(1, 2, 3), keepdims=True)
     kind, section, arc, node = np.nonzero(chosen)
     places = _places(sections, section)
@@ -176,18 +176,18 @@ def _places(sections: FloatArray, section: IntArray) -> Box:
     return Box(best, low, high, np.maximum(high - best, best - low), CUTS if last else 0)
 
 
-def _summits(values: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _summits(values: FloatArray) -> tuple[BoolArray, FloatArray]:
     """Which values are largest beside their neighbours along the last axis, and by how much."""
     before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
     after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
     return (values >= before) & (values >= after), values - np.minimum(before, after)
 
 
-def _ways(turn: PinTurn, best: IntArray, low: IntArray, high: IntArray, kept: int) -> Box:
+def _ways(turn: PinTurn, node: IntArray, low: IntArray, high: IntArray, kept: int) -> Box:
     """Range of the way along arcs by numbers of samples."""
     nodes, last = turn.nodes, len(turn.nodes) - 1
     start, stop = nodes[np.maximum(low, 0)], nodes[np.minimum(high, last)]
-    best = nodes[best]
+    best = nodes[node]
     ends = np.zeros(len(best)), np.ones(len(best))
     return Box(best, *ends, np.maximum(stop - best, best - start), WAYS, kept)
 
@@ -237,7 +237,7 @@ def worst_cycle(
     chi = step * direction
     angles = Box(chi, chi - 2 * step, chi + 2 * step, np.full(len(chi), step), WAYS, 2)
     # upper ends of the cycles, then lower ends
-    ways = _ways(turn, *ends.swapaxes(0, 1).reshape(-1, 3).T, 2)
+    ways = _ways(turn, ends[..., 0].T.ravel(), ends[..., 1].T.ravel(), ends[..., 2].T.ravel(), 2)
     at = turn.at(turn.arcs[arcs.T.ravel()])
     rows = places.rows
     weights = weights[section, None]
@@ -293,7 +293,7 @@ def _cycles(locus: ComplexArray, directions: int, used: Use) -> tuple[IntArray, 
     return far, used(top, -np.roll(top, directions // 2, axis=-1))
 
 
-Start = tuple[int, tuple[int, int], tuple[tuple[int, int, int], tuple[int, int, int]]]
+Start = tuple[int, tuple[int, ...], tuple[tuple[int, int, int], tuple[int, int, int]]]
 """Direction, arcs of both ends of the cycle, and numbers of the sample, of the first and the last
 between which each may lie."""
 

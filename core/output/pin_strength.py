@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray, Number
+from core.arrays import FloatArray, IntArray
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, Support
+from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_forces import reference_force
 from core.output.pin_search import Arms, largest, worst_cycle
@@ -27,46 +27,11 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 SECTIONS = 4
 """Parts of each stretch between ends of loads and supports at which sections are looked at."""
 
-SEARCHED = 1e-11
+SEARCHED = 2e-12
 """Relative error of what is searched for along the pin also."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
-
-
-def section_stress(*, bending: Number, mean_shear: Number) -> Number:
-    """Largest equivalent stress (Mises) of a round section in bending and shear.
-
-    The shear stress is largest, 4/3 of its mean, where there is no bending. With the moment's
-    stress m and ``v = sqrt(3)*4/3*V/A`` as vectors of the section it is
-    ``sqrt((|m|^2 + |v|^2 + |m^2 - v^2|)/2)``, squares as of complex numbers: the larger of the two
-    where they are parallel, the hypotenuse where they are at right angles.
-
-    Parameters
-    ----------
-    bending : complex, float or array
-        ``M/W``, Pa, in the direction of the force that makes it.
-    mean_shear : complex, float or array
-        ``V/A``, Pa, in its direction.
-
-    Returns
-    -------
-    float or array
-        Pa.
-
-    Notes
-    -----
-    Derived with Jourawski's shear stress, at the edge along the edge: there, at the angle phi,
-    ``s^2*cos^2(phi) + t^2*sin^2(phi - beta)``, whose largest value this is; inside it is less.
-
-    Examples
-    --------
-    >>> round(section_stress(bending=50.0, mean_shear=40.0), 4)
-    92.376
-    """
-    shear = math.sqrt(3) * 4 / 3 * mean_shear
-    apart = abs(bending * bending - shear * shear)
-    return ((abs(bending) ** 2 + abs(shear) ** 2 + apart) / 2) ** 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -300,7 +265,7 @@ def pin_strength(
         "locus_support",
         8 * peak.accuracy.relative_error
         + ROUNDING * (64 + 16 * force_exponent)
-        + (0.0 if beam.span is None else SEARCHED),
+        + _of_two_supports(beam, satellite_positions),
         turn.forces[0].size,
     )
     strength = material.yield_strength
@@ -371,6 +336,17 @@ def _locus(
         radial=moment.imag,
         stress=(moment * np.exp(-1j * chi)).real / modulus,
     )
+
+
+def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
+    """What is lost by searching along the pin, and where a support is near a satellite: there the
+    deflection is small beside its parts, by the cube of the distance.
+    """
+    if beam.span is None:
+        return 0.0
+    near = min(min(positions), beam.span - max(positions))
+    found: float = SEARCHED + 8 * ROUNDING * (beam.span / near) ** 3
+    return found
 
 
 def _sections(beam: PinBeam, positions: FloatArray) -> FloatArray:

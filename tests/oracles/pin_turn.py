@@ -6,7 +6,7 @@ golden section, until nothing grows any more.
 """
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 from mpmath import mp, mpc, mpf
@@ -23,9 +23,7 @@ STEPS = 40
 """Steps of golden section: to a part in 10^9 of a window, the value to its square."""
 
 PART = np.unique(
-    np.concatenate(
-        ((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-8, -0.4, 40))
-    )
+    np.concatenate(((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-8, -0.4, 40)))
 )
 WAY = np.unique(np.concatenate((PART, 1 - PART)))
 """Where a segment is looked at, as parts of the way."""
@@ -135,7 +133,7 @@ def largest(
         section, node = np.unravel_index(int(values.argmax()), values.shape)
         start, stop = turn.parts[part]
         psi = start + (stop - start) * mpf(float(WAY[node]))
-        window = (stop - start) * mpf(float(beside(WAY, int(node))))
+        window = (stop - start) * mpf(float(gap(WAY, int(node))))
         x, low, high = around(sections, int(section))
         remembered: dict[mpf, list[mpc]] = {}
 
@@ -149,7 +147,7 @@ def largest(
     return max(found)
 
 
-def beside(way: np.ndarray, node: int) -> float:
+def gap(way: np.ndarray, node: int) -> float:
     """Distance of the farther neighbour."""
     low, high = max(node - 1, 0), min(node + 1, len(way) - 1)
     return float(max(way[high] - way[node], way[node] - way[low]))
@@ -180,31 +178,40 @@ def worst_cycle(
         top, bottom = along.max(axis=1), along.min(axis=1)
         use = used_of_arrays(top, bottom)
         for k in np.flatnonzero((use >= np.roll(use, 1)) & (use >= np.roll(use, -1))):
-            ends = int(along[k].argmax()), int(along[k].argmin())
-            looked.append((use[k], index, k, ends))
+            beside = (k - 1) % len(chi), k, (k + 1) % len(chi)
+            upper, lower = (
+                {int(of[i]) for i in beside} for of in (along.argmax(1), along.argmin(1))
+            )
+            looked += [(use[k], index, k, ends) for ends in product(upper, lower)]
     highest = max(each[0] for each in looked)
     best = mpf(0)
     seen = set()
     for use, index, k, ends in sorted(looked, reverse=True):
         key = (*(end // size for end in ends), k // 4)
-        if use < highest * (1 - 4 * NEAR) or key in seen or len(seen) > 5:
+        if use < highest * (1 - 4 * NEAR) or key in seen or len(seen) > 9:
             continue
         seen.add(key)
         x, low, high = around(sections, index)
-        place, within, window = [mpf(float(chi[k])), x], [(mpf(-9), mpf(9)), (low, high)], [
-            mpf("0.1"),
-            high - low,
-        ]
+        place, within, window = (
+            [mpf(float(chi[k])), x],
+            [(mpf(-9), mpf(9)), (low, high)],
+            [
+                mpf("0.1"),
+                high - low,
+            ],
+        )
         for end in ends:
             start, stop = turn.parts[end // size]
             place.append(start + (stop - start) * mpf(float(WAY[end % size])))
             within.append((start, stop))
-            window.append((stop - start) * mpf(beside(WAY, end % size)) * 2)
+            window.append((stop - start) * mpf(gap(WAY, end % size)) * 2)
         parts = [end // size for end in ends]
         known: dict[tuple[int, mpf], list[mpc]] = {}
 
         def value(
-            place: list[mpf], parts: list[int] = parts, known: dict = known  # type: ignore[type-arg]
+            place: list[mpf],
+            parts: list[int] = parts,
+            known: dict = known,  # type: ignore[type-arg]
         ) -> mpf:
             chi, x, *psi = place
             reach = []

@@ -1,5 +1,6 @@
 """Strength of the pins: mm, N, MPa."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from tests.oracles.answers.calculation import (
     Numbers,
     typed,
 )
-from tests.oracles.answers.crank_planetary import EXPONENTS, angles, mechanism, ratio
+from tests.oracles.answers.crank_planetary import EXPONENTS, angles, mechanism
 from tests.oracles.answers.losses import by_a_hair
 from tests.oracles.crank_planetary import peak
 from tests.oracles.pin import bend
@@ -180,8 +181,7 @@ class _Beam:
                 youngs_modulus=1000 * typed(material["youngs_modulus_GPa"]),
                 poissons_ratio=typed(material["poissons_ratio"]),
                 span=span,
-                loads=[(z, 1)],
-                looked_at=self.places,
+                loads=[(other, int(other == z)) for other in self.places],  # to the pin's end
             )
             for z in self.places
         ]
@@ -196,14 +196,16 @@ class _Beam:
             for z in self.places:
                 ends |= {z - self.half, z + self.half}
             stops = sorted(x for x in ends if 0 <= x <= span)
-            for start, stop in zip(stops, stops[1:], strict=False):
+            for start, stop in pairwise(stops):
                 self.sections += [start + (stop - start) * i / 6 for i in range(1, 7)]
 
     def moments(self, x: mpf) -> list[mpf]:
         found = []
         for z, (shear, moment) in zip(self.places, self.start, strict=True):
             into = min(max(x - z + self.half, mpf(0)), 2 * self.half)
-            found.append(moment - shear * x + into / (2 * self.half) * (x - z + self.half - into / 2))
+            found.append(
+                moment - shear * x + into / (2 * self.half) * (x - z + self.half - into / 2)
+            )
         return found
 
     def shears(self, x: mpf) -> list[mpf]:
@@ -227,11 +229,7 @@ class _Strength:
             return
         scale, power = SURFACES[given["surface"]]
         d = typed(body["pin"]["diameter_mm"])
-        size = (
-            typed(1.24) * d ** typed(-0.107)
-            if d <= 51
-            else typed(1.51) * d ** typed(-0.157)
-        )
+        size = typed(1.24) * d ** typed(-0.107) if d <= 51 else typed(1.51) * d ** typed(-0.157)
         notch = given.get("fatigue_notch_factor")
         if notch is None:
             s = min(max(self.tensile, mpf(340)), mpf(1700))
@@ -257,7 +255,10 @@ class _Strength:
         if isinstance(top, np.ndarray):
             limits = float(self.limit), float(self.tensile), float(self.yields)
             return np.array(
-                [float(_use(self.criterion, *each, *limits)) for each in zip(top, bottom, strict=True)]
+                [
+                    float(_use(self.criterion, *each, *limits))
+                    for each in zip(top, bottom, strict=True)
+                ]
             )
         return _use(self.criterion, top, bottom, self.limit, self.tensile, self.yields)
 
