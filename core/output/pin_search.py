@@ -17,6 +17,12 @@ from core.output.pin_turn import ComplexArray, PinTurn, combine
 ROUNDS = {True: 6, False: 9}
 """Most rounds by whether the forces are smooth: else a summit may be much narrower than a cell."""
 
+APART = 3
+"""Samples of one arc farther apart than this are summits of their own."""
+
+MORE = 2
+"""Rounds besides where sections are searched for too: variables that hang together settle slower."""
+
 MOST = 4
 """Most times as many, where the best place lies beyond what was looked at."""
 
@@ -144,7 +150,7 @@ def largest(
     way = _ways(turn, node, node - 1, node + 1, 2 if last else 1)
     at = turn.at(turn.arcs[arc])
     own = tuple(each[kind, section, None] for each in own)
-    for _ in range(ROUNDS[turn.smooth]):
+    for _ in range(ROUNDS[turn.smooth] + (MORE if last else 0)):
         here = places.places()
         if last:
             own = arms(kind, here)
@@ -241,8 +247,9 @@ def worst_cycle(
     at = turn.at(turn.arcs[arcs.T.ravel()])
     rows = places.rows
     weights = weights[section, None]
-    left = np.full(len(rows), ROUNDS[turn.smooth])
-    for _ in range(MOST * ROUNDS[turn.smooth]):
+    rounds = ROUNDS[turn.smooth] + (MORE if last else 0)
+    left = np.full(len(rows), rounds)
+    for _ in range(MOST * rounds):
         here = places.places()
         if last:
             weights = moments(here)
@@ -303,21 +310,35 @@ def _starts(locus: ComplexArray, count: int, used: Use) -> Iterator[Start]:
     outer = _outer(locus)
     far, use = _cycles(locus[outer], MANY, used)
     far = outer[far]
+    step = 2 * np.pi / MANY
     around = np.concatenate((use[-1:], use, use[:1]))
     drop = use - np.minimum(around[:-2], around[2:])
     summit = (use >= around[:-2]) & (use >= around[2:])
     for direction in np.flatnonzero(summit & (use + drop >= use.max())).tolist():
         ends = []
         for middle in (direction, direction + MANY // 2):
-            near: dict[int, list[int]] = {}
-            for k in (0, -1, 1):
-                arc, node = divmod(int(far[(middle + k) % MANY]), count)
-                near.setdefault(arc, []).append(node)
-            ends.append(near)
-        for arcs in product(*ends):
-            nodes = [each[arc] for each, arc in zip(ends, arcs, strict=True)]
-            upper, lower = ((n[0], min(n) - 1, max(n) + 1) for n in nodes)
-            yield direction, arcs, (upper, lower)
+            along = _along(locus, step * middle).reshape(-1, count)
+            peaks, drop = _summits(along)
+            peaks &= along + drop / 2 >= along.max()
+            near = [divmod(int(far[(middle + k) % MANY]), count) for k in (0, -1, 1)]
+            ends.append(_ranges(near + [(int(a), int(n)) for a, n in np.argwhere(peaks)]))
+        for upper, lower in product(*ends):
+            yield direction, (upper[0], lower[0]), (upper[1:], lower[1:])
+
+
+def _ranges(samples: list[tuple[int, int]]) -> list[tuple[int, int, int, int]]:
+    """Arcs with the number of a sample and of those between which to look, of these samples; those
+    of one arc make one range, unless they are far apart.
+    """
+    found: list[list[int]] = []
+    for arc, node in samples:
+        for own in found:
+            if own[0] == arc and own[2] - APART <= node <= own[3] + APART:
+                own[2], own[3] = min(own[2], node - 1), max(own[3], node + 1)
+                break
+        else:
+            found.append([arc, node, node - 1, node + 1])
+    return [(arc, node, low, high) for arc, node, low, high in found]
 
 
 def _outer(locus: ComplexArray) -> IntArray:

@@ -27,7 +27,7 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 SECTIONS = 4
 """Parts of each stretch between ends of loads and supports at which sections are looked at."""
 
-SEARCHED = 2e-12
+SEARCHED = 4e-12
 """Relative error of what is searched for along the pin also."""
 
 AT_ZERO = 1e-6

@@ -16,11 +16,11 @@ from tests.oracles.crank_planetary import breaks, phases
 NEAR = 1e-3
 """How far below the largest, as a part of it, a sample may be that lies beside the largest."""
 
-ENOUGH = mpf("1e-19")
+ENOUGH = mpf("1e-17")
 """Relative growth that ends a climb."""
 
-STEPS = 40
-"""Steps of golden section: to a part in 10^9 of a window, the value to its square."""
+STEPS = 24
+"""Steps of golden section: to a part in 10^5 of a window, which follows the last move."""
 
 PART = np.unique(
     np.concatenate(((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-8, -0.4, 40)))
