@@ -8,6 +8,7 @@ none is too large, and their error is the square of the last grid's width.
 
 from collections.abc import Callable, Iterator
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,7 @@ APART = 3
 """Samples of one arc farther apart than this are summits of their own."""
 
 MORE = 2
-"""Rounds besides where sections are searched for too: variables that hang together settle slower."""
+"""Rounds besides where sections are searched for too: more variables settle slower."""
 
 MOST = 4
 """Most times as many, where the best place lies beyond what was looked at."""
@@ -241,7 +242,7 @@ def worst_cycle(
     places = _places(sections, section)
     step = 2 * np.pi / MANY
     chi = step * direction
-    angles = Box(chi, chi - 2 * step, chi + 2 * step, np.full(len(chi), step), WAYS, 2)
+    angles = Box(chi, chi - np.pi, chi + np.pi, np.full(len(chi), step), WAYS, 2)
     # upper ends of the cycles, then lower ends
     ways = _ways(turn, ends[..., 0].T.ravel(), ends[..., 1].T.ravel(), ends[..., 2].T.ravel(), 2)
     at = turn.at(turn.arcs[arcs.T.ravel()])
@@ -285,7 +286,7 @@ def _better(values: FloatArray) -> IntArray:
     return found
 
 
-def _along(moment: ComplexArray, chi: FloatArray) -> FloatArray:
+def _along(moment: ComplexArray, chi: Any) -> FloatArray:
     """Components of moments in directions."""
     found: FloatArray = np.cos(chi) * moment.real + np.sin(chi) * moment.imag
     return found
