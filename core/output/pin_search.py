@@ -8,7 +8,7 @@ none is too large, and their error is the square of the last grid's width.
 
 from collections.abc import Callable, Iterator
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,6 +35,9 @@ WAYS, CUTS = 16, 8
 
 FEW, MANY = 24, 144
 """Directions in which all sections are looked at, and those that may be the worst."""
+
+STEP = 2 * np.pi / MANY
+"""Angle between the latter, rad."""
 
 NEARLY = 0.98
 """Share of the largest utilisation in few directions that a section needs to be looked at again."""
@@ -230,24 +233,63 @@ def worst_cycle(
     locus = combine(weights, turn.forces.reshape(len(turn.forces), -1))
     near = [0]
     if last:
-        worst = _cycles(locus, FEW, used)[1].max(axis=1)
+        worst = _cycles(locus, FEW, used).max(axis=1)
         summit, drop = _summits(worst)
         near = np.flatnonzero(summit & (worst + drop >= NEARLY * worst.max())).tolist()
-    found = [
+    starts = [
         (section, *start)
         for section in near
-        for start in _starts(locus[section], len(turn.nodes), used)
+        for chi in _worst_directions(locus[section], used)
+        for start in _starts(locus[section], chi, len(turn.nodes))
     ]
-    section, direction, arcs, ends = (np.array(each) for each in zip(*found, strict=True))
+    best, tried = _NONE, set()
+    for _ in range(MOST):
+        tried |= {(start[0], start[2]) for start in starts}
+        best = max(best, _climb(turn, moments, sections, used, starts))
+        # in the direction found other arcs may reach farther
+        again = _starts(locus[best.start], best.direction, len(turn.nodes))
+        starts = [(best.start, *each) for each in again if (best.start, each[1]) not in tried]
+        if not starts:
+            break
+    return best.direction, best.section, best.largest, best.least
+
+
+class Worst(NamedTuple):
+    """The largest utilisation that a climb has found; the number of the section it came from."""
+
+    use: float
+    direction: float
+    section: float
+    largest: float
+    least: float
+    start: int
+
+
+_NONE = Worst(0.0, 0.0, 0.0, 0.0, 0.0, 0)
+
+
+Start = tuple[int, float, tuple[int, int], tuple[tuple[int, ...], tuple[int, ...]]]
+"""Number of the section, direction, arcs of both ends of the cycle, and numbers of the sample, of
+the first and the last between which each may lie."""
+
+
+def _climb(
+    turn: PinTurn,
+    moments: Callable[[FloatArray], FloatArray],
+    sections: FloatArray,
+    used: Use,
+    starts: list[Start],
+) -> Worst:
+    """The largest utilisation near these starts."""
+    last = len(sections) - 1
+    section, chi, arcs, ends = (np.array(each) for each in zip(*starts, strict=True))
     places = _places(sections, section)
-    step = 2 * np.pi / MANY
-    chi = step * direction
-    angles = Box(chi, chi - np.pi, chi + np.pi, np.full(len(chi), step), WAYS, 2)
+    angles = Box(chi, chi - np.pi, chi + np.pi, np.full(len(chi), STEP), WAYS, 2)
     # upper ends of the cycles, then lower ends
     ways = _ways(turn, ends[..., 0].T.ravel(), ends[..., 1].T.ravel(), ends[..., 2].T.ravel(), 2)
     at = turn.at(turn.arcs[arcs.T.ravel()])
     rows = places.rows
-    weights = weights[section, None]
+    weights = moments(places.places())
     rounds = ROUNDS[turn.smooth] + (MORE if last else 0)
     left = np.full(len(rows), rounds)
     for _ in range(MOST * rounds):
@@ -275,7 +317,9 @@ def worst_cycle(
         ways.narrow(np.tile(stuck, 2))
     row = int(best.argmax())
     end = row, on_pin[row], on_round[row]
-    return float(angles.best[row]), float(places.best[row]), float(top[end]), float(bottom[end])
+    place = float(angles.best[row]), float(places.best[row])
+    start = int(section[row])
+    return Worst(float(best[row]), *place, float(top[end]), float(bottom[end]), start)
 
 
 def _better(values: FloatArray) -> IntArray:
@@ -292,39 +336,38 @@ def _along(moment: ComplexArray, chi: Any) -> FloatArray:
     return found
 
 
-def _cycles(locus: ComplexArray, directions: int, used: Use) -> tuple[IntArray, FloatArray]:
-    """Samples that reach farthest in each direction, and the utilisation of each; last axis."""
+def _cycles(locus: ComplexArray, directions: int, used: Use) -> FloatArray:
+    """Utilisation in each direction by samples; last axis."""
     chi = 2 * np.pi * np.arange(directions) / directions
     along = _along(locus[..., None, :], chi[:, None])
-    far = along.argmax(axis=-1)
-    top = np.take_along_axis(along, far[..., None], -1)[..., 0]
-    return far, used(top, -np.roll(top, directions // 2, axis=-1))
+    top = along.max(axis=-1)
+    return used(top, -np.roll(top, directions // 2, axis=-1))
 
 
-Start = tuple[int, tuple[int, ...], tuple[tuple[int, int, int], tuple[int, int, int]]]
-"""Direction, arcs of both ends of the cycle, and numbers of the sample, of the first and the last
-between which each may lie."""
-
-
-def _starts(locus: ComplexArray, count: int, used: Use) -> Iterator[Start]:
-    """Where a section's worst cycle may be, by its samples."""
-    outer = _outer(locus)
-    far, use = _cycles(locus[outer], MANY, used)
-    far = outer[far]
-    step = 2 * np.pi / MANY
+def _worst_directions(locus: ComplexArray, used: Use) -> list[float]:
+    """Directions in which a section's worst cycle may be, by its samples."""
+    use = _cycles(locus[_outer(locus)], MANY, used)
     around = np.concatenate((use[-1:], use, use[:1]))
     drop = use - np.minimum(around[:-2], around[2:])
     summit = (use >= around[:-2]) & (use >= around[2:])
-    for direction in np.flatnonzero(summit & (use + drop >= use.max())).tolist():
-        ends = []
-        for middle in (direction, direction + MANY // 2):
-            along = _along(locus, step * middle).reshape(-1, count)
-            peaks, drop = _summits(along)
-            peaks &= along + drop / 2 >= along.max()
-            near = [divmod(int(far[(middle + k) % MANY]), count) for k in (0, -1, 1)]
-            ends.append(_ranges(near + [(int(a), int(n)) for a, n in np.argwhere(peaks)]))
-        for upper, lower in product(*ends):
-            yield direction, (upper[0], lower[0]), (upper[1:], lower[1:])
+    found: list[float] = (STEP * np.flatnonzero(summit & (use + drop >= use.max()))).tolist()
+    return found
+
+
+def _starts(
+    locus: ComplexArray, chi: float, count: int
+) -> Iterator[tuple[float, tuple[int, int], tuple[tuple[int, ...], tuple[int, ...]]]]:
+    """What may be the ends of the cycle in a direction, and in those a step beside it."""
+    ends = []
+    for own in (chi, chi + np.pi):
+        along = _along(locus, own).reshape(-1, count)
+        peaks, drop = _summits(along)
+        peaks &= along + drop / 2 >= along.max()
+        near = [along.argmax(), *(_along(locus, own + off).argmax() for off in (STEP, -STEP))]
+        samples = [divmod(int(each), count) for each in near]
+        ends.append(_ranges(samples + [(int(a), int(n)) for a, n in np.argwhere(peaks)]))
+    for upper, lower in product(*ends):
+        yield chi, (upper[0], lower[0]), (upper[1:], lower[1:])
 
 
 def _ranges(samples: list[tuple[int, int]]) -> list[tuple[int, int, int, int]]:
