@@ -93,6 +93,7 @@ class PinFatigue:
 
 
 def judged(
+    *,
     strength: FatigueStrength,
     direction: float | None,
     position: float,

@@ -112,6 +112,7 @@ class Box:
 
 
 def largest(
+    *,
     turn: PinTurn,
     arms: Callable[[IntArray, FloatArray], Arms],
     measure: Callable[[Arms, ComplexArray], FloatArray],
@@ -203,7 +204,7 @@ def _ways(turn: PinTurn, node: IntArray, low: IntArray, high: IntArray, kept: in
 
 
 def worst_cycle(
-    turn: PinTurn, moments: Callable[[FloatArray], FloatArray], sections: FloatArray, used: Use
+    *, turn: PinTurn, moments: Callable[[FloatArray], FloatArray], sections: FloatArray, used: Use
 ) -> tuple[float, float, float, float]:
     """The cycle of stress with the largest utilisation, of all directions and sections.
 
@@ -230,7 +231,7 @@ def worst_cycle(
     """
     last = len(sections) - 1
     weights = moments(sections)
-    locus = combine(weights, turn.forces.reshape(len(turn.forces), -1))
+    locus = combine(arms=weights, forces=turn.forces.reshape(len(turn.forces), -1))
     near = [0]
     if last:
         worst = _cycles(locus, FEW, used).max(axis=1)
@@ -297,7 +298,8 @@ def _climb(
         if last:
             weights = moments(here)
         forces = at(ways.places())
-        moment = combine(weights, forces.reshape(2, len(rows), *forces.shape[1:]))
+        forces = forces.reshape(2, len(rows), *forces.shape[1:])
+        moment = combine(arms=weights, forces=forces)
         around = angles.places()
         along = _along(moment[..., None, :], around[:, None, :, None])
         top, bottom = along[0].max(axis=-1), along[1].min(axis=-1)

@@ -237,7 +237,9 @@ def pin_strength(
         x = x[..., None]
         return bends * beam.moment(x, positions), shears * beam.shear(x, positions)
 
-    values, places = largest(turn, arms, _stress, len(parts), sections)
+    values, places = largest(
+        turn=turn, arms=arms, measure=_stress, kinds=len(parts), sections=sections
+    )
     (bending, sheared, most), (place, *_) = values.tolist(), places.tolist()
     shear = sheared * area / (math.sqrt(3) * 4 / 3)
     cycle, chi, seen, notices = None, None, place, []
@@ -245,15 +247,17 @@ def pin_strength(
         worst: tuple[float, float] = bending, -bending
         if not rotates:
             angle, seen, top, bottom = worst_cycle(
-                turn,
-                lambda x: beam.moment(x[..., None], positions),
-                sections,
-                lambda top, bottom: fatigue.utilisation(
+                turn=turn,
+                moments=lambda x: beam.moment(x[..., None], positions),
+                sections=sections,
+                used=lambda top, bottom: fatigue.utilisation(
                     unit * (top - bottom) / 2, unit * (top + bottom) / 2
                 ),
             )
             chi, worst = _turned(angle), (unit * top, unit * bottom)
-        cycle = judged(fatigue, chi, seen, *worst)
+        cycle = judged(
+            strength=fatigue, direction=chi, position=seen, largest=worst[0], least=worst[1]
+        )
         if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
@@ -309,7 +313,8 @@ def _check_positions(
 def _stress(arms: Arms, forces: ComplexArray) -> FloatArray:
     """Equivalent stress."""
     found: FloatArray = section_stress(
-        bending=combine(arms[0], forces), mean_shear=combine(arms[1], forces)
+        bending=combine(arms=arms[0], forces=forces),
+        mean_shear=combine(arms=arms[1], forces=forces),
     )
     return found
 
@@ -326,7 +331,7 @@ def _locus(
     of the largest moment.
     """
     places, forces = turn.drawn()
-    moment = combine(modulus * arms[None], forces)[0]
+    moment = combine(arms=modulus * arms[None], forces=forces)[0]
     if chi is None:
         chi = float(np.angle(moment[np.abs(moment).argmax()]))
     return MomentLocus(
@@ -370,11 +375,11 @@ def _deflection(
     )
     own = bent.reshape(-1, 1, len(positions))
     found, _ = largest(
-        turn,
-        lambda kind, _: (own[kind],),
-        lambda arms, forces: np.abs(combine(arms[0], forces)),
-        len(own),
-        np.zeros(1),
+        turn=turn,
+        arms=lambda kind, _: (own[kind],),
+        measure=lambda arms, forces: np.abs(combine(arms=arms[0], forces=forces)),
+        kinds=len(own),
+        sections=np.zeros(1),
     )
     deflections, slopes = found.reshape(2, -1)
     satellite = int(deflections.argmax())

@@ -214,7 +214,7 @@ def _nodes(exponent: float, pairs: int) -> FloatArray:
     return np.concatenate((half, 1 - half[-2::-1]))
 
 
-def combine(arms: FloatArray, forces: ComplexArray) -> ComplexArray:
+def combine(*, arms: FloatArray, forces: ComplexArray) -> ComplexArray:
     """Sums of the satellites' forces times what each does to sections.
 
     Parameters
