@@ -59,8 +59,12 @@ TEXTS = {
     "line_load_hover": "{name}: {load} at z = {place}",
     "loss": "Loss",
     "max_pressure": "Largest pressure",
+    "locus_hover": "{name}: {along}, {across}",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
+    "moment_locus": "Moment over the turn",
+    "moment_radial": "Moment by radial forces",
+    "moment_tangential": "Moment by tangential forces",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
     "one_carries": "one roller carries all",
@@ -91,6 +95,7 @@ TEXTS = {
     "torque": "Torque",
     "torque_at_lag": "{torque} at a lag of {lag}",
     "torque_over_lag": "Torque over lag at {angle}",
+    "worst_direction": "Worst direction",
     "used": "Used by the calculator",
 }
 """Texts of figures in English, by id; the page has its own words for each id."""
