@@ -58,7 +58,7 @@ types: .venv/test
 	$(BIN)/mypy
 
 fast: .venv/test
-	$(BIN)/pytest --quiet $(QUICK) -m "not slow and not browser"
+	$(BIN)/pytest --quiet --numprocesses auto $(QUICK) -m "not slow and not browser"
 
 slow: .venv/test
 	$(BIN)/pytest --numprocesses auto -m "slow and not browser"

@@ -1,17 +1,19 @@
 """What the service says about itself: health, calculations, materials, examples."""
 
-from typing import Any
+from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, HTTPException
+from fastapi import APIRouter, HTTPException, Query
 from pydantic import Field
 
 from app import VERSION
+from app.endpoint import RESPONSES
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, Calculation, Maybe, ResponseModel
+from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
 from app.problems import KINDS
 from app.record import root_path
 from app.registry import CALCULATIONS
-from app.units import from_si
+from app.sources import ISO_286
+from app.units import from_si, to_si
 from core.materials import (
     GROUPS,
     LIMIT_SOURCES,
@@ -20,6 +22,10 @@ from core.materials import (
     TableMaterial,
     Verified,
 )
+from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
+
+CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
+ClassName = Literal[CLASS_NAMES]  # type: ignore[valid-type]
 
 
 class Health(ResponseModel):
@@ -178,6 +184,32 @@ class ProblemKind(ResponseModel):
 
 API = "/api/v1"
 
+
+class ClassOut(ResponseModel):
+    """Limits of a diameter by an ISO 286 class."""
+
+    tolerance_class: str = Field(
+        alias="class", description="The class: lower case of a shaft, upper case of a hole."
+    )
+    lower_mm: float = Field(description="Lower limit deviation.")
+    upper_mm: float = Field(description="Upper limit deviation.")
+
+    @classmethod
+    def of(cls, name: str, size_mm: float) -> "ClassOut":
+        """Answer of a class at a nominal diameter."""
+        limits = class_limits(size=to_si("size_mm", size_mm), tolerance_class=name)
+        ends = {end: from_si(f"{end}_mm", getattr(limits, end)) for end in ("lower", "upper")}
+        return cls(**{"class": name, "lower_mm": ends["lower"], "upper_mm": ends["upper"]})
+
+
+class ClassList(ResponseModel):
+    """Classes at a nominal diameter."""
+
+    size_mm: float = Field(description="Nominal diameter.")
+    source: str = Field(description="Where the table comes from.")
+    tolerances: list[ClassOut]
+
+
 router = APIRouter(prefix=API, tags=["service"])
 
 
@@ -208,6 +240,25 @@ async def calculations() -> CalculationList:
 async def materials() -> MaterialTable:
     """The table of materials, each value with its source."""
     return MaterialTable(materials=[MaterialOut.of(entry) for entry in MATERIALS.values()])
+
+
+@router.get("/tolerances", operation_id="tolerances", responses={422: RESPONSES[422]})
+async def tolerances(
+    size_mm: Annotated[
+        float,
+        Query(ge=SIZE["ge"], le=SIZES[-1], allow_inf_nan=False, description="Nominal diameter."),
+    ],
+    name: Annotated[
+        ClassName | None, Query(alias="class", description="One class; all where not given.")
+    ] = None,
+) -> ClassList:
+    """Limits of the ISO 286 classes of pins and holes at a nominal diameter.
+
+    Those of f and g up to 3 mm and of m above 180 mm are by the standard's formulas of 1988.
+    """
+    names = CLASS_NAMES if name is None else (name,)
+    found = [ClassOut.of(each, size_mm) for each in names]
+    return ClassList(size_mm=size_mm, source=ISO_286, tolerances=found)
 
 
 @router.get("/examples", operation_id="examples")

@@ -7,6 +7,7 @@ from typing import Any, Self, cast
 
 import orjson
 from fastapi import Request
+from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
@@ -57,6 +58,7 @@ TEXTS = (
         "needed": "is needed: this or {field}",
         "needed_beside": "is needed beside {field}",
         "needed_for": "is needed for {section}",
+        "no_class_of_size": "is known for diameters up to {limit:g} mm only",
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
         "only_one": "excludes {field}: give one of them",
@@ -83,6 +85,7 @@ PHYSICAL = frozenset(
         "infinite_line",
         "larger_than",
         "no_arm",
+        "no_class_of_size",
         "no_sleeve",
         "not_zero",
         "other_branch",
@@ -91,6 +94,7 @@ PHYSICAL = frozenset(
         "service_limit",
         "smaller_than",
         "to_be_drawn",
+        "too_few",
         "too_many_pairs",
         "too_many_phases",
         "too_short_range",
@@ -128,6 +132,7 @@ _PARAMS = {
     "multiple_of": "multiple_of",
 }
 _CODES = {
+    "float_parsing": "float_type",
     "int_from_float": "int_type",
     "model_attributes_type": "dict_type",
     "model_type": "dict_type",
@@ -388,6 +393,7 @@ REFUSED: dict[type[Exception], Callable[[Any], Problem]] = {
     Problem: lambda problem: problem,
     ImpossibleMechanism: impossible,
     HTTPException: http_problem,
+    RequestValidationError: lambda error: invalid_input([_item(each) for each in error.errors()]),
 }
 """Problem of each exception; errors of our own are left to `app.middleware.Requests`."""
 

@@ -13,6 +13,7 @@ from app.calculations import (
     roller_strength,
     shaft_deflection,
     solve,
+    tolerance_study,
     work_precision,
 )
 from app.model import Calculation
@@ -28,6 +29,7 @@ CALCULATIONS: dict[str, Calculation] = {
         output_efficiency,
         load_sharing,
         pin_strength,
+        tolerance_study,
         contact_line,
         meshing_load,
         shaft_deflection,

@@ -1,8 +1,8 @@
 """One batch of 1,000 requests beside ten of 100, of every calculation, as ratios in one run.
 
 The service runs in a process of its own and takes both in turn, in rounds; the quickest of each
-counts. Of each calculation its example is asked; besides, answers with curves, and requests that
-are all refused.
+counts. Of each calculation its example is asked, of the load sharing one position; besides,
+answers with curves, and requests that are all refused.
 """
 
 import sys
@@ -23,6 +23,7 @@ MOST = 1.2
 """Ratio up to which a large batch costs what small ones do."""
 
 SHAPES: dict[str, tuple[str, dict[str, Any]]] = {name: (name, REQUESTS[name]) for name in BATCHED}
+SHAPES["load-sharing"] = ("load-sharing", REQUESTS["load-sharing"] | {"include": ["positions"]})
 SHAPES |= {"curves": ("contact-force", CURVES | {"samples": 100}), "refused": ("hertz", {})}
 
 

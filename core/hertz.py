@@ -141,7 +141,7 @@ class HertzContact:
             return unknown
         possible = self.conformal_pressure is not None or ratio <= 1
         code = "hertz_half_width" if possible else "hertz_impossible"
-        return (Notice(code, {"width": 2 * float(ratio)}), *unknown)
+        return (Notice(code, {"ratio": float(ratio)}), *unknown)
 
 
 def hertz(

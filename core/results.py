@@ -23,11 +23,11 @@ NOTICES = {
     "given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "
     "{error:.2g}, because rounding of the input is magnified so much.",
-    "hertz_half_width": "The contact is {width:.3g} times as wide as the pin's radius; Hertz "
+    "hertz_half_width": "The half-width of the contact is {ratio:.4g} of the pin's radius; Hertz "
     "assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where "
     "there is none, for very different materials, take it as a rough guide.",
-    "hertz_impossible": "The contact is {width:.3g} times as wide as the pin's radius: wider than "
-    "the pin, so that Hertz does not apply at all, and for very different materials no "
+    "hertz_impossible": "The half-width of the contact is {ratio:.4g} of the pin's radius: wider "
+    "than the pin, so that Hertz does not apply at all, and for very different materials no "
     "conformal solution is at hand: make the hole larger or the load smaller.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
     "them.",
@@ -90,6 +90,7 @@ METHODS = {
     "graded_z": "graded Gauss-Legendre in z",
     "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
+    "monte_carlo": "random pieces, percentiles by order statistics",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",
     "multiple_sorting": "sorting in multiple precision",

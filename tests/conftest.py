@@ -21,6 +21,7 @@ SLOW = {
         "app/test_jobs.py",
         "app/test_openapi_conformance.py",
         "app/test_processes.py",
+        "app/test_tolerance_study_api.py",
         "app/test_work_precision_api.py",
     )
 }

@@ -197,7 +197,8 @@ def contact_line_figure(
             roller_radius_mm,
         )
         data.append(
-            curve(name, x, y, index, theme, name, **seen) | {"line": {"color": colour, "width": 1}}
+            curve(name, x, y, index, theme, name, **seen)
+            | {"line": {"color": colour, "width": 1, "simplify": False}}
         )
         side = seen | {"xaxis": "x3"}
         middle = roller_circle_radius_mm * math.cos(angle)
@@ -213,14 +214,14 @@ def contact_line_figure(
                 name,
                 **side,
             )
-            | {"line": {"color": colour, "width": 1}}
+            | {"line": {"color": colour, "width": 1, "simplify": False}}
         )
         on_line = text("contact_line", name=name)
         across, upward, along = points["position_mm"].T
         for horizontal, view in ((across, seen), (along, side)):
             data.append(
                 curve(name, horizontal, upward, index, theme, on_line, **view)
-                | {"line": {"color": colour, "width": 4}}
+                | {"line": {"color": colour, "width": 4, "simplify": False}}
             )
     x, y = _circle(0.0, 0.0, roller_circle_radius_mm)
     data.append(
@@ -235,7 +236,7 @@ def contact_line_figure(
             yaxis="y2",
             showlegend=False,
         )
-        | {"line": {"color": INK[theme]["muted"], "width": 1, "dash": "dot"}}
+        | {"line": {"color": INK[theme]["muted"], "width": 1, "dash": "dot", "simplify": False}}
     )
     return {
         "data": data,
@@ -244,9 +245,17 @@ def contact_line_figure(
             height=820,
             xaxis=axis(theme, text("arc_on_roller"), "mm", anchor="y"),
             yaxis=axis(theme, text("along_axis"), "mm", domain=[0.6, 1]),
-            xaxis2=axis(theme, "x", "mm", anchor="y2", domain=[0, 0.62]),
+            xaxis2=axis(
+                theme,
+                "x",
+                "mm",
+                anchor="y2",
+                domain=[0, 0.62],
+                constrain="domain",  # the wheel fills its panel at any width
+                constraintoward="left",
+            ),
             xaxis3=axis(theme, "z", "mm", anchor="y2", domain=[0.7, 1]),
-            yaxis2=axis(theme, "y", "mm", domain=[0, 0.48], scaleanchor="x2"),
+            yaxis2=axis(theme, "y", "mm", domain=[0, 0.48], scaleanchor="x2", constrain="domain"),
         ),
     }
 

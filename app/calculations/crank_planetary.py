@@ -391,8 +391,7 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
             "yaxis2": raised(upper["yaxis2"]),
             "yaxis3": {**lower["yaxis"], "domain": [0, 0.85 * share]},
             "shapes": lower["shapes"] + upper["shapes"],
-            "annotations": upper["annotations"]
-            + [{**each, "yref": "y3"} for each in lower["annotations"]],
+            "annotations": [{**each, "yref": "y3"} for each in lower["annotations"]],
         },
     }
 

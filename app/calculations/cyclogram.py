@@ -16,7 +16,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, note, series_style, text
+from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
@@ -213,21 +213,10 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             "y0": 0,
             "y1": 1,
             "line": {"color": alert, "width": 2, "dash": "dot"},
+            "name": text("dead_centre"),
+            "showlegend": index == 0,
         }
-        for place in answer["dead_centres_deg"]
-    ]
-    notes = [
-        note(
-            theme,
-            text("dead_centre"),
-            x=place,
-            y=1,
-            xref="x",
-            yref="paper",
-            yanchor="bottom",
-            font={"size": 11, "color": alert},
-        )
-        for place in answer["dead_centres_deg"][:1]
+        for index, place in enumerate(answer["dead_centres_deg"])
     ]
     turns = end / 360
     steps = {"dtick": 30 if turns <= 1 else 90} if turns <= 3 else {}
@@ -237,7 +226,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             theme,
             barmode="overlay",
             bargap=0.3,
-            showlegend=satellites > 1,
+            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]),
             height=190 + 22 * len(rows),
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
@@ -258,7 +247,6 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
                 range=[0, answer["max_driving"] + 0.5],
             ),
             shapes=shapes,
-            annotations=notes,
         ),
     }
 

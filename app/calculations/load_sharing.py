@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -17,14 +16,9 @@ from app.calculations.load_sharing_answer import (
     StiffnessCurveOut,
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
-from app.calculations.mechanism import Angle, MechanismFields
-from app.calculations.real_mechanism import (
-    BentPinFields,
-    ContactLawFields,
-    DeviationsFields,
-    RealContactFields,
-    RealLoadFields,
-)
+from app.calculations.mechanism import Angle
+from app.calculations.real_design import RealDesignFields
+from app.calculations.real_mechanism import DeviationsFields
 from app.model import (
     SIZE,
     Calculation,
@@ -43,7 +37,6 @@ from core.errors import InvalidInput
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
 from core.output.loaded_position import loaded_position
-from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -69,35 +62,10 @@ DRAWN_SAMPLES = 361
 Torque = Annotated[float, Field(ge=-SIZE["le"], le=SIZE["le"])]
 
 
-class LoadSharingRequest(CurveFields):
+class LoadSharingRequest(RealDesignFields, CurveFields):
     """Mechanism, load and contact as the parts are made, and which results are wanted."""
 
-    LONG = True
-
-    mechanism: MechanismFields
-    load: RealLoadFields
-    contact: RealContactFields
-    contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     deviations: Maybe[DeviationsFields] = None
-    pin: Maybe[BentPinFields] = None
-    geometry: Literal["exact", "first_order"] = quantity(
-        "Geometry",
-        symbol="",
-        group="contact_law",
-        default="exact",
-        help="Exact, or first order in lag and deviations as in the papers.",
-    )
-    lost_motion_torque_share: float = quantity(
-        "Torque of the lost motion",
-        symbol="",
-        group="load",
-        default=0.03,
-        ge=1e-6,
-        le=1,
-        step=0.01,
-        advanced=True,
-        help="Share of the torque, in both directions, under which the lost motion is taken.",
-    )
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles",
         symbol="φ",
@@ -147,16 +115,6 @@ class LoadSharingRequest(CurveFields):
         most = self.mechanism.most_pins(limit)
         raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
 
-    @cached_property
-    def built(self) -> Mechanism:
-        """The mechanism, built once."""
-        return self.mechanism.mechanism()
-
-    @cached_property
-    def torque(self) -> float:
-        """Torque with the sign of its direction, N*m."""
-        return self.load.signed_torque(self.load.torque(self.built))
-
     @property
     def torques(self) -> list[float]:
         """Torques of the curve of the lag, N*m."""
@@ -172,15 +130,7 @@ class LoadSharingRequest(CurveFields):
 
     def real(self) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
-        return RealMechanism(
-            mechanism=self.built,
-            pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
-            **self.contact.sizes(),
-            law=self.contact_law.law(),
-            pin=None if self.pin is None else self.pin.held(self.contact),
-            deviations=Deviations() if self.deviations is None else self.deviations.deviations(),
-            exact=self.geometry == "exact",
-        )
+        return self.made(Deviations() if self.deviations is None else self.deviations.deviations())
 
     def solve_all(self) -> "Solved":
         """What is asked for."""

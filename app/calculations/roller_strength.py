@@ -21,7 +21,19 @@ from app.model import (
 )
 from app.running import run
 from app.sources import OVSYANNIKOV_2019
-from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, note, text, vertical_line
+from app.theme import (
+    Amount,
+    Figure,
+    Theme,
+    axis,
+    curve,
+    drawn,
+    layout,
+    marker,
+    note,
+    text,
+    vertical_line,
+)
 from app.units import from_si
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
@@ -267,7 +279,9 @@ class RollerStrengthResponse(JudgedResponse):
     )
     forces_N: list[float] = result("Force of each roller.", symbol="F_i", equation="2019, eq. 5")
     displacement_mm: float = result(
-        "Displacement of the satellite along the forces.", symbol="Δ", equation="2019, eq. 5"
+        "Displacement of the disc's holes against the satellites'.",
+        symbol="Δ",
+        equation="2019, eq. 5",
     )
     bending_moment_Nm: float = result(
         "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"
@@ -278,8 +292,18 @@ class RollerStrengthResponse(JudgedResponse):
     warnings: Maybe[list[WarningOut]] = None
 
 
-def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
-    """Three panels, each with the user's own design marked."""
+def roller_figure(
+    curves: RollerCurves, diameter: float, youngs_modulus: float, theme: Theme
+) -> Figure:
+    """Three panels, each with the user's own design marked.
+
+    Parameters
+    ----------
+    curves : RollerCurves
+        The curves.
+    diameter, youngs_modulus : float
+        d, m, and E, Pa, which the source's figures refer to.
+    """
     design = curves.design
     lengths, errors = curves.length_ratio, curves.position_error
     stress = from_si("bending_stress_MPa", design.bending_stress)
@@ -335,8 +359,16 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             showlegend=False,
         )
     )
-    for index, (tolerance, values) in enumerate(curves.stress.items()):
-        name = text("tolerance", tolerance=Amount(from_si("tolerance_mm", tolerance), "mm", 3))
+    for index, (each, values) in enumerate(curves.stress.items()):
+        name = (
+            text("gaps_times", factor=Amount(each))
+            if curves.scales_gaps
+            else text(
+                "tolerance",
+                tolerance=Amount(from_si("tolerance_mm", each), "mm", 3),
+                ratio=Amount(each / diameter, "", 3),
+            )
+        )
         data.append(
             curve(
                 name,
@@ -348,8 +380,10 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
                     "stress_hover",
                     name=name,
                     stress=Amount("%{y:.4g}", "MPa"),
+                    ratio=Amount("%{customdata:.4g}"),
                     length=Amount("%{x:.3g}"),
                 ),
+                customdata=drawn(values / youngs_modulus),
                 xaxis="x3",
                 yaxis="y3",
                 legend="legend2",
@@ -361,7 +395,11 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             design.length_ratio,
             stress,
             theme,
-            text("design_stress", stress=Amount("%{y:.5g}", "MPa")),
+            text(
+                "design_stress",
+                stress=Amount("%{y:.5g}", "MPa"),
+                ratio=Amount(design.bending_stress / youngs_modulus, "", 5),
+            ),
             xaxis="x3",
             yaxis="y3",
             showlegend=False,
@@ -374,7 +412,13 @@ def roller_figure(curves: RollerCurves, theme: Theme) -> Figure:
             height=920,
             xaxis=axis(theme, text("length_ratio"), anchor="y"),
             yaxis=axis(theme, text("stiffness_ratio"), domain=[0.79, 1], type="log"),
-            xaxis2=axis(theme, text("position_error"), anchor="y2"),
+            xaxis2=axis(
+                theme,
+                text("position_error"),
+                anchor="y2",
+                range=[0, curves.position_error[-1]],
+                zeroline=False,
+            ),
             yaxis2=axis(theme, text("nonuniformity"), domain=[0.4, 0.61], rangemode="tozero"),
             xaxis3=axis(theme, text("length_ratio"), anchor="y3"),
             yaxis3=axis(theme, text("bending_stress"), "MPa", domain=[0, 0.22], rangemode="tozero"),
@@ -412,7 +456,8 @@ def solve(body: RollerStrengthRequest) -> Values:
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness, non-uniformity and stress as curves through this design."""
     curves, _ = run(body, body.solve_curves)
-    return roller_figure(curves, theme)
+    own = body.design()
+    return roller_figure(curves, own["diameter"], own["youngs_modulus"], theme)
 
 
 CALCULATION = Calculation(

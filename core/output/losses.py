@@ -37,7 +37,7 @@ not the same by rounding only."""
 
 AT_SWITCH = 2 * PHASE_ROUNDING
 """How near a place is to where a pair begins or ends to drive if it is there but for rounding,
-turns. There its cosine is 0, and so is any power of it."""
+turns. Below the exponent 1, where a power of next to nothing is much, its cosine is 0 there."""
 
 ZOOMS = 8
 """How often a stretch is narrowed to an eighth around an extreme: the width's square vanishes."""
@@ -151,7 +151,8 @@ class _Sums:
     def cosines(self, places: FloatArray) -> FloatArray:
         """Cosines of the pressure angles, shape (pairs, places)."""
         away = 0.25 - np.abs(np.add.outer(self.phase, places))
-        return np.where(away > AT_SWITCH, np.sin(2 * np.pi * away), 0.0)
+        nothing = AT_SWITCH if 0 < self.exponent < 1 else 0.0
+        return np.where(away > nothing, np.sin(2 * np.pi * away), 0.0)
 
     def ratio(self, places: FloatArray) -> FloatArray:
         """Total force over F0 at places."""
@@ -253,10 +254,13 @@ def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -
     # sum c^v changes by v*sum c^(v - 1) at most, which for v >= 1 is below v*n/sum c of itself; for
     # v < 1 the c^v of each pair rises by 1 and falls by 1 in a turn, and sum c^v >= sum c.
     first = max(exponent, 1.0) / min(part.least_cosine() for part in parts)
+    off = PHASE_ROUNDING + phases.error
     if exponent < 1:
         first = max(first, *(part.slope(place) for _, place, part in extremes))
+    if 0 < exponent < 1:
+        off += AT_SWITCH
     second = (1 + exponent) * extremes[-1][0]
-    wrong = 2 * math.pi * (PHASE_ROUNDING + AT_SWITCH + phases.error)
+    wrong = 2 * math.pi * off
     error = ROUNDING * (16 + 8 * exponent) + wrong * (first + second)
     if 0 < exponent < 1 and phases.error > SWITCHING:
         # Pairs taken to begin as others end leave out a cosine of that size, to the power v.

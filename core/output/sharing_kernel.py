@@ -23,6 +23,9 @@ TINY = 1e-100
 """Stands for what is positive, but for deviations as large as the mechanism."""
 
 STEPS = 200
+NEWTON_ALONE = 20
+"""Steps of Newton after which the stretch is halved too."""
+
 HERTZ_END = 1.2
 """Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
 beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
@@ -251,7 +254,7 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     power = 1.0 if pressed else 1 / setup.exponent
     step, status, far = 0, NOT_SOLVED, setup.eccentricity / setup.radius
     carried = slope = gross = 0.0
-    for step in range(1, STEPS):  # noqa: B007
+    for step in range(1, STEPS):
         carried, slope, gross = balance(lag, setup, pairs, room)
         if carried > torque:
             high = lag
@@ -269,7 +272,11 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
         if pressed:  # at its dead angle a pair hardly holds: no step beyond what is sought
             change = min(max(change, -far), far)
         following = lag + change
-        if not low < following < high:
+        # Below the exponent 1 each touch is a step of the torque, over which Newton goes back and
+        # forth: then every second time the stretch is halved.
+        if not low < following < high or (
+            step > NEWTON_ALONE and step % 2 and high - low < math.inf
+        ):
             if high == math.inf:
                 following = lag + max(abs(lag), 1e-9)
             elif low == -math.inf:

@@ -34,7 +34,10 @@ class RollerCurves:
     nonuniformity : dict of int to array, shape (n,)
         Psi over delta by the number of rollers.
     stress : dict of float to array, shape (n,)
-        Bending stress over l/d, Pa, by the position tolerance, m.
+        Bending stress over l/d, Pa, by the position tolerance, m, or by the factor of the gaps.
+    scales_gaps : bool
+        Whether the stress is by the factor of the design's own gaps: where these are given and
+        differ.
     """
 
     design: RollerStrength
@@ -44,6 +47,7 @@ class RollerCurves:
     position_error: FloatArray
     nonuniformity: dict[int, FloatArray]
     stress: dict[float, FloatArray]
+    scales_gaps: bool
 
 
 def roller_curves(**design: Any) -> RollerCurves:
@@ -68,25 +72,31 @@ def roller_curves(**design: Any) -> RollerCurves:
     limit = single_roller_limit(rollers=rollers)
     delta = own.relative_position_error
     errors = np.linspace(0.0, max(2 * limit, 1.25 * delta), SAMPLES)
-    tolerance = delta * own.mean_force / own.stiffness
-    tolerances = (
-        [factor * tolerance for factor in (0.5, 1.0, 1.5, 2.0)]
-        if tolerance > 0
-        else [factor * diameter for factor in (0.0, 1e-4, 2e-4)]
-    )
-    by_length = design | {"cylinder_length": ratios * diameter, "gaps": None}
-    curves = {
-        each: roller_strength(**by_length | {"position_tolerance": each}) for each in tolerances
-    }
+    gaps, factors = design.get("gaps"), (0.5, 1.0, 1.5, 2.0)
+    scales_gaps = gaps is not None and delta > 0
+    family: dict[float, dict[str, Any]]
+    if gaps is not None and scales_gaps:
+        family = {each: {"gaps": [each * gap for gap in gaps]} for each in factors}
+    else:
+        tolerance = design.get("position_tolerance")
+        tolerances = (
+            [each * tolerance for each in factors]
+            if tolerance
+            else [each * diameter for each in (0.0, 1e-4, 2e-4)]
+        )
+        family = {each: {"position_tolerance": each, "gaps": None} for each in tolerances}
+    by_length = design | {"cylinder_length": ratios * diameter}
+    curves = {each: roller_strength(**by_length | sharing) for each, sharing in family.items()}
     return RollerCurves(
         design=own,
         limit=limit,
         length_ratio=ratios,
-        relative_stiffness=curves[tolerances[0]].relative_stiffness,
+        relative_stiffness=next(iter(curves.values())).relative_stiffness,
         position_error=errors,
         nonuniformity={
             each: load_nonuniformity(relative_position_error=errors, rollers=each)
             for each in sorted({3, 4, 6, 8, rollers})
         },
         stress={each: np.asarray(curve.bending_stress) for each, curve in curves.items()},
+        scales_gaps=scales_gaps,
     )

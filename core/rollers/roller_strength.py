@@ -1,7 +1,7 @@
 """Swinging rollers of the output mechanism: stiffness, load sharing and bending stress.
 
-A roller has a sphere in the middle, in the satellite, and one at each end, in the discs, joined
-by two cylinders. Each half is a cantilever of length l, clamped at the middle sphere; the disc
+A roller has a sphere in the middle, in the disc, and one at each end, in the satellites, joined
+by two cylinders. Each half is a cantilever of length l, clamped at the middle sphere; the satellite
 presses on the end sphere, b/2 beyond the cylinder, and its friction turns the end.
 """
 
@@ -49,7 +49,7 @@ class RollerStrength:
     forces : tuple of float or array
         Force on one end of each roller, N. With a tolerance the first is the roller ahead.
     displacement : float or array
-        Displacement Delta of the disc's holes against the satellite's, m, from the zero of the
+        Displacement Delta of the disc's holes against the satellites', m, from the zero of the
         gaps; with a tolerance, from the first contact.
     bending_moment : float or array
         Bending moment of the most loaded roller beside its middle sphere, N*m.

@@ -1,5 +1,6 @@
 """Which tolerance does most: Sobol' indices by source, and percentiles without one."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,7 +65,7 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
     one = first_quantity(study.pieces())
     other = first_quantity(study.pieces(other=sources))
     both = np.concatenate([one, other])
-    variance = float(np.nanvar(both))
+    variance = float(np.nanvar(both)) or math.inf  # where nothing varies, nothing contributes
 
     def index(differences: FloatArray) -> tuple[float, float]:
         squares = differences[~np.isnan(differences)] ** 2 / (2 * variance)
@@ -77,5 +78,6 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
         left = study.pieces(tolerances=study.tolerances.without(source))
         rest = first_quantity(left)
         without = percentile(values=rest[~np.isnan(rest)], percent=percent)
-        found.append(Contribution(source, *total, 1 - first[0], first[1], without))
+        alone = 1 - first[0] if variance < math.inf else 0.0
+        found.append(Contribution(source, *total, alone, first[1], without))
     return tuple(sorted(found, key=lambda each: -each.total))

@@ -3,11 +3,16 @@
 import math
 from functools import partial
 
-from core.errors import InvalidInput
 from core.output.real_mechanism import RealMechanism
 from core.output.summits import all_summits, summits
 from core.output.turn import Turn
-from core.work_precision.study import Reference, WorkPoint, WorkPrecision, measured
+from core.work_precision.study import (
+    Reference,
+    WorkPoint,
+    WorkPrecision,
+    measured,
+    refuse_many_pairs,
+)
 
 MAX_PAIRS = 36
 """Most pairs of a study: it solves some twenty thousand positions."""
@@ -46,11 +51,7 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         See `RealMechanism.solved`.
     """
     own = real.mechanism
-    if own.pins * own.satellites > MAX_PAIRS:
-        most = MAX_PAIRS // own.satellites
-        raise InvalidInput(
-            "pins", own.pins, "too_many_pairs", limit=most, satellites=own.satellites
-        )
+    refuse_many_pairs(mechanism=own, limit=MAX_PAIRS)
     turn = Turn(real, output_torque)
     start = own.initial_crank_angle
 

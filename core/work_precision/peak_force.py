@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
@@ -16,6 +15,7 @@ from core.work_precision.study import (
     WorkPoint,
     WorkPrecision,
     measured,
+    refuse_many_pairs,
 )
 
 MAX_PAIRS = 300
@@ -46,11 +46,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
         If the mechanism has a dead centre.
     """
     pairs = mechanism.pins * mechanism.satellites
-    if pairs > MAX_PAIRS:
-        most = MAX_PAIRS // mechanism.satellites
-        raise InvalidInput(
-            "pins", mechanism.pins, "too_many_pairs", limit=most, satellites=mechanism.satellites
-        )
+    refuse_many_pairs(mechanism=mechanism, limit=MAX_PAIRS)
     peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
     exact = [_reference(mechanism, force_exponent, peak.peak_crank_angle)]
     end = mechanism.crank_angle_per_wave

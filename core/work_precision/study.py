@@ -9,6 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import InvalidInput
+from core.output.mechanism import Mechanism
+
 REFERENCE_DIGITS = 40
 """Digits of the reference."""
 
@@ -143,3 +146,28 @@ def measured(
         run_time_us=statistics.median(times),
         evaluations=evaluations,
     )
+
+
+def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:
+    """Refuse what its reference would take too long for.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    limit : int
+        Most pairs.
+
+    Raises
+    ------
+    InvalidInput
+        If there are more.
+    """
+    if mechanism.pins * mechanism.satellites > limit:
+        raise InvalidInput(
+            "pins",
+            mechanism.pins,
+            "too_many_pairs",
+            limit=limit // mechanism.satellites,
+            satellites=mechanism.satellites,
+        )

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray
-from core.errors import InvalidInput
 from core.output.losses import total_force
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
@@ -19,6 +18,7 @@ from core.work_precision.study import (
     Reference,
     WorkPrecision,
     measured,
+    refuse_many_pairs,
 )
 
 MAX_PAIRS = 48
@@ -48,11 +48,7 @@ def total_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> W
     ImpossibleMechanism
         If the mechanism has a dead centre.
     """
-    if mechanism.pins * mechanism.satellites > MAX_PAIRS:
-        most = MAX_PAIRS // mechanism.satellites
-        raise InvalidInput(
-            "pins", mechanism.pins, "too_many_pairs", limit=most, satellites=mechanism.satellites
-        )
+    refuse_many_pairs(mechanism=mechanism, limit=MAX_PAIRS)
     found = total_force(mechanism=mechanism, force_exponent=force_exponent)
     ends, mean = _reference(mechanism, force_exponent)
     period = mechanism.crank_angle_per_wave / mechanism.pins

@@ -79,6 +79,20 @@ export function inShownUnits(chart) {
   };
 }
 
+const TITLE_PX = 44; // the room of a picture's title
+
+/** The layout of a picture for paper: titled; a legend over the figure hangs below the title and gets room for its rows. */
+export function onPaper(layout, title, height) {
+  const hanging = { yref: "container", y: 1 - TITLE_PX / height, yanchor: "top" };
+  return {
+    ...layout,
+    paper_bgcolor: "#ffffff",
+    title: { text: title, yref: "container", y: 1, yanchor: "top", pad: { t: 12 } },
+    margin: { ...layout.margin, t: TITLE_PX, b: 56 },
+    legend: layout.legend?.y > 1 ? { ...layout.legend, ...hanging } : layout.legend,
+  };
+}
+
 function grouped(items, keyOf) {
   const groups = new Map();
   for (const item of items) groups.set(keyOf(item), [...(groups.get(keyOf(item)) ?? []), item]);
@@ -197,7 +211,7 @@ export function enveloped(chart, name) {
   });
   const envelope = {
     type: "scatter", mode: "lines", name, meta: ENVELOPE, x, y: x.map((_, i) => Math.max(...pairs.map(({ y }) => y[i]))),
-    line: { color: chart.layout.font?.color, width: 2.5 }, hoverinfo: "skip",
+    line: { color: chart.layout.font?.color, width: 2.5, simplify: false }, hoverinfo: "skip",
   };
   const shapes = (chart.layout.shapes ?? []).map((shape) => ({ ...shape, line: { ...shape.line, dash: "dot" } }));
   return {

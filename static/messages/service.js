@@ -34,7 +34,7 @@ export default {
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
     "lost_in_space": "The output would turn by more than the eccentricity allows: the contacts are too soft, the clearance too large or the position a dead centre",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
-    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, where the load has no arm about the axis",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
     "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a deviation leaves nothing of a radius",
     "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
@@ -53,6 +53,7 @@ export default {
     "multiple_of": "must be a multiple of {limit}",
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
+    "no_class_of_size": "is known for diameters up to {limit} mm only",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
@@ -73,8 +74,8 @@ export default {
     "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
     "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
-    "hertz_half_width": "The contact is {width} times as wide as the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
-    "hertz_impossible": "The contact is {width} times as wide as the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
+    "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
+    "hertz_impossible": "The half-width of the contact is {ratio} of the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
@@ -126,6 +127,7 @@ export default {
     "at_angle": "{name}: {value} at {angle}",
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
+    "backlash_max": "Largest backlash",
     "bending_moment": "Bending moment",
     "bending_stress": "Bending stress",
     "body_limit": "Limit of the {body}",
@@ -136,42 +138,57 @@ export default {
     "contact_line": "{name}: contact line",
     "contact_pressure": "Contact pressure",
     "crank_angle": "Crank angle",
+    "crank_phase": "Crank phase",
     "dead_centre": "dead centre",
     "deflection": "Deflection",
     "design": "This design",
     "design_nonuniformity": "This design: Ψ = {nonuniformity} at δ = {error}",
     "design_stiffness": "This design: c/(b·E) = {stiffness}",
-    "design_stress": "This design: {stress}",
+    "design_stress": "This design: {stress}, σ/E = {ratio}",
+    "disc_phase": "Disc phase",
     "driving": "Driving",
     "driving_pairs": "Driving pairs",
     "driving_pairs_hover": "Driving pairs: {pairs} at {angle}",
+    "eccentricity": "Eccentricity",
     "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
+    "gaps_times": "Gaps × {factor}",
     "hertz": "Hertz",
     "hole": "hole",
+    "hole_diameter": "Hole diameter",
+    "hole_position": "Position of the holes",
     "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
     "lag": "Lag of the output",
     "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
     "length_ratio": "Length over diameter l/d",
+    "limit": "limit {value}",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
-    "loss": "Loss",
-    "max_pressure": "Largest pressure",
     "locus_hover": "{name}: {along}, {across}",
+    "loss": "Loss",
+    "lost_motion": "Lost motion",
+    "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
     "moment_locus": "Moment over the turn",
     "moment_radial": "Moment by radial forces",
     "moment_tangential": "Moment by tangential forces",
+    "nominal": "nominal {value}",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
     "one_carries": "one roller carries all",
     "pair_drives": "Satellite {satellite}, pin {pin}<br>drives from {start} to {end}",
     "pair_force": "Satellite {satellite}, pin {pin}<br>{force} at {angle}",
     "peak": "Peak",
+    "peak_force": "Peak force",
     "peak_hover": "Peak {force} at {angle}<br>satellite {satellite}, pin {pin}",
+    "percentile": "P{percent} = {value}",
+    "pieces": "Pieces",
+    "pieces_hover": "{pieces} pieces from {low} to {high}",
     "pin": "pin",
+    "pin_diameter": "Pin diameter",
+    "pin_position": "Position of the pins",
     "plane_xz": "plane xz",
     "plane_yz": "plane yz",
     "play_from": "Play, from",
@@ -185,17 +202,23 @@ export default {
     "run_time": "Run time",
     "satellite": "Satellite {satellite}",
     "satellite_pin": "Satellite.pin",
+    "share_alone": "Alone, S₁",
+    "share_in_all": "With others, S_T",
+    "share_of_variance": "Share of the variance",
     "shear_force": "Shear force",
     "stiffness": "Stiffness",
     "stiffness_hover": "c/(b·E) = {stiffness} at l/d = {length}",
+    "stiffness_min": "Least stiffness",
     "stiffness_ratio": "Stiffness c/(b·E)",
-    "stress_hover": "{name}: {stress} at l/d = {length}",
-    "tolerance": "χ = {tolerance}",
+    "stress_hover": "{name}: {stress}, σ/E = {ratio} at l/d = {length}",
+    "tolerance": "χ = {tolerance} = {ratio}·d",
+    "tolerances": "Tolerances, the largest first",
     "torque": "Torque",
     "torque_at_lag": "{torque} at a lag of {lag}",
     "torque_over_lag": "Torque over lag at {angle}",
-    "worst_direction": "Worst direction",
-    "used": "Used by the calculator"
+    "transmission_error": "Transmission error",
+    "used": "Used by the calculator",
+    "worst_direction": "Worst direction"
   },
   "methods": {
     "approximation": "approximation (2018, eq. 5)",
@@ -217,6 +240,7 @@ export default {
     "graded_z": "graded Gauss-Legendre in z",
     "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
+    "monte_carlo": "random pieces, percentiles by order statistics",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",
     "multiple_sorting": "sorting in multiple precision",
@@ -255,6 +279,10 @@ export default {
       "Allowable pressure",
       "Allowable contact pressure: what this body is judged by."
     ],
+    "backlash_max_arcmin": [
+      "Limit of the backlash",
+      "Limit whose yield is asked; its quantity is calculated too."
+    ],
     "bearing_distance_mm": [
       "Bearing distance",
       "Distance of the satellite's bearings, from C to B."
@@ -270,6 +298,10 @@ export default {
     "coefficient": [
       "Friction coefficient",
       "Friction coefficient of the surfaces that slide."
+    ],
+    "common": [
+      "Common to all",
+      "Whether all such parts of a piece have the same: one batch, one tool."
     ],
     "contact.eccentricity_mm": [
       "Eccentricity",
@@ -287,13 +319,13 @@ export default {
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
     ],
+    "crank_angles": [
+      "Crank angles",
+      "Even positions of the turn at which each piece is solved."
+    ],
     "crank_angles_deg": [
       "Crank angles",
       "Angle of each crank, one for each satellite, instead of an even spacing."
-    ],
-    "crank_phase_deg": [
-      "Crank phases",
-      "Angle of each crank, positive ahead."
     ],
     "crank_spacing_deg": [
       "Crank spacing",
@@ -307,6 +339,14 @@ export default {
       "Cylinder length",
       "Length of one cylinder, from the middle sphere to the end sphere."
     ],
+    "deviations.crank_phase_deg": [
+      "Crank phases",
+      "Angle of each crank, positive ahead."
+    ],
+    "deviations.disc_phase_deg": [
+      "Disc phases",
+      "Angle of each disc's holes against its teeth, positive ahead."
+    ],
     "deviations.eccentricity_mm": [
       "Eccentricities",
       "Of each crank."
@@ -319,9 +359,9 @@ export default {
       "Pin radii",
       "Of each pin's radius."
     ],
-    "disc_phase_deg": [
-      "Disc phases",
-      "Angle of each disc's holes against its teeth, positive ahead."
+    "distribution": [
+      "Distribution",
+      "Normal, cut off at the limits, three standard deviations off the middle; or uniform."
     ],
     "distribution_factor": [
       "Distribution factor",
@@ -379,9 +419,21 @@ export default {
       "Clearance",
       "Radial clearance: hole radius − pin radius − eccentricity; negative is interference."
     ],
+    "hole_diameter": [
+      "Hole diameter",
+      "Class or limits of the diameter of the holes."
+    ],
+    "hole_diameter.class": [
+      "Class",
+      "ISO 286 class, as H7 of a hole, instead of limits."
+    ],
     "hole_material": [
       "Hole material",
       "A name of the table of materials, or values."
+    ],
+    "hole_position_mm": [
+      "Position of the holes",
+      "Diameter of the round zone of each hole's centre."
     ],
     "hole_radial_mm": [
       "Holes outward",
@@ -419,9 +471,25 @@ export default {
       "Rollers",
       "Number of rollers."
     ],
+    "load.samples": [
+      "Samples",
+      "Number of points of each curve."
+    ],
+    "lost_motion_arcmin": [
+      "Limit of the lost motion",
+      "Limit whose yield is asked; its quantity is calculated too."
+    ],
     "lost_motion_torque_share": [
       "Torque of the lost motion",
       "Share of the torque, in both directions, under which the lost motion is taken."
+    ],
+    "lower_deg": [
+      "From",
+      "Lower limit of the deviation."
+    ],
+    "lower_mm": [
+      "From",
+      "Lower limit of the deviation."
     ],
     "material": [
       "Material of the pin",
@@ -430,6 +498,10 @@ export default {
     "max_deflection_mm": [
       "Largest deflection",
       "Largest deflection of the shaft at its bearings."
+    ],
+    "max_pressure_MPa": [
+      "Limit of the pressure",
+      "Limit whose yield is asked; its quantity is calculated too."
     ],
     "max_slope_mrad": [
       "Largest slope",
@@ -459,6 +531,14 @@ export default {
       "Overhang",
       "Distance from B to the clamped end of the shaft."
     ],
+    "peak_force_N": [
+      "Limit of the peak force",
+      "Limit whose yield is asked; its quantity is calculated too."
+    ],
+    "percentiles": [
+      "Percentiles",
+      "Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."
+    ],
     "phi_max_deg": [
       "Contact to",
       "Polar angle on the roller at which contact ends."
@@ -475,9 +555,21 @@ export default {
       "Pin circle radius",
       "Radius of the circle of pin centres."
     ],
+    "pin_diameter": [
+      "Pin diameter",
+      "Class or limits of the diameter that touches the hole."
+    ],
+    "pin_diameter.class": [
+      "Class",
+      "ISO 286 class, as m6 of a shaft, instead of limits."
+    ],
     "pin_material": [
       "Pin material",
       "A name of the table of materials, or values."
+    ],
+    "pin_position_mm": [
+      "Position of the pins",
+      "Diameter of the round zone of each pin's centre."
     ],
     "pin_radial_mm": [
       "Pins outward",
@@ -575,6 +667,10 @@ export default {
       "Rollers",
       "The rollers in mesh, one by one."
     ],
+    "rollers.samples": [
+      "Samples",
+      "Number of points of each curve."
+    ],
     "rollers_in_mesh": [
       "Rollers in mesh",
       "How many of them touch the satellite, from the first on; all where not given."
@@ -591,10 +687,6 @@ export default {
       "Pin rotates",
       "Whether the pin turns in the carrier: then its bending is fully reversed."
     ],
-    "samples": [
-      "Samples",
-      "Number of points of each curve."
-    ],
     "satellite_positions_mm": [
       "Places of the satellites",
       "Middle plane of each satellite, from the face of the carrier."
@@ -606,6 +698,10 @@ export default {
     "satellites": [
       "Satellites",
       "Number of satellites, each on its own crank."
+    ],
+    "seed": [
+      "Seed",
+      "Of the draws: the same seed gives the same pieces, however many there are."
     ],
     "shaft.diameter_mm": [
       "Diameter",
@@ -643,9 +739,17 @@ export default {
       "Contact stiffness",
       "Stiffness of a pair, for the linear law."
     ],
+    "stiffness_min_Nm_per_arcmin": [
+      "Limit of the stiffness",
+      "Limit whose yield is asked; its quantity is calculated too."
+    ],
     "stress_concentration": [
       "Stress concentration",
       "Stress concentration at the step beside the middle sphere."
+    ],
+    "study.samples": [
+      "Samples",
+      "Pieces that are drawn; samples × pairs × crank angles are bounded."
     ],
     "support": [
       "Support",
@@ -667,6 +771,18 @@ export default {
       "Stress concentration",
       "Elastic stress concentration factor of the notch."
     ],
+    "tolerances.crank_phase_deg": [
+      "Crank phase",
+      "Angle of each crank: plus or minus so much, or limits."
+    ],
+    "tolerances.disc_phase_deg": [
+      "Disc phase",
+      "Angle of each disc's holes against its teeth: plus or minus so much, or limits."
+    ],
+    "tolerances.eccentricity_mm": [
+      "Eccentricity",
+      "Of each crank: plus or minus so much, or limits."
+    ],
     "torque_Nm": [
       "Torque",
       "Torque on the central wheel; its sign chooses the loaded flanks."
@@ -682,6 +798,18 @@ export default {
     "torques_Nm": [
       "Torques",
       "Torques of the curve of the lag, negative in reverse; shares of the load where not given."
+    ],
+    "transmission_error_arcmin": [
+      "Limit of the transmission error",
+      "Limit whose yield is asked; its quantity is calculated too."
+    ],
+    "upper_deg": [
+      "To",
+      "Upper limit of the deviation."
+    ],
+    "upper_mm": [
+      "To",
+      "Upper limit of the deviation."
     ],
     "wear_rate_mm3_per_Nm": [
       "Wear coefficient",
@@ -944,6 +1072,7 @@ export default {
     "output-efficiency": "Efficiency of the output mechanism",
     "load-sharing": "Load sharing with clearance and errors",
     "pin-strength": "Strength of the pins",
+    "tolerance-study": "Tolerances and their effect",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",
     "precession/shaft-deflection": "Shaft of the precessional gear",

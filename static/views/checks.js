@@ -47,7 +47,7 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
       <ul class="rows"></ul><div class="fixes"></div>
-      <details class="more"><summary></summary><ul class="rows"></ul></details></section>`);
+      <details class="more" hidden><summary></summary><ul class="rows"></ul></details></section>`);
   const [first, rest] = root.querySelectorAll(".rows");
   const more = root.querySelector(".more");
   const fixes = root.querySelector(".fixes");

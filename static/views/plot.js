@@ -1,5 +1,5 @@
 /** A figure drawn by Plotly: on the screen, following the drawing's crank angle, on paper, as a picture. */
-import { inShownUnits, pairsOf } from "../lib/chart.js";
+import { inShownUnits, onPaper, pairsOf } from "../lib/chart.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
@@ -7,12 +7,8 @@ import { message } from "../messages/index.js";
 const HOVERS = matchMedia("(hover: hover)").matches;
 const NARROW_PX = 520;
 const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a point
-const CONFIG = {
-  displaylogo: false,
-  displayModeBar: HOVERS ? "hover" : false,
-  responsive: true,
-  modeBarButtonsToRemove: ["sendChartToCloud", "select2d", "lasso2d", "autoScale2d", "toImage"],
-};
+// No toolbar over the legend: dragging zooms, a double click shows all again, as Plotly says on a zoom.
+const CONFIG = { displayModeBar: false, responsive: true };
 
 let loading = null;
 
@@ -42,9 +38,8 @@ export async function pictureOf(chart, { title, format, height, width = PICTURE.
   const Plotly = await loadPlotly();
   const { data, layout } = inShownUnits(chart);
   const size = { width, height };
-  const paper = { paper_bgcolor: "#ffffff", title: { text: title }, margin: { ...layout.margin, t: 72 } };
   return Plotly.toImage(
-    { data, layout: { ...layout, ...paper, ...size, separators: separators() } },
+    { data, layout: { ...onPaper(layout, title, height), ...size, separators: separators() } },
     { format, ...size, scale: format === "png" ? PICTURE.scale : 1 },
   );
 }

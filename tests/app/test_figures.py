@@ -121,7 +121,8 @@ async def test_a_dead_centre_is_marked(api):
     body = {"pins": 2, "satellites": 1, "ratio": 20}
     layout = (await api.post("cyclogram/chart", json=body)).json()["layout"]
     assert [round(each["x0"], 3) for each in layout["shapes"]] == [0.0, 171.429, 342.857]
-    assert layout["annotations"][0]["text"] == "dead centre"
+    assert [each["name"] for each in layout["shapes"] if each["showlegend"]] == ["dead centre"]
+    assert layout["showlegend"]
 
 
 async def test_too_many_pairs_to_draw_are_refused_by_field(api):
@@ -176,3 +177,36 @@ async def test_the_shaft_diagram_ends_where_the_answer_does(api):
     for trace, axis in zip(deflections, "xy", strict=True):
         assert trace["y"][0] == pytest.approx(answer["deflection_C_mm"][axis], rel=1e-5)
         assert trace["y"][-1] == 0.0
+
+
+@pytest.mark.parametrize("path", CHARTS)
+async def test_curves_keep_all_their_points(api, path):
+    """Plotly would leave out points of a bent line until it shows corners."""
+    for trace in (await api.post(f"{path}/chart", json=CHARTS[path])).json()["data"]:
+        bent = trace.get("mode") == "lines" and "shape" not in trace["line"] and len(trace["x"]) > 2
+        assert not bent or trace["line"]["simplify"] is False
+
+
+async def test_the_rollers_figure_can_be_held_against_its_source(api):
+    """Curves named by chi/d with sigma/E beside every stress, and delta from 0 on."""
+    figure = (await api.post("roller-strength/chart", json=ROLLERS)).json()
+    stresses = [trace for trace in figure["data"] if "customdata" in trace]
+    assert [trace["name"] for trace in stresses] == [
+        f"χ = {0.001 * i:g} mm = {1e-4 * i:g}·d" for i in (1, 2, 3, 4)
+    ]
+    for trace in stresses:
+        relative = [stress / 210e3 for stress in trace["y"]]
+        assert trace["customdata"] == pytest.approx(relative, rel=1e-6)
+    assert figure["layout"]["xaxis2"]["range"] == [0, 2]
+
+
+async def test_given_gaps_are_scaled_in_the_rollers_figure(api):
+    """The design lies on the curve of its own gaps; none is named by a tolerance nobody gave."""
+    body = ROLLERS | {"gaps_mm": [0, 0.001, 0.004, 0.002]}
+    del body["position_tolerance_mm"]
+    figure = (await api.post("roller-strength/chart", json=body)).json()
+    panel = {trace["name"]: trace for trace in figure["data"] if trace.get("yaxis") == "y3"}
+    assert list(panel) == ["Gaps × 0.5", "Gaps × 1", "Gaps × 1.5", "Gaps × 2", "This design"]
+    own, (place,), (stress,) = (panel["Gaps × 1"], *(panel["This design"][key] for key in "xy"))
+    after = next(i for i, x in enumerate(own["x"]) if x > place)
+    assert own["y"][after - 1] < stress < own["y"][after]

@@ -125,6 +125,9 @@ def texts_of(figure: dict[str, Any]):
     for key, part in figure["layout"].items():
         if "axis" in key:
             yield ["layout", key, "title", "text"], part["title"]["text"]
+    for index, shape in enumerate(figure["layout"].get("shapes", ())):
+        if "name" in shape:
+            yield ["layout", "shapes", index, "name"], shape["name"]
     for index, note in enumerate(figure["layout"].get("annotations", ())):
         yield ["layout", "annotations", index, "text"], note["text"]
 

@@ -404,7 +404,7 @@ def test_controls_wait_for_the_first_answer(page: Page, service: str) -> None:
         ".motion button, .motion input, .motion select, .mechanism .save, "
         '[data-figure="force"] .figure-tools button'
     )
-    assert controls.count() == 9
+    assert controls.count() == 10
     for control in controls.all():
         expect(control).to_be_disabled()
     expect(page.locator(".verdict .judged")).to_contain_text("nothing computed yet")
@@ -604,15 +604,12 @@ def test_a_field_that_nobody_has_touched_asks(page: Page, service: str) -> None:
     expect(box(page, "mechanism.ratio")).to_be_focused()
 
 
-def test_figures_offer_no_upload(page: Page, service: str) -> None:
+def test_figures_have_no_toolbar_over_their_legend(page: Page, service: str) -> None:
     show(page, service)
     plot = page.locator('[data-figure="force"] .plot')
-    expect(plot.locator(".modebar-btn").first).to_be_attached()
-    titles = plot.locator(".modebar-btn").evaluate_all("all => all.map(one => one.dataset.title)")
-    assert not [
-        title for title in titles if re.search("share|cloud|edit", title or "", re.IGNORECASE)
-    ]
-    expect(plot.locator(".plotlyjsicon")).to_have_count(0)
+    expect(plot.locator(".legend .legendtext").first).to_be_attached()
+    plot.hover()
+    expect(plot.locator(".modebar-btn, .plotlyjsicon")).to_have_count(0)
     assert plot.get_attribute("role") == "group" and plot.get_attribute("aria-label")
 
 

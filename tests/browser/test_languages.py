@@ -100,3 +100,20 @@ def test_refusals_of_the_service_are_translated(browser, service: str) -> None: 
     expect(page.locator(".say")).to_contain_text("момент не передаётся")
     assert foreign(page) == set()
     context.close()
+
+
+@pytest.mark.parametrize("width", [390, 320])
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_every_tab_is_in_sight_on_a_phone(
+    page: Page, service: str, language: str, width: int
+) -> None:
+    page.set_viewport_size({"width": width, "height": 844})
+    for calculator in CALCULATORS:
+        page.goto(f"{service}/?calculator={calculator}&lang={language}")
+        settled(page)
+        expect(page.locator(f"#tab-{calculator}")).to_have_attribute("aria-selected", "true")
+        room = page.locator(".tabs").evaluate(
+            "({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>"
+            " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
+        )
+        assert room == [0, 0], calculator

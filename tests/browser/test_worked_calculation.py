@@ -121,7 +121,7 @@ def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> No
     """From a design that fails to one that works; from a size wanted to the size in the box."""
     show(page, service, "crank-planetary")
     load = box(page, "load.output_torque_Nm")
-    load.fill("600")
+    load.fill("1500")
     expect(page.locator(".verdict .word")).to_have_text(re.compile("Does not work"))
     page.locator(".fix").first.click()
     expect(page.locator(".verdict .word")).to_have_text(re.compile("Works|Marginal"))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -137,6 +137,31 @@ def test_scaled_gaps(real: RealMechanism, angle: float, scale: float) -> None:
     same_forces(again, [force * grown for force in flat(found)], error)
 
 
+@example(  # pressed pins and infinite stiffness at each touch: Newton alone goes back and forth
+    real=RealMechanism(
+        mechanism=Mechanism(pins=6, crank_angles=(0.0,), ratio=9.0),
+        pin_circle_radius=0.04,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=PowerLaw(exponent=0.5, reference_force=1000.0, reference_approach=1e-05),
+        clearance=0.0,
+        deviations=Deviations(
+            pin_radial=(0.0, 0.0, 0.0, 0.0, -9.5e-06, -5.3e-06),
+            pin_tangential=(0.0, 0.0, -9.963e-06, 0.0, 0.0, 0.0),
+            pin_radius=(0.0, 0.0, 0.0, -1e-05, 0.0, 0.0),
+            hole_radial=((4.184e-06, -6.72e-06, 3.695e-06, 0.0, 0.0, 1e-05),),
+            hole_tangential=((4.184e-06, 0.0, 3.695e-06, 0.0, 0.0, 1e-05),),
+            hole_radius=((0.0, 0.0, 0.0, 0.0, 0.0, 1.084e-06),),
+            eccentricity=(0.0,),
+            crank_phase=(0.0,),
+            disc_phase=(0.00030183,),
+        ),
+        exact=False,
+    ),
+    angle=2.0,
+    moved=0.0,
+)
 @given(reals(exact=False), crank_angles, st.floats(-1e-5, 1e-5))
 def test_all_pins_moved_along_the_circle(real: RealMechanism, angle: float, moved: float) -> None:
     """First order: the same forces, the lag larger by the shift over R."""

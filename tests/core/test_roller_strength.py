@@ -131,13 +131,19 @@ def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
         own.relative_stiffness, rel=1e-3
     )
     assert np.all(np.diff(curves.relative_stiffness) < 0)
-    tolerance = own.relative_position_error * own.mean_force / own.stiffness
-    same = roller_strength(**without("gaps") | {"position_tolerance": tolerance})
-    nearest = min(curves.stress, key=lambda each: abs(each - tolerance))
-    assert nearest == pytest.approx(tolerance, abs=1e-18)
-    assert np.interp(place, curves.length_ratio, curves.stress[nearest]) == pytest.approx(
-        same.bending_stress, rel=1e-3
+    assert curves.scales_gaps == ("gaps" in sharing)
+    own_curve = curves.stress[1.0 if curves.scales_gaps else design["position_tolerance"]]
+    assert np.interp(place, curves.length_ratio, own_curve) == pytest.approx(
+        own.bending_stress, rel=1e-3
     )
+
+
+def test_equal_gaps_have_the_curves_of_tolerances() -> None:
+    curves = roller_curves(**without("position_tolerance"), gaps=[1e-5] * DESIGN["rollers"])
+    assert not curves.scales_gaps
+    assert np.interp(
+        curves.design.length_ratio, curves.length_ratio, curves.stress[0.0]
+    ) == pytest.approx(curves.design.bending_stress, rel=1e-3)
     assert curves.nonuniformity[4][-1] == 4.0
     assert curves.position_error[-1] >= curves.limit == 1.0
 

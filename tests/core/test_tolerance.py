@@ -146,7 +146,7 @@ def test_one_source_explains_all() -> None:
 
 def test_pieces_that_press_are_counted_and_fail() -> None:
     tight = replace(design(), clearance=8e-6)
-    asked = replace(ASKED, quantities=("peak_force", "min_stiffness"))
+    asked = replace(ASKED, quantities=("peak_force", "stiffness_min"))
     found = tolerance_study(Study(tight, LOOSE, asked, samples=40))
     assert 0.2 < found.cannot_assemble.value < 1
     assert not np.isnan(found.values).any()
@@ -167,4 +167,6 @@ def test_every_quantity_of_an_exact_piece_is_that_of_the_nominal() -> None:
     peak = found.nominal["peak_force"]
     pressure = real.contact(0, peak).max_pressure
     assert found.nominal["max_pressure"] == pytest.approx(pressure, rel=1e-14)
-    assert 0 <= found.angle_grid_error < 0.05
+    assert found.angle_grid_error.keys() == {*QUANTITIES}
+    assert 0 <= found.angle_grid_error["peak_force"] < 0.05
+    assert all(0 <= each <= 1 for each in found.angle_grid_error.values())

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-import { coinciding, curveTables, enveloped, inShownUnits, overlaid, inLanguage, pairsOf } from "../../static/lib/chart.js";
+import { coinciding, curveTables, enveloped, inShownUnits, overlaid, inLanguage, onPaper, pairsOf } from "../../static/lib/chart.js";
 import { useLanguage } from "../../static/messages/index.js";
 import { setUnits } from "../../static/lib/units.js";
 
@@ -24,7 +24,7 @@ const SENT = {
     meta: {
       words: [
         [["data", 0, "hovertemplate"], "at_place", { name: ["plane_xz", {}], value: amount("%{y:.3g}", "mm"), place: amount("%{x}", "°") }],
-        [["data", 2, "name"], "tolerance", { tolerance: amount(25.4, "mm", 3) }],
+        [["data", 2, "name"], "tolerance", { tolerance: amount(25.4, "mm", 3), ratio: amount(0.5, "", 3) }],
         [["layout", "annotations", 0, "text"], "amount", { amount: amount(508, "mm") }],
         axis("xaxis", "crank_angle", "°"), axis("yaxis", "deflection", "mm"), axis("yaxis2", "contact_force", "N"),
       ],
@@ -38,7 +38,7 @@ test("in metric units a figure is left as it is", () => {
 });
 
 test("in English a figure says what the service says, in the page's numbers", () => {
-  assert.deepEqual(CHART.data.map(({ name }) => name), ["a", "b", "χ = 25.4\u00a0mm"]);
+  assert.deepEqual(CHART.data.map(({ name }) => name), ["a", "b", "χ = 25.4\u00a0mm = 0.5·d"]);
   assert.equal(CHART.layout.yaxis.title.text, "Deflection, mm");
   assert.equal(CHART.data[0].hovertemplate, "plane xz: %{y:.3g}\u00a0mm at %{x}°<extra></extra>");
 });
@@ -47,7 +47,7 @@ test("in another language its words, numbers and units are that language's; what
   await useLanguage("uk");
   const { data, layout } = inLanguage({ ...SENT, layout: { ...SENT.layout, meta: { words: [...SENT.layout.meta.words, [["data", 1, "name"], "new_one", {}]] } } });
   await useLanguage("en");
-  assert.deepEqual(data.map(({ name }) => name), ["a", "b", "χ = 25,4\u00a0мм"]);
+  assert.deepEqual(data.map(({ name }) => name), ["a", "b", "χ = 25,4\u00a0мм = 0,5·d"]);
   assert.equal(layout.yaxis2.title.text, "Контактна сила, Н");
   assert.equal(SENT.layout.yaxis2.title.text, "Contact force, N");
   assert.equal(layout.annotations[0].text, "508\u00a0мм");
@@ -59,7 +59,7 @@ test("data, ranges, marks and words change their units together", () => {
   assert.deepEqual(data[0].y, [0, 1]);
   assert.deepEqual(data[0].x, [0, 10]);
   assert.equal(data[0].hovertemplate, "plane xz: %{y:.3g}\u00a0in at %{x}°<extra></extra>");
-  assert.equal(data[2].name, "χ = 1\u00a0in");
+  assert.equal(data[2].name, "χ = 1\u00a0in = 0.5·d");
   assert.deepEqual(data[2].y, [1]);
   assert.equal(layout.yaxis.title.text, "Deflection, in");
   assert.equal(layout.yaxis2.title.text, "Contact force, lbf");
@@ -115,4 +115,12 @@ test("pairs stand thin under the largest force; curves that coincide are one, an
   assert.deepEqual(pairsOf(chart.data[0]), ["1.1", "2.2"]);
   const over = overlaid(chart, [{ name: "A", chart: { ...chart, data: [{ ...chart.data[2], y: [9, 9, 9] }, chart.data[1]] } }]);
   assert.deepEqual(over.data.slice(4).map(({ name, y }) => [name, y]), [["A", [9, 9, 9]]], "of another design the envelope alone");
+});
+
+test("a picture has its title over the legend, and leaves legends within the figure where they are", () => {
+  const { title, legend, margin } = onPaper({ legend: { x: 0, y: 1.02, yanchor: "bottom" }, margin: { l: 5, t: 1 } }, "Forces", 440);
+  assert.equal(title.text, "Forces");
+  assert.deepEqual(legend, { x: 0, y: 0.9, yref: "container", yanchor: "top" });
+  assert.deepEqual(margin, { l: 5, t: 44, b: 56 });
+  assert.deepEqual(onPaper({ legend: { y: 0.6 } }, "Rollers", 900).legend, { y: 0.6 });
 });

@@ -43,6 +43,20 @@ test("the cells say the numbers, and what has not been computed", () => {
   assert.ok(calculator.verdict({}).every(({ label, value, note }) => label && value === undefined && note === undefined));
 });
 
+test("the peak force is said to be without the load factors, and with them", () => {
+  const force = { peak_force_N: 1000, peak_crank_angle_deg: 30, peak_pair: { satellite: 1, pin: 2 }, equal_sharing_peak_N: 500, accuracy: ACCURACY };
+  const said = (contact) => {
+    const answer = { contact_force: force, hertz: {} };
+    const [peak] = calculator.verdict({ contact_force: force }, { input: { contact } });
+    return [peak.note, ...calculator.sentences(answer, { input: { contact } }).filter(Boolean).slice(1).map(([, words]) => words)];
+  };
+  assert.deepEqual(said({ dynamic_factor: 1.5, distribution_factor: 1.2 }), [
+    "at 30°, satellite 1, pin 2; without the load factors, × 1.8",
+    "The contact pressure is that of 1800\u00a0N: the peak force times the dynamic and distribution factors, 1.8.",
+  ]);
+  assert.deepEqual(said({}), ["at 30°, satellite 1, pin 2"]);
+});
+
 test("no part of the page gets the safety of what cannot be built", async () => {
   const ask = (checks) => calculator.ask({
     post: async () => ({ hertz: { governing_pressure_MPa: 548.6, safety_factor: 1.4, safety: [] }, checks }),

@@ -74,7 +74,7 @@ for (const language of OTHERS) {
       satellite: 1, pin: 2, force: { value: "%{y:.5g}", unit: "N", digits: 6 }, angle: { value: "%{x:.2f}", unit: "°", digits: 6 },
     });
     assert.match(hover, /%\{y:\.5g\}\u00a0Н; φ = %\{x:\.2f\}°$/);
-    assert.equal(figureText("tolerance", { tolerance: { value: 0.0025, unit: "mm", digits: 3 } }), "χ = 0,0025\u00a0мм");
+    assert.equal(figureText("amount", { amount: { value: 0.0025, unit: "mm", digits: 3 } }), "0,0025\u00a0мм");
     assert.notEqual(message("section.hertz"), en.section.hertz);
     assert.equal(formatNumber(1234.5), "1234,5");
     assert.equal(formatNumber(2.1e11), "2,1·10¹¹");

@@ -10,7 +10,7 @@ import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
-import { sentences } from "./sentences.js";
+import { factorOf, sentences } from "./sentences.js";
 import { workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
@@ -61,13 +61,15 @@ function pairsCell(section) {
   };
 }
 
-function peakCell(section) {
+function peakCell(section, { contact }) {
+  const factor = factorOf(contact);
+  const at = message("verdict.peakAt", {
+    angle: formatQuantity(section.peak_crank_angle_deg, "°", shownDigits(section.accuracy.relative_error, 5)),
+    ...section.peak_pair,
+  });
   return {
     ...stated(section, section.peak_force_N, "N", 6),
-    note: message("verdict.peakAt", {
-      angle: formatQuantity(section.peak_crank_angle_deg, "°", shownDigits(section.accuracy.relative_error, 5)),
-      ...section.peak_pair,
-    }),
+    note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };
 }
 
@@ -207,7 +209,7 @@ export default {
   targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
 
   verdict: (answer, { input = {} } = {}) => [
-    cell("peak", answer.contact_force, peakCell),
+    cell("peak", answer.contact_force, (section) => peakCell(section, input)),
     cell("pairs", answer.cyclogram, pairsCell),
     cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],

@@ -17,7 +17,17 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
   return ["", say("even", { peak: formatQuantity(peak, "N", 4), share: formatNumber(peak / equal, 3) })];
 }
 
+/** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
+export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
+
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
-export function sentences({ cyclogram, contact_force: force }) {
-  return [cyclogram && transmission(cyclogram), force?.equal_sharing_peak_N !== undefined && evenness(force)];
+export function sentences({ cyclogram, contact_force: force, hertz }, { input } = {}) {
+  const factor = factorOf(input?.contact);
+  return [
+    cyclogram && transmission(cyclogram),
+    force?.equal_sharing_peak_N !== undefined && evenness(force),
+    force && hertz && factor !== 1 && ["", say("factors", {
+      force: formatQuantity(force.peak_force_N * factor, "N", 4), factor: formatNumber(factor, 4),
+    })],
+  ];
 }

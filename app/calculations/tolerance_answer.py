@@ -1,0 +1,119 @@
+"""Answer of the tolerance study."""
+
+from pydantic import Field
+
+from app.model import AccuracyOut, Maybe, ResponseModel, result
+
+
+class EstimateOut(ResponseModel):
+    """A number of the sample with its 95 % interval."""
+
+    value: float = result("The number.")
+    low: float = result("Lower end of its 95 % interval.")
+    high: float = result("Upper end of its 95 % interval.")
+
+
+class PercentileOut(EstimateOut):
+    """A percentile, by order statistics: its interval holds whatever the distribution is."""
+
+    percent: float = result("Share of the pieces below it, percent.")
+
+
+class YieldOut(EstimateOut):
+    """Share of all pieces that keep a limit; those that cannot be assembled do not. The interval is
+    that of Clopper and Pearson.
+    """
+
+    limit: float = result("The limit: a lower one of the stiffness, an upper one of all else.")
+
+
+class HistogramOut(ResponseModel):
+    """How many pieces have which values."""
+
+    edges: list[float] = result("Ends of the classes, one more than counts.")
+    counts: list[int] = result("Pieces in each.")
+
+
+class ContributionOut(ResponseModel):
+    """What one tolerance does to a quantity."""
+
+    source: str = result("The tolerance: its name in the request.")
+    total: float = result(
+        "Share of the variance that hangs on it, alone or together with others.", symbol="S_T"
+    )
+    total_error: float = result("Standard error of the same.")
+    first: float = result("Share of the variance that it explains alone.", symbol="S_1")
+    first_error: float = result("Standard error of the same.")
+    percentile_without: PercentileOut = result(
+        "The highest percentile asked, with this tolerance at the middle of its limits."
+    )
+
+
+class QuantityOut(ResponseModel):
+    """One quantity of the pieces that can work; its name says the unit."""
+
+    nominal: float = result("Of the piece at the middle of all limits.")
+    mean: float = result("Mean.")
+    percentiles: list[PercentileOut] = result("Percentiles, in the order asked.")
+    angle_grid_error: float = result(
+        "How much the crank angles miss of it, relative: a bias beside the sampling error, which "
+        "more samples do not lower; the numbers are not corrected for it. Of the peak force a mean "
+        "over the highest peaks, which come out too low; of the others against four times as many "
+        "angles."
+    )
+    kept: Maybe[YieldOut] = Field(
+        default=None, alias="yield", description="Yield, where a limit is given."
+    )
+    histogram: Maybe[HistogramOut] = result("Histogram, where asked.", default=None)
+    contributions: Maybe[list[ContributionOut]] = result(
+        "What each tolerance does, the largest first, where asked: of the first quantity. Where "
+        "the totals add up to more than 1, tolerances act together.",
+        default=None,
+    )
+
+
+class QuantitiesOut(ResponseModel):
+    """What is asked, over the turn of each piece."""
+
+    peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.", default=None)
+    max_pressure_MPa: Maybe[QuantityOut] = result("Largest Hertz pressure.", default=None)
+    transmission_error_arcmin: Maybe[QuantityOut] = result(
+        "Largest less least lag under load.", default=None
+    )
+    backlash_max_arcmin: Maybe[QuantityOut] = result(
+        "Largest play of the unloaded output.", default=None
+    )
+    lost_motion_arcmin: Maybe[QuantityOut] = result(
+        "Largest rotation between the two directions of a share of the torque.", default=None
+    )
+    stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least stiffness.", default=None)
+
+
+class StudyAccuracyOut(AccuracyOut):
+    """A statistical error: the relative error is the sum of the two below, and the interval of each
+    number says more.
+    """
+
+    sampling_error: float = Field(
+        description="Largest half width of a percentile's 95 % interval, relative; of the mean "
+        "where no percentile is asked. It falls with the root of the samples."
+    )
+    angle_grid_error: float = Field(
+        description="Largest bias of the crank angles, relative; more samples do not lower it."
+    )
+
+
+class ToleranceStudyResponse(ResponseModel):
+    """What tolerances do to the pieces."""
+
+    quantities: QuantitiesOut = result("Each quantity asked, or with a limit.")
+    samples: int = result("Pieces drawn.")
+    fits: int = result("Pieces that can be assembled without force, at all crank angles.")
+    cannot_assemble: EstimateOut = result(
+        "Share of the pieces that press without load, with its interval. They stay in the "
+        "percentiles, pressed together, and fail the yield."
+    )
+    cannot_work: int = result(
+        "Pieces that cannot work at all: they are not in the percentiles, and fail the yield."
+    )
+    accuracy: StudyAccuracyOut

@@ -1,0 +1,341 @@
+"""What tolerances do to the pieces: request and answer."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from app.calculations.real_design import RealDesignFields
+from app.calculations.tolerance_answer import ToleranceStudyResponse
+from app.calculations.tolerance_figure import tolerance_figure
+from app.calculations.tolerances import TolerancesFields
+from app.model import (
+    SIZE,
+    Calculation,
+    Maybe,
+    RequestModel,
+    Values,
+    Whole,
+    accuracy_values,
+    quantity,
+)
+from app.problems import ErrorItem, invalid_input
+from app.running import run
+from app.settings import Settings
+from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
+from app.theme import Figure, Theme
+from app.units import core_name, from_si, to_si
+from core.arrays import FloatArray
+from core.errors import InvalidInput
+from core.output.real_mechanism import Deviations
+from core.results import Accuracy
+from core.tolerance.contributions import contributions
+from core.tolerance.quantiles import Estimate, percentile
+from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
+
+Name = Literal[
+    "peak_force_N",
+    "max_pressure_MPa",
+    "transmission_error_arcmin",
+    "backlash_max_arcmin",
+    "lost_motion_arcmin",
+    "stiffness_min_Nm_per_arcmin",
+]
+
+POSITIONS_PER_SECOND = 25_000
+"""Positions of a pair that a study may have for each second that a calculation may take: with
+Hertz's law and exact geometry one processor solves some 65,000 in a second."""
+
+LOST_MOTION_SOLVES = 3
+"""Solves of a position where the lost motion is asked: in both directions besides."""
+
+FEWEST = 20
+"""Samples that a mechanism must allow: else it has too many pairs for a study."""
+
+MAX_SAMPLES = 1_000_000
+
+
+def _limit(title: str) -> Any:
+    return quantity(
+        title,
+        symbol="",
+        group="limits",
+        default=None,
+        **SIZE,
+        help="Limit whose yield is asked; its quantity is calculated too.",
+    )
+
+
+class LimitsFields(RequestModel):
+    """Limits of quantities: of the stiffness a lower one, of all else an upper one."""
+
+    peak_force_N: Maybe[float] = _limit("Limit of the peak force")
+    max_pressure_MPa: Maybe[float] = _limit("Limit of the pressure")
+    transmission_error_arcmin: Maybe[float] = _limit("Limit of the transmission error")
+    backlash_max_arcmin: Maybe[float] = _limit("Limit of the backlash")
+    lost_motion_arcmin: Maybe[float] = _limit("Limit of the lost motion")
+    stiffness_min_Nm_per_arcmin: Maybe[float] = _limit("Limit of the stiffness")
+
+
+class ToleranceStudyRequest(RealDesignFields):
+    """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
+
+    tolerances: TolerancesFields
+    samples: Whole = quantity(
+        "Samples",
+        symbol="n",
+        group="study",
+        default=200,
+        ge=1,
+        le=MAX_SAMPLES,
+        step=100,
+        help="Pieces that are drawn; samples × pairs × crank angles are bounded.",
+    )
+    seed: Whole = quantity(
+        "Seed",
+        symbol="",
+        group="study",
+        default=0,
+        ge=0,
+        le=2**53 - 1,
+        step=1,
+        advanced=True,
+        help="Of the draws: the same seed gives the same pieces, however many there are.",
+    )
+    crank_angles: Whole = quantity(
+        "Crank angles",
+        symbol="",
+        group="study",
+        default=60,
+        ge=12,
+        le=1000,
+        step=12,
+        advanced=True,
+        help="Even positions of the turn at which each piece is solved.",
+    )
+    quantities: list[Name] = Field(
+        default=["peak_force_N", "backlash_max_arcmin"],
+        min_length=1,
+        max_length=6,
+        description="Quantities of each piece, over the turn. The lost motion takes three times as "
+        "long.",
+    )
+    percentiles: list[Annotated[float, Field(ge=0.01, le=99.99)]] = quantity(
+        "Percentiles",
+        symbol="",
+        group="study",
+        default=[50.0, 95.0],
+        max_length=20,
+        help="Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % "
+        "368.",
+    )
+    limits: Maybe[LimitsFields] = None
+    include: list[Literal["histogram", "contributions"]] = Field(
+        default=[],
+        max_length=2,
+        description="Results besides. `contributions` of G tolerances to the first quantity take "
+        "2·G + 2 times as many pieces more.",
+    )
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits, what takes too long, and percentiles that so
+        few samples do not give.
+        """
+        self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
+        budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
+        most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
+        if most < FEWEST:
+            limit = self.mechanism.most_pins(budget // (self._positions_of_a_pair * FEWEST))
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+        if self.samples > most:
+            raise InvalidInput("samples", self.samples, "service_limit", limit=most)
+        self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
+
+    @property
+    def _positions_of_a_pair(self) -> int:
+        """Positions at which a pair is solved for each sample."""
+        each = self._solves(self.names)
+        if "contributions" in self.include:
+            sources = [name for name, given in self.tolerances if given is not None]
+            each += (2 * len(sources) + 2) * self._solves(self.names[:1])
+        return each * self.crank_angles
+
+    @staticmethod
+    def _solves(names: list[str]) -> int:
+        return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
+
+    def _estimated(self, estimate: Callable[[float], Estimate]) -> list[Estimate]:
+        """Estimates of the percentiles; a refusal names the one that needs more samples."""
+        made = []
+        for index, percent in enumerate(self.percentiles):
+            try:
+                made.append(estimate(percent))
+            except InvalidInput as error:
+                raise invalid_input([ErrorItem(f"/percentiles/{index}", error.code)]) from error
+        return made
+
+    @property
+    def names(self) -> list[str]:
+        """Quantities that are calculated: those asked, and those with a limit."""
+        return list(dict.fromkeys([*self.quantities, *self.given_limits]))
+
+    @cached_property
+    def given_limits(self) -> dict[str, float]:
+        """Limits by the name of their quantity."""
+        limits = {} if self.limits is None else dict(self.limits)
+        return {name: limit for name, limit in limits.items() if limit is not None}
+
+    def study(self) -> Study:
+        """The study in SI units."""
+        return Study(
+            real=self.made(Deviations()),
+            tolerances=self.tolerances.tolerances(self.contact),
+            asked=Evaluation(
+                quantities=tuple(map(core_name, self.names)),
+                output_torque=self.torque,
+                positions=self.crank_angles,
+                lost_motion_share=self.lost_motion_torque_share,
+            ),
+            samples=self.samples,
+            seed=self.seed,
+        )
+
+    def solve(self) -> tuple[Values, Accuracy]:
+        """What is asked for, and its accuracy."""
+        study = self.study()
+        found = tolerance_study(study)
+        quantities = {name: self._quantity(name, found) for name in self.names}
+        pieces = self.samples
+        if "contributions" in self.include:
+            quantities[self.names[0]]["contributions"] = self._contributions(study)
+            pieces *= 2 * len(study.tolerances.sources) + 3
+        sampling = max(self._sampling_error(name, quantities, found) for name in self.names)
+        grid = max(found.angle_grid_error.values())
+        values = {
+            "quantities": quantities,
+            "samples": self.samples,
+            "fits": int(found.fits.sum()),
+            "cannot_assemble": _estimate(found.cannot_assemble),
+            "cannot_work": int(np.isnan(found.values[:, 0]).sum()),
+            "accuracy": {"sampling_error": sampling, "angle_grid_error": grid},
+        }
+        return values, Accuracy("monte_carlo", sampling + grid, pieces * self.crank_angles)
+
+    def _quantity(self, name: str, found: ToleranceStudy) -> Values:
+        quantity = core_name(name)
+        column = found.column(quantity)
+        estimates = self._estimated(
+            lambda percent: found.percentile(quantity=quantity, percent=percent)
+        )
+        values = {
+            "nominal": from_si(name, found.nominal[quantity]),
+            "mean": from_si(name, float(column.mean()) if len(column) else 0.0),
+            "percentiles": [
+                {"percent": percent} | _estimate(each, name)
+                for percent, each in zip(self.percentiles, estimates, strict=True)
+            ],
+            "angle_grid_error": found.angle_grid_error[quantity],
+        }
+        limit = self.given_limits.get(name)
+        if limit is not None:
+            kept = found.yield_within(quantity=quantity, limit=to_si(name, limit))
+            values["yield"] = {"limit": limit} | _estimate(kept)
+        if "histogram" in self.include:
+            values["histogram"] = _histogram(from_si(name, column))
+        return values
+
+    def _contributions(self, study: Study) -> list[Values]:
+        first = replace(study, asked=replace(study.asked, quantities=study.asked.quantities[:1]))
+        percent = max(self.percentiles, default=50.0)
+        given = {core_name(name): name for name in type(self.tolerances).model_fields}
+        given |= {"pin_radius": "pin_diameter", "hole_radius": "hole_diameter"}
+        return [
+            {
+                "source": given[each.source],
+                "total": each.total,
+                "total_error": each.total_error,
+                "first": each.first,
+                "first_error": each.first_error,
+                "percentile_without": {"percent": percent}
+                | _estimate(each.percentile_without, self.names[0]),
+            }
+            for each in contributions(study=first, percent=percent)
+        ]
+
+    def _sampling_error(
+        self, name: str, quantities: dict[str, Values], found: ToleranceStudy
+    ) -> float:
+        """Largest relative half width of a quantity's percentiles; of its mean where none are."""
+        column = found.column(core_name(name))
+        if self.percentiles:
+            return max(
+                _relative(each["high"] - each["low"], each["value"])
+                for each in quantities[name]["percentiles"]
+            )
+        if len(column) < 2:
+            return 1.0
+        width = 2 * 1.96 * float(column.std(ddof=1)) / math.sqrt(len(column))
+        return _relative(width, float(column.mean()))
+
+
+def _relative(width: float, value: float) -> float:
+    """Half an interval's width over its value, 1 at most; of a value of 0 nothing is known."""
+    if width == 0:
+        return 0.0
+    return min(width / 2 / abs(value), 1.0) if value else 1.0
+
+
+def _estimate(estimate: Estimate, name: str = "") -> Values:
+    ends = {end: getattr(estimate, end) for end in ("value", "low", "high")}
+    return {end: from_si(name, value) for end, value in ends.items()}
+
+
+def _histogram(values: FloatArray) -> Values:
+    """Classes by Rice's rule."""
+    counts, edges = np.histogram(values, bins=max(1, math.ceil(2 * len(values) ** (1 / 3))))
+    return {"edges": edges, "counts": counts}
+
+
+def solve(body: ToleranceStudyRequest) -> Values:
+    """What tolerances do to peak force, backlash, lost motion and others: percentiles and yield of
+    pieces drawn from them, with their intervals, and which tolerance does most.
+    """
+    (values, accuracy), run_time_us = run(body, body.solve)
+    values["accuracy"] |= accuracy_values(accuracy, run_time_us)
+    return values
+
+
+def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
+    """Histogram of the first quantity with its percentiles; with `contributions`, these ranked."""
+    if "contributions" not in body.include:
+        body = body.model_copy(update={"include": ["histogram"]})
+    (values, _), _ = run(body, body.solve)
+    name = body.names[0]
+    return tolerance_figure(name, values["quantities"][name], theme)
+
+
+CALCULATION = Calculation(
+    name="tolerance-study",
+    title="Tolerances and their effect",
+    tag="crank-planetary",
+    request=ToleranceStudyRequest,
+    answer=ToleranceStudyResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, ISO_286, JANSEN_1999),
+    neglects=(
+        "bearing_elasticity",
+        "bodies_rigid",
+        "edge_pressure",
+        "friction",
+        "heat",
+        "misalignment",
+        "second_flange",
+    ),
+    batched=False,
+)

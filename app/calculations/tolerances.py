@@ -1,0 +1,267 @@
+"""What the parts are made to, as a request gives it."""
+
+import re
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
+
+from app.calculations.real_mechanism import Deviation, Phase, RealContactFields
+from app.model import (
+    SIZE,
+    UNION_TAGS,
+    Maybe,
+    RequestModel,
+    field_error,
+    quantity,
+    request_schema,
+)
+from app.problems import ErrorItem, invalid_input
+from app.units import to_si
+from core.errors import InvalidInput
+from core.tolerance.draws import Distribution, Spread
+from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
+from core.tolerance.tolerances import Tolerances
+
+
+def _class_pattern(of_pins: bool) -> str:
+    letters = "|".join(each for each in CLASSES if each.islower() == of_pins)
+    return f"^({letters})({'|'.join(map(str, GRADES))})$"
+
+
+class _SpreadFields(RequestModel):
+    """How a size or an angle varies between its limits."""
+
+    distribution: Distribution = quantity(
+        "Distribution",
+        symbol="",
+        group="tolerances",
+        default="normal",
+        help="Normal, cut off at the limits, three standard deviations off the middle; or uniform.",
+    )
+    common: bool = quantity(
+        "Common to all",
+        symbol="",
+        group="tolerances",
+        default=False,
+        help="Whether all such parts of a piece have the same: one batch, one tool.",
+    )
+
+    def _refuse_reversed(self, unit: str) -> None:
+        lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
+        if lower is not None and upper is not None and lower > upper:
+            raise field_error(f"lower_{unit}", "at_most", field=f"upper_{unit}")
+
+    def _spread(self, lower: float, upper: float) -> Spread:
+        return Spread(lower, upper, self.distribution, self.common)
+
+
+def _limit(title: str, which: str, **default: Any) -> Any:
+    return quantity(
+        title,
+        symbol="",
+        group="tolerances",
+        step=0.001,
+        help=f"{which} limit of the deviation.",
+        **default,
+    )
+
+
+class LengthSpreadFields(_SpreadFields):
+    """Limits of a length's deviation."""
+
+    lower_mm: Deviation = _limit("From", "Lower")
+    upper_mm: Deviation = _limit("To", "Upper")
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        self._refuse_reversed("mm")
+        return self
+
+    def spread(self) -> Spread:
+        """The same in SI units."""
+        return self._spread(to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm))
+
+
+class PhaseSpreadFields(_SpreadFields):
+    """Limits of an angle's deviation."""
+
+    lower_deg: Phase = _limit("From", "Lower")
+    upper_deg: Phase = _limit("To", "Upper")
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        self._refuse_reversed("deg")
+        return self
+
+    def spread(self) -> Spread:
+        """The same in SI units."""
+        return self._spread(to_si("lower_deg", self.lower_deg), to_si("upper_deg", self.upper_deg))
+
+
+def _size_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """A class, or both limits."""
+    request_schema(schema, model)
+    limits = ["lower_mm", "upper_mm"]
+    schema["oneOf"] = [
+        {"required": ["class"], "not": {"anyOf": [{"required": [each]} for each in limits]}},
+        {"required": limits, "not": {"required": ["class"]}},
+    ]
+
+
+class _DiameterFields(_SpreadFields):
+    """A diameter's class or limits."""
+
+    tolerance_class: Maybe[str] = None
+    lower_mm: Maybe[Deviation] = _limit("From", "Lower", default=None)
+    upper_mm: Maybe[Deviation] = _limit("To", "Upper", default=None)
+
+    model_config = ConfigDict(json_schema_extra=_size_schema)
+
+    @model_validator(mode="after")
+    def _class_or_limits(self) -> Self:
+        if self.tolerance_class is not None:
+            for name in ("lower_mm", "upper_mm"):
+                if getattr(self, name) is not None:
+                    raise field_error(name, "only_one", field="class")
+            pattern = _class_pattern(isinstance(self, PinDiameterFields))
+            if not re.fullmatch(pattern, self.tolerance_class):
+                raise field_error("class", "no_class")
+        elif self.lower_mm is None and self.upper_mm is None:
+            raise field_error("class", "needed", field="lower_mm")
+        elif self.lower_mm is None or self.upper_mm is None:
+            absent, given = ("lower_mm", "upper_mm")[:: 1 if self.lower_mm is None else -1]
+            raise field_error(absent, "needed_beside", field=given)
+        self._refuse_reversed("mm")
+        return self
+
+    def spread(self, diameter: float) -> Spread:
+        """Deviation of the radius in SI units, of a nominal diameter.
+
+        Raises
+        ------
+        InvalidInput
+            If no class is known of such a diameter.
+        """
+        if self.tolerance_class is not None:
+            limits = class_limits(size=diameter, tolerance_class=self.tolerance_class)
+            return self._spread(limits.lower / 2, limits.upper / 2)
+        lower, upper = to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm)
+        return self._spread(lower / 2, upper / 2)
+
+
+def _class(of_pins: bool) -> Any:
+    shown = "m6 of a shaft" if of_pins else "H7 of a hole"
+    return quantity(
+        "Class",
+        symbol="",
+        group="pin_diameter" if of_pins else "hole_diameter",
+        default=None,
+        alias="class",
+        help=f"ISO 286 class, as {shown}, instead of limits.",
+        schema={"pattern": _class_pattern(of_pins)},
+    )
+
+
+class PinDiameterFields(_DiameterFields):
+    """Class or limits of the pins' diameter."""
+
+    tolerance_class: Maybe[str] = _class(True)
+
+
+class HoleDiameterFields(_DiameterFields):
+    """Class or limits of the holes' diameter."""
+
+    tolerance_class: Maybe[str] = _class(False)
+
+
+def _kind(given: Any) -> Literal["plus_minus", "limits"]:
+    return "limits" if isinstance(given, (dict, RequestModel)) else "plus_minus"
+
+
+UNION_TAGS.update(("plus_minus", "limits"))
+
+PlusMinus = Annotated[float, Field(**SIZE)]
+AnglePlusMinus = Annotated[float, Field(ge=SIZE["ge"], le=360)]
+LengthSpread = Annotated[
+    Annotated[PlusMinus, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
+    Discriminator(_kind),
+]
+PhaseSpread = Annotated[
+    Annotated[AnglePlusMinus, Tag("plus_minus")] | Annotated[PhaseSpreadFields, Tag("limits")],
+    Discriminator(_kind),
+]
+
+
+def _tolerance(title: str, symbol: str, help: str, **more: Any) -> Any:
+    return quantity(
+        title, symbol=symbol, group="tolerances", default=None, step=0.001, help=help, **more
+    )
+
+
+class TolerancesFields(RequestModel):
+    """What the parts are made to; what is not named is exact. Each part of a piece has a deviation
+    of its own.
+    """
+
+    pin_position_mm: Maybe[float] = _tolerance(
+        "Position of the pins", "t", "Diameter of the round zone of each pin's centre.", **SIZE
+    )
+    hole_position_mm: Maybe[float] = _tolerance(
+        "Position of the holes", "t_j", "Diameter of the round zone of each hole's centre.", **SIZE
+    )
+    pin_diameter: Maybe[PinDiameterFields] = _tolerance(
+        "Pin diameter", "", "Class or limits of the diameter that touches the hole."
+    )
+    hole_diameter: Maybe[HoleDiameterFields] = _tolerance(
+        "Hole diameter", "", "Class or limits of the diameter of the holes."
+    )
+    eccentricity_mm: Maybe[LengthSpread] = _tolerance(
+        "Eccentricity", "Δe", "Of each crank: plus or minus so much, or limits."
+    )
+    crank_phase_deg: Maybe[PhaseSpread] = _tolerance(
+        "Crank phase", "Δα", "Angle of each crank: plus or minus so much, or limits."
+    )
+    disc_phase_deg: Maybe[PhaseSpread] = _tolerance(
+        "Disc phase",
+        "η",
+        "Angle of each disc's holes against its teeth: plus or minus so much, or limits.",
+    )
+
+    def tolerances(self, contact: RealContactFields) -> Tolerances:
+        """The same in SI units, for a contact's sizes.
+
+        Raises
+        ------
+        Problem
+            If no class is known of such a diameter.
+        """
+        sizes = contact.sizes()
+        pin = 2 * sizes["pin_radius"]
+        hole = pin + 2 * (sizes["eccentricity"] + sizes["clearance"])
+        return Tolerances(
+            pin_position=to_si("position_mm", self.pin_position_mm),
+            hole_position=to_si("position_mm", self.hole_position_mm),
+            pin_radius=_of_diameter("pin_diameter", self.pin_diameter, pin),
+            hole_radius=_of_diameter("hole_diameter", self.hole_diameter, hole),
+            **dict(self._spreads()),
+        )
+
+    def _spreads(self) -> Iterator[tuple[str, Spread]]:
+        for name, unit in (("eccentricity", "mm"), ("crank_phase", "deg"), ("disc_phase", "deg")):
+            given = getattr(self, f"{name}_{unit}")
+            if isinstance(given, float):
+                size = to_si(f"{name}_{unit}", given)
+                yield name, Spread(-size, size)
+            elif given is not None:
+                yield name, given.spread()
+
+
+def _of_diameter(name: str, given: _DiameterFields | None, diameter: float) -> Spread | None:
+    if given is None:
+        return None
+    try:
+        return given.spread(diameter)
+    except InvalidInput as error:
+        place, limit = f"/tolerances/{name}/class", {"limit": float(SIZES[-1])}
+        raise invalid_input([ErrorItem(place, "no_class_of_size", limit)]) from error

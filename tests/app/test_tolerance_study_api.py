@@ -1,0 +1,354 @@
+"""Tolerances over REST: a run that was calculated apart from this program, sections, bounds,
+refusals, and the ISO 286 table.
+"""
+
+import math
+from copy import deepcopy
+from itertools import pairwise
+
+import plotly.graph_objects as go
+import pytest
+from pydantic import ValidationError
+
+from app.calculations.tolerance_study import POSITIONS_PER_SECOND, ToleranceStudyRequest
+from app.examples import REQUESTS
+from app.problems import Problem
+from app.registry import CALCULATIONS
+from app.settings import Settings
+from core.errors import InvalidInput
+from core.tolerance.quantiles import percentile
+
+pytestmark = pytest.mark.anyio
+
+PATH = "tolerance-study"
+CHECKED = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
+    "contact": {
+        "contact_length_mm": 12,
+        "pin_radius_mm": 5,
+        "eccentricity_mm": 2,
+        "hole_clearance_mm": 0.02,
+    },
+    "contact_law": {"kind": "linear", "stiffness_N_per_mm": 1e5},
+    "geometry": "first_order",
+    "tolerances": {
+        "pin_position_mm": 0.01,
+        "hole_position_mm": 0.02,
+        "pin_diameter": {"class": "m6"},
+        "hole_diameter": {"class": "H7"},
+        "eccentricity_mm": 0.005,
+        "disc_phase_deg": 0.01,
+    },
+    "seed": 7,
+    "quantities": ["peak_force_N", "transmission_error_arcmin"],
+    "percentiles": [50, 95, 99],
+    "limits": {"peak_force_N": 3200},
+}
+"""The run of the tests in tests/validation/test_tolerances.py as it is posted."""
+
+FEW = {"samples": 30, "crank_angles": 12, "percentiles": [50], "quantities": ["peak_force_N"]}
+
+
+def changed(tolerances=None, **more):
+    body = deepcopy(CHECKED | FEW) | more
+    if tolerances is not None:
+        body["tolerances"] = tolerances
+    return body
+
+
+async def answered(api, body):
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+async def refused(api, body):
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 422, answer.text
+    (error,) = answer.json()["errors"]
+    return error["pointer"], error["code"]
+
+
+async def test_the_first_pieces(api):
+    """The means of one, two, three pieces give each of them."""
+    means = []
+    for samples in (1, 2, 3):
+        body = CHECKED | {"samples": samples, "percentiles": []}
+        quantities = (await answered(api, body))["quantities"]
+        means.append([quantities[name]["mean"] for name in CHECKED["quantities"]])
+    expected = [
+        (2707.33544552, 3080.97324394, 2862.98376708),
+        (0.92367524, 0.80882629, 0.84483402),
+    ]
+    for column, values in zip(zip(*means, strict=True), expected, strict=True):
+        sums = [mean * (i + 1) for i, mean in enumerate(column)]
+        pieces = [sums[0], sums[1] - sums[0], sums[2] - sums[1]]
+        assert pieces == pytest.approx(values, rel=0, abs=3e-8)
+    nominal = quantities["peak_force_N"]["nominal"]
+    assert nominal == pytest.approx(2308.33, abs=5e-3)
+
+
+async def test_the_whole_run(api):
+    answer = await answered(api, CHECKED | {"samples": 4096})
+    force = answer["quantities"]["peak_force_N"]
+    expected = [
+        (50, 3015.52689857, 3006.10515829, 3024.73822266),
+        (95, 3452.40797208, 3431.88663015, 3463.39246078),
+        (99, 3638.87689023, 3608.64945419, 3696.43843298),
+    ]
+    for found, values in zip(force["percentiles"], expected, strict=True):
+        order = [found[name] for name in ("percent", "value", "low", "high")]
+        assert order == pytest.approx(values, rel=0, abs=6e-9)
+    kept = force["yield"]
+    assert kept["limit"] == 3200 and kept["value"] == 3122 / 4096
+    assert [kept["low"], kept["high"]] == pytest.approx([0.74886282, 0.77517624], abs=6e-9)
+    lag = answer["quantities"]["transmission_error_arcmin"]["percentiles"][1]
+    assert lag["value"] == pytest.approx(1.35102366, rel=0, abs=6e-9)
+    assert answer["fits"] == 4096 - round(4096 * answer["cannot_assemble"]["value"])
+
+
+async def test_percentiles_are_those_of_the_pieces(api):
+    """By hand: the pieces of one request one by one, and their order."""
+    body = changed(samples=9, percentiles=[50])
+    found = (await answered(api, body))["quantities"]["peak_force_N"]
+    means = [0.0]
+    for samples in range(1, 10):
+        one = await answered(api, body | {"samples": samples, "percentiles": []})
+        means.append(one["quantities"]["peak_force_N"]["mean"] * samples)
+    pieces = sorted(after - before for before, after in pairwise(means))
+    order = [found["percentiles"][0][name] for name in ("low", "value", "high")]
+    assert order == pytest.approx([pieces[1], pieces[4], pieces[7]], rel=1e-9)
+    kept = sum(force <= 3200 for force in pieces)
+    assert found["yield"]["value"] == pytest.approx(kept / 9)
+
+
+async def test_only_what_is_asked_is_sent(api):
+    answer = await answered(api, changed(limits={}))
+    assert set(answer["quantities"]) == {"peak_force_N"}
+    own = {"nominal", "mean", "percentiles", "angle_grid_error"}
+    assert set(answer["quantities"]["peak_force_N"]) == own
+    assert "warnings" not in answer
+    body = changed(limits={"backlash_max_arcmin": 5}, include=["histogram"])
+    answer = await answered(api, body)
+    force, backlash = answer["quantities"].values()
+    assert set(force) == own | {"histogram"} and set(backlash) == own | {"histogram", "yield"}
+    assert sum(force["histogram"]["counts"]) == 30
+    assert len(force["histogram"]["edges"]) == len(force["histogram"]["counts"]) + 1
+
+
+async def test_every_quantity_of_exact_parts_is_that_of_load_sharing(api):
+    """At the positions that the study takes, which are those of the wave."""
+    names = [
+        "peak_force_N", "max_pressure_MPa", "transmission_error_arcmin", "backlash_max_arcmin",
+        "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin",
+    ]  # fmt: skip
+    steel = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3}
+    contact = CHECKED["contact"] | {"pin_material": steel, "hole_material": steel}
+    body = changed({}, contact=contact, quantities=names, crank_angles=360, samples=6)
+    found = (await answered(api, body))["quantities"]
+    design = {
+        name: body[name] for name in ("mechanism", "load", "contact", "contact_law", "geometry")
+    }
+    turn = await api.post("load-sharing", json=design | {"include": ["over_turn"]})
+    for name in names:
+        quantity, real = found[name], turn.json()["over_turn"][name]
+        room = {"stiffness_min_Nm_per_arcmin": 0.01}.get(name, 1e-4)
+        assert quantity["nominal"] == pytest.approx(real, rel=room), name
+        assert quantity["percentiles"][0]["value"] == quantity["nominal"]
+        assert quantity["angle_grid_error"] < room
+    highest = turn.json()["over_turn"]["peak_force_N"]
+    assert found["peak_force_N"]["nominal"] <= highest * (1 + 1e-12)
+
+
+async def test_the_stated_error_is_that_of_sample_and_grid(api):
+    answer = await answered(api, changed())
+    accuracy, force = answer["accuracy"], answer["quantities"]["peak_force_N"]
+    (middle,) = force["percentiles"]
+    half = (middle["high"] - middle["low"]) / 2 / middle["value"]
+    assert accuracy["sampling_error"] == pytest.approx(half)
+    assert accuracy["angle_grid_error"] == force["angle_grid_error"] > 0
+    assert accuracy["relative_error"] == pytest.approx(half + force["angle_grid_error"])
+    finer = await answered(api, changed(crank_angles=96))
+    assert finer["accuracy"]["angle_grid_error"] < accuracy["angle_grid_error"]
+    more = await answered(api, changed(samples=300))
+    assert more["accuracy"]["sampling_error"] < half / 2
+
+
+async def test_contributions_are_ranked(api):
+    body = changed(
+        {"pin_position_mm": 0.001, "hole_position_mm": 0.02}, include=["contributions"], samples=60
+    )
+    ranked = (await answered(api, body))["quantities"]["peak_force_N"]["contributions"]
+    assert [each["source"] for each in ranked] == ["hole_position_mm", "pin_position_mm"]
+    assert ranked[0]["total"] > 0.9 > 0.1 > ranked[1]["total"]
+    without = [each["percentile_without"] for each in ranked]
+    assert without[0]["percent"] == 50 and without[0]["value"] < without[1]["value"]
+
+
+async def test_classes_and_limits_of_the_same_width_are_the_same(api):
+    by_class = await answered(api, changed())
+    tolerances = CHECKED["tolerances"] | {
+        "pin_diameter": {"lower_mm": 0.006, "upper_mm": 0.015},
+        "hole_diameter": {"lower_mm": 0, "upper_mm": 0.018},
+        "eccentricity_mm": {"lower_mm": -0.005, "upper_mm": 0.005, "distribution": "normal"},
+        "disc_phase_deg": {"lower_deg": -0.01, "upper_deg": 0.01, "common": False},
+    }
+    by_limits = await answered(api, changed(tolerances))
+    found = [each["quantities"]["peak_force_N"]["mean"] for each in (by_class, by_limits)]
+    assert found[0] == pytest.approx(found[1], rel=1e-12)
+    tolerances["pin_diameter"] |= {"distribution": "uniform", "common": True}
+    other = await answered(api, changed(tolerances))
+    assert other["quantities"]["peak_force_N"]["mean"] != pytest.approx(found[0], rel=1e-6)
+
+
+async def test_pieces_that_press_are_counted_and_fail(api):
+    tight = changed(contact=CHECKED["contact"] | {"hole_clearance_mm": 0.012})
+    answer = await answered(api, tight | {"limits": {"peak_force_N": 1e9}})
+    pressed = answer["cannot_assemble"]["value"]
+    assert 0 < pressed < 1 and answer["fits"] == round(30 * (1 - pressed))
+    assert answer["cannot_work"] == 0
+    kept = answer["quantities"]["peak_force_N"]["yield"]
+    assert kept["value"] == pytest.approx(1 - pressed)
+
+
+@pytest.mark.parametrize(
+    ("tolerances", "pointer", "code"),
+    [
+        ({"pin_diameter": {"class": "H7"}}, "pin_diameter/class", "no_class"),
+        ({"hole_diameter": {"class": "h7"}}, "hole_diameter/class", "no_class"),
+        ({"hole_diameter": {"class": "H4"}}, "hole_diameter/class", "no_class"),
+        ({"hole_diameter": {}}, "hole_diameter/class", "needed"),
+        ({"hole_diameter": {"upper_mm": 1}}, "hole_diameter/lower_mm", "needed_beside"),
+        ({"hole_diameter": {"lower_mm": 0}}, "hole_diameter/upper_mm", "needed_beside"),
+        (
+            {"pin_diameter": {"class": "m6", "lower_mm": 0}},
+            "pin_diameter/lower_mm",
+            "only_one",
+        ),
+        (
+            {"pin_diameter": {"lower_mm": 0.01, "upper_mm": 0}},
+            "pin_diameter/lower_mm",
+            "at_most",
+        ),
+        ({"disc_phase_deg": {"lower_deg": 1, "upper_deg": 0}},
+            "disc_phase_deg/lower_deg", "at_most"),
+        ({"crank_phase_deg": {"lower_deg": 0}}, "crank_phase_deg/upper_deg", "missing"),
+        ({"crank_phase_deg": -1}, "crank_phase_deg", "greater_than_equal"),
+        ({"pin_position_mm": 0}, "pin_position_mm", "greater_than_equal"),
+    ],
+)  # fmt: skip
+async def test_tolerances_that_are_none_are_refused(api, tolerances, pointer, code):
+    assert await refused(api, changed(tolerances)) == (f"/tolerances/{pointer}", code)
+
+
+async def test_a_diameter_beyond_the_table_is_refused(api):
+    body = changed({"pin_diameter": {"class": "m6"}})
+    body["load"] |= {"pin_circle_radius_mm": 4000}
+    body["contact"] |= {"pin_radius_mm": 251}
+    assert await refused(api, body) == ("/tolerances/pin_diameter/class", "no_class_of_size")
+
+
+async def test_a_percentile_that_the_sample_does_not_give_is_refused(api):
+    assert await refused(api, changed(percentiles=[50, 95])) == ("/percentiles/1", "too_few")
+
+
+async def test_a_design_that_cannot_work_is_refused(api):
+    body = changed()
+    body["contact_law"] |= {"stiffness_N_per_mm": 1}
+    assert await refused(api, body) == ("", "lost_in_space")
+
+
+def refusal(body, seconds):
+    read = ToleranceStudyRequest.model_validate(body)
+    with pytest.raises(InvalidInput) as caught:
+        read.refuse_beyond(Settings(max_seconds=seconds))
+    return caught.value.parameter, caught.value.code, caught.value.params
+
+
+def test_work_is_bounded_by_samples_pairs_and_positions():
+    body = CHECKED | {"samples": 4096, "percentiles": [50]}
+    most = POSITIONS_PER_SECOND * 10 // (12 * 60)
+    assert refusal(body, 10) == ("samples", "service_limit", {"limit": most})
+    ToleranceStudyRequest.model_validate(body | {"samples": most}).refuse_beyond(Settings())
+    ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=300))
+    lost = body | {"quantities": ["lost_motion_arcmin"], "limits": {}}
+    assert refusal(lost, 10)[2] == {"limit": most // 3}
+    ranked = body | {"include": ["contributions"]}
+    assert refusal(ranked, 10)[2] == {"limit": POSITIONS_PER_SECOND * 10 // (12 * 60 * 15)}
+    many = body | {"mechanism": {"pins": 400, "ratio": 20}, "samples": 1, "percentiles": []}
+    limit = {"limit": POSITIONS_PER_SECOND * 10 // (60 * 20 * 2), "satellites": 2}
+    assert refusal(many, 10) == ("pins", "too_many_pairs", limit)
+    fits = body | {"mechanism": {"pins": limit["limit"], "ratio": 20}}
+    fits |= {"samples": 20, "percentiles": []}
+    ToleranceStudyRequest.model_validate(fits).refuse_beyond(Settings())
+
+
+def test_the_percentile_is_judged_by_its_own_number():
+    for samples, percent in ((71, 95), (367, 99)):
+        body = CHECKED | {"samples": samples, "percentiles": [percent], "crank_angles": 12}
+        with pytest.raises(Problem):
+            ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=100))
+        body["samples"] += 1
+        ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=100))
+        percentile(values=range(samples + 1), percent=percent)
+
+
+def test_deviations_do_not_belong_to_it():
+    with pytest.raises(ValidationError):
+        ToleranceStudyRequest.model_validate(CHECKED | {"deviations": {}})
+    assert not CALCULATIONS[PATH].batched
+
+
+@pytest.mark.parametrize("include", [[], ["histogram"], ["contributions"]])
+async def test_the_figure_shows_the_answer(api, include):
+    body = changed(include=include)
+    figure = (await api.post(f"{PATH}/chart", json=body)).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    named = ["contributions" if include == ["contributions"] else "histogram"]
+    force = (await answered(api, body | {"include": named}))["quantities"]["peak_force_N"]
+    if include == ["contributions"]:
+        for trace, field in zip(figure["data"], ("total", "first"), strict=True):
+            assert trace["x"] == [each[field] for each in force["contributions"]]
+        return
+    (bars,) = figure["data"]
+    assert bars["y"] == force["histogram"]["counts"]
+    lines = [shape["x0"] for shape in figure["layout"]["shapes"]]
+    assert lines == [force["nominal"], force["percentiles"][0]["value"], 3200]
+
+
+async def test_the_same_body_gives_the_same_numbers(api):
+    answers = [await answered(api, REQUESTS[PATH] | FEW) for _ in range(2)]
+    for answer in answers:
+        del answer["accuracy"]["run_time_us"]
+    assert answers[0] == answers[1]
+    other = await answered(api, REQUESTS[PATH] | FEW | {"seed": 1})
+    assert other["quantities"] != answers[0]["quantities"]
+
+
+async def test_classes_of_a_size(api):
+    answer = (await api.get("tolerances?size_mm=14.04&class=H7")).json()
+    assert answer["tolerances"] == [{"class": "H7", "lower_mm": 0, "upper_mm": 0.018}]
+    every = (await api.get("tolerances?size_mm=10")).json()["tolerances"]
+    assert len(every) == 63 and math.isclose(every[0]["lower_mm"], -0.019)
+    assert {"class": "m6", "lower_mm": 0.006, "upper_mm": 0.015} in every
+
+
+@pytest.mark.parametrize(
+    ("query", "pointer", "code"),
+    [
+        ("", "size_mm", "missing"),
+        ("size_mm=x", "size_mm", "float_type"),
+        ("size_mm=nan", "size_mm", "finite_number"),
+        ("size_mm=0", "size_mm", "greater_than_equal"),
+        ("size_mm=5e-324", "size_mm", "greater_than_equal"),
+        ("size_mm=500.1", "size_mm", "less_than_equal"),
+        ("size_mm=10&class=k6", "class", "literal_error"),
+    ],
+)
+async def test_what_the_table_has_not_is_refused(api, query, pointer, code):
+    answer = await api.get(f"tolerances?{query}")
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    (error,) = answer.json()["errors"]
+    assert (error["pointer"], error["code"]) == (f"/query/{pointer}", code)
