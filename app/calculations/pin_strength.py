@@ -209,7 +209,11 @@ class PinDeflectionOut(ResponseModel):
 
     satellite: int = result("Number of the satellite, from 1.")
     deflection_mm: float = result("Largest deflection over the turn.", symbol="w")
-    slope_mrad: float = result("Largest rotation of the section there.", symbol="θ")
+    slope_mrad: float = result(
+        "Largest rotation of the section there; between two supports as good as deflection over "
+        "distance to the nearer one.",
+        symbol="θ",
+    )
 
 
 class MomentLocusOut(ResponseModel):

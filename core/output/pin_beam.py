@@ -194,20 +194,22 @@ class PinBeam:
         float or array
             m/N.
         """
-        return (self._sunk(x, z) + self._start(z) * x) / self.rigidity
+        shear, _ = self.reactions(z)
+        _, second, _, _ = self._integrals(x, z)
+        sheared = self.shear_area * (shear * x - second)
+        return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity
 
-    def _sunk(self, x: Number, z: Number) -> Number:
-        """E*I times the deflection at x without the rotation at 0."""
+    def _bent(self, x: Number, z: Number) -> Number:
+        """E*I times the deflection at x by bending, without the rotation at 0."""
         shear, moment = self.reactions(z)
-        _, second, _, fourth = self._integrals(x, z)
-        bent = moment * x * x / 2 - shear * x**3 / 6 + fourth
-        return bent + self.shear_area * (shear * x - second)
+        _, _, _, fourth = self._integrals(x, z)
+        return moment * x * x / 2 - shear * x**3 / 6 + fourth
 
     def _start(self, z: Number) -> Number:
-        """E*I times the rotation at 0."""
+        """E*I times the rotation at 0; shear does not turn a pin that is free to tilt."""
         if self.support != "supported":
             return 0.0
-        return -self._sunk(self.span, z) / self.span
+        return -self._bent(self.span, z) / self.span
 
 
 def section_stress(*, bending: Number, mean_shear: Number) -> Number:

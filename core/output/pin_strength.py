@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
@@ -20,15 +20,9 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_forces import reference_force
-from core.output.pin_search import Arms, largest, worst_cycle
+from core.output.pin_search import ENOUGH, ROUNDS, Points, highest, largest
 from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
-
-SECTIONS = 4
-"""Parts of each stretch between ends of loads and supports at which sections are looked at."""
-
-SEARCHED = 4e-12
-"""Relative error of what is searched for along the pin also."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -45,7 +39,8 @@ class PinDeflection:
     deflection : float
         Largest deflection over the turn, m.
     slope : float
-        Largest rotation of the section there over the turn, rad.
+        Largest rotation of the section there over the turn, rad; between two supports it may be
+        small, and is as good as the deflection over the distance to the nearer one.
     """
 
     satellite: int
@@ -226,37 +221,68 @@ def pin_strength(
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
     turn = pin_turn(mechanism, force_exponent)
     positions = np.array(satellite_positions)
-    sections = _sections(beam, positions)
+    ends = _ends(beam, positions)
     area, modulus = math.pi * diameter**2 / 4, math.pi * diameter**3 / 32
     unit = reference / modulus
-    parts = np.array([[unit, 0.0], [0.0, reference / area], [unit, reference / area]])
 
-    def arms(kind: IntArray, x: FloatArray) -> Arms:
-        """Of bending, of shear, of both."""
-        bends, shears = parts.T[:, kind, None, None]
-        x = x[..., None]
-        return bends * beam.moment(x, positions), shears * beam.shear(x, positions)
+    def moments(x: FloatArray) -> FloatArray:
+        """By unit forces, as stresses."""
+        arms: FloatArray = unit * beam.moment(x[:, None], positions)
+        return arms
 
-    values, places = largest(
-        turn=turn, arms=arms, measure=_stress, kinds=len(parts), sections=sections
-    )
-    (bending, sheared, most), (place, *_) = values.tolist(), places.tolist()
-    shear = sheared * area / (math.sqrt(3) * 4 / 3)
+    def shears(x: FloatArray) -> FloatArray:
+        """The same as mean stresses."""
+        arms: FloatArray = reference / area * beam.shear(x[:, None], positions)
+        return arms
+
+    steepest = unit * float(np.abs(turn.forces).sum(axis=0).max())
+    curvature = steepest / contact_length
+
+    def bending(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+        values = largest(turn=turn, arms=(moments(at.section),), measure=np.abs, rounds=rounds)
+        return values, curvature * at.length**2 / 8
+
+    def equivalent(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+        arms = moments(at.section), shears(at.section)
+        values = largest(turn=turn, arms=arms, measure=_stress, rounds=rounds)
+        return values, curvature * at.length**2 / 8
+
+    bent, place, _ = highest(value=bending, ends=ends)
+    most, _, _ = highest(value=equivalent, ends=ends)
+    mean_shear = float(largest(turn=turn, arms=(shears(ends),), measure=np.abs).max())
     cycle, chi, seen, notices = None, None, place, []
     if fatigue is not None:
-        worst: tuple[float, float] = bending, -bending
+        extremes = bent, -bent
         if not rotates:
-            angle, seen, top, bottom = worst_cycle(
-                turn=turn,
-                moments=lambda x: beam.moment(x[..., None], positions),
-                sections=sections,
-                used=lambda top, bottom: fatigue.utilisation(
-                    unit * (top - bottom) / 2, unit * (top + bottom) / 2
-                ),
-            )
-            chi, worst = _turned(angle), (unit * top, unit * bottom)
+
+            def cycles(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+                """Largest and least stress of points of the edge."""
+                arms = moments(at.section) * np.exp(-1j * at.direction)[:, None]
+                both = (np.concatenate((arms, -arms)),)
+                found = largest(turn=turn, arms=both, measure=np.real, rounds=rounds)
+                return found[: len(arms)], -found[len(arms) :]
+
+            def used(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+                top, bottom = cycles(at, rounds)
+                use: FloatArray = fatigue.utilisation((top - bottom) / 2, (top + bottom) / 2)
+                room = (steep * at.length**2 + use * at.angle**2) / 8
+                if fatigue.criterion == "fkm_haigh" and always_loaded:
+                    # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
+                    # largest where it has a corner, from which it falls at once
+                    reach = (bent * at.angle + steepest * at.length) / 2
+                    corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
+                    more = fatigue.utilisation((top - bottom) / 2 + reach, (top + bottom) / 2)
+                    room = room + corner * (more - use)
+                return use, room
+
+            always_loaded = bool(np.abs(turn.forces).sum(axis=0).min() > 0)
+            steep = fatigue.utilisation(curvature, 0.0) + fatigue.utilisation(0.0, curvature)
+            _, seen, angle = highest(value=used, ends=ends, around=True)
+            at = Points(np.array([seen]), np.array([angle]), np.zeros(1), 0.0)
+            top, bottom = cycles(at, ROUNDS)
+            chi, extremes = _turned(angle), (float(top[0]), float(bottom[0]))
         cycle = judged(
-            strength=fatigue, direction=chi, position=seen, largest=worst[0], least=worst[1]
+            strength=fatigue, direction=chi, position=seen, largest=extremes[0], least=extremes[1]
         )
         if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
@@ -268,6 +294,7 @@ def pin_strength(
     accuracy = Accuracy(
         "locus_support",
         8 * peak.accuracy.relative_error
+        + ENOUGH
         + ROUNDING * (64 + 16 * force_exponent)
         + _of_two_supports(beam, satellite_positions),
         turn.forces[0].size,
@@ -275,18 +302,16 @@ def pin_strength(
     strength = material.yield_strength
     return PinStrength(
         peak_force=reference * peak.peak_force_ratio,
-        peak_moment=bending * modulus,
+        peak_moment=bent * modulus,
         peak_moment_position=place,
-        peak_bending_stress=bending,
-        peak_shear_force=shear,
-        peak_shear_stress=4 / 3 * shear / area,
+        peak_bending_stress=bent,
+        peak_shear_force=mean_shear * area,
+        peak_shear_stress=4 / 3 * mean_shear,
         peak_equivalent_stress=most,
         static_safety_factor=None if strength is None else strength / most,
         fatigue=cycle,
         deflection=_deflection(turn, beam, positions, reference) if deflection else None,
-        locus=_locus(
-            turn, mechanism, seen, unit * beam.moment(np.float64(seen), positions), modulus, chi
-        )
+        locus=_locus(turn, mechanism, seen, moments(np.array([seen])), modulus, chi)
         if locus
         else None,
         accuracy=accuracy,
@@ -310,12 +335,9 @@ def _check_positions(
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
 
 
-def _stress(arms: Arms, forces: ComplexArray) -> FloatArray:
+def _stress(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
     """Equivalent stress."""
-    found: FloatArray = section_stress(
-        bending=combine(arms=arms[0], forces=forces),
-        mean_shear=combine(arms=arms[1], forces=forces),
-    )
+    found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
     return found
 
 
@@ -331,7 +353,7 @@ def _locus(
     of the largest moment.
     """
     places, forces = turn.drawn()
-    moment = combine(arms=modulus * arms[None], forces=forces)[0]
+    moment = combine(arms=modulus * arms, forces=forces)[0]
     if chi is None:
         chi = float(np.angle(moment[np.abs(moment).argmax()]))
     return MomentLocus(
@@ -344,26 +366,23 @@ def _locus(
 
 
 def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
-    """What is lost by searching along the pin, and where a support is near a satellite: there the
-    deflection is small beside its parts, by the cube of the distance.
+    """What is lost where a support is near a satellite: there the deflection is small beside its
+    parts, by the cube of the distance.
     """
     if beam.span is None:
         return 0.0
     near = min(min(positions), beam.span - max(positions))
-    found: float = SEARCHED + 8 * ROUNDING * (beam.span / near) ** 3
+    found: float = 8 * ROUNDING * (beam.span / near) ** 3
     return found
 
 
-def _sections(beam: PinBeam, positions: FloatArray) -> FloatArray:
-    """Sections that are looked at first: the root of a cantilever, as no other bends more."""
+def _ends(beam: PinBeam, positions: FloatArray) -> FloatArray:
+    """Ends of loads and supports: the root alone of a cantilever, as no other section is worse."""
     if beam.span is None:
         return np.zeros(1)
     half = beam.contact_length / 2
-    ends = np.unique(
-        np.clip([0.0, *(positions - half), *(positions + half), beam.span], 0, beam.span)
-    )
-    steps = np.arange(SECTIONS) / SECTIONS
-    return np.append((ends[:-1, None] + np.diff(ends)[:, None] * steps).ravel(), beam.span)
+    ends = [0.0, *(positions - half), *(positions + half), beam.span]
+    return np.unique(np.clip(ends, 0, beam.span))
 
 
 def _deflection(
@@ -373,14 +392,8 @@ def _deflection(
     bent = np.stack(
         (beam.deflection(positions[:, None], positions), beam.slope(positions[:, None], positions))
     )
-    own = bent.reshape(-1, 1, len(positions))
-    found, _ = largest(
-        turn=turn,
-        arms=lambda kind, _: (own[kind],),
-        measure=lambda arms, forces: np.abs(combine(arms=arms[0], forces=forces)),
-        kinds=len(own),
-        sections=np.zeros(1),
-    )
+    arms = bent.reshape(-1, len(positions))
+    found = largest(turn=turn, arms=(arms,), measure=np.abs)
     deflections, slopes = found.reshape(2, -1)
     satellite = int(deflections.argmax())
     return PinDeflection(

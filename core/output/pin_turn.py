@@ -214,24 +214,24 @@ def _nodes(exponent: float, pairs: int) -> FloatArray:
     return np.concatenate((half, 1 - half[-2::-1]))
 
 
-def combine(*, arms: FloatArray, forces: ComplexArray) -> ComplexArray:
-    """Sums of the satellites' forces times what each does to sections.
+def combine(*, arms: NDArray[Any], forces: ComplexArray) -> ComplexArray:
+    """Sums of the satellites' forces times what each does.
 
     Parameters
     ----------
-    arms : array, shape (..., s, K)
+    arms : array, shape (rows, K)
         What unit forces do.
-    forces : array, shape (..., K, m)
+    forces : array, shape (K, m) or (rows, K, m)
         Forces.
 
     Returns
     -------
-    array, shape (..., s, m)
+    array, shape (rows, m)
         Summed here, as a library of linear algebra would wake its threads for products this small.
     """
-    found: ComplexArray = arms[..., :1] * forces[..., :1, :]
-    for k in range(1, arms.shape[-1]):
-        found = found + arms[..., k : k + 1] * forces[..., k : k + 1, :]
+    found: ComplexArray = arms[:, :1] * forces[..., 0, :]
+    for k in range(1, arms.shape[1]):
+        found = found + arms[:, k : k + 1] * forces[..., k, :]
     return found
 
 

@@ -81,7 +81,10 @@ def test_the_cycle_is_neither_from_zero_nor_reversed() -> None:
     assert (f"{zero:.3f}", f"{reversed_:.3f}") == ("0.990", "0.644")
     assert f"{found.fatigue.safety_factor:.7f}" == "0.8285158"
     assert f"{found.fatigue.amplitude / peak:.3f}" == "0.720"
-    assert math.degrees(found.fatigue.direction) == pytest.approx(70.80, abs=0.01)
+    above = min(
+        found.fatigue.direction, 2 * math.pi - found.fatigue.direction
+    )  # or its mirror image
+    assert math.degrees(above) == pytest.approx(70.80, abs=0.01)
     assert found.fatigue.max_stress == pytest.approx(423.6845e6, rel=1e-4)
     assert found.fatigue.min_stress == pytest.approx(-247.7095e6, rel=1e-4)
     reference = pin_strength(**REFERENCE)

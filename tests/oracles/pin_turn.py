@@ -1,32 +1,42 @@
-"""What a pin feels over the turn, the slow way: looked at closely in doubles, climbed at 40 digits.
+"""What a pin feels over the turn, the slow way: looked at closely, then narrowed at 64 bits.
 
 Nothing is shared with ``core``: every pair by its own cosine over a whole turn, the law of the
-forces as printed, no arcs, no support function. A climb goes along one variable at a time, by
-golden section, until nothing grows any more.
+forces as printed, no support function. What is narrowed is a grid in all variables at once, which
+is halved, or doubled where the best lies at its edge.
 """
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise, product
+from typing import Any
 
 import numpy as np
-from mpmath import mp, mpc, mpf
+from mpmath import mp, mpf
 
 from tests.oracles.crank_planetary import breaks, phases
 
 NEAR = 1e-3
 """How far below the largest, as a part of it, a sample may be that lies beside the largest."""
 
-ENOUGH = mpf("1e-17")
-"""Relative growth that ends a climb."""
-
-STEPS = 24
-"""Steps of golden section: to a part in 10^5 of a window, which follows the last move."""
+STARTS = 12
+"""Most places from which the worst cycle is narrowed."""
 
 PART = np.unique(
     np.concatenate(((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-8, -0.4, 40)))
 )
-WAY = np.unique(np.concatenate((PART, 1 - PART)))
+WAY = np.unique(np.concatenate((PART, 1 - PART))).astype(np.longdouble)
 """Where a segment is looked at, as parts of the way."""
+
+GRID = np.linspace(-1, 1, 9).astype(np.longdouble)
+
+Array = Any
+
+
+def long(value: mpf) -> np.longdouble:
+    return np.longdouble(mp.nstr(value, 25))
+
+
+def odd(k: int) -> int:
+    return -1 if k % 2 else 1
 
 
 class Turn:
@@ -34,193 +44,149 @@ class Turn:
 
     def __init__(self, pins: int, crank_angles: Sequence[mpf], exponent: mpf) -> None:
         rows = phases(pins, crank_angles)
-        self.own = [row[0] for row in rows]
-        self.all = [t for row in rows for t in row]
-        self.exponent = exponent
-        self.ends = breaks(self.all, 2 * mp.pi)
-        self.parts = list(pairwise(self.ends))
-        self.driving = [
-            (
-                [t for t in self.all if mp.sin((start + stop) / 2 + t) < 0],
-                [mp.sin((start + stop) / 2 + t) < 0 for t in self.own],
+        own = [row[0] for row in rows]
+        self.exponent = long(exponent)
+        self.segments = []
+        for start, stop in pairwise(breaks([t for row in rows for t in row], 2 * mp.pi)):
+            driving = [t for row in rows for t in row if mp.sin((start + stop) / 2 + t) < 0]
+            drives = np.array([mp.sin((start + stop) / 2 + t) < 0 for t in own])
+            angles = [self.angles(start, stop, of) for of in (driving, own)]
+            self.segments.append((long(stop - start), *angles, drives))
+
+    @staticmethod
+    def angles(start: mpf, stop: mpf, phases: list[mpf]) -> tuple[Array, Array]:
+        """Angles at the start beyond whole half turns, and the sign of these: exact at switches."""
+        turns = [int(mp.nint((start + t) / mp.pi)) for t in phases]
+        beyond = [start + t - k * mp.pi for t, k in zip(phases, turns, strict=True)]
+        beyond = [
+            min(
+                (mpf(0), start - stop, each),
+                key=lambda x: abs(x - each) + (x is each) * mpf("1e-30"),
             )
-            for start, stop in self.parts
+            for each in beyond
         ]
+        return np.array([long(x) for x in beyond]), np.array([odd(k) for k in turns])
 
-    def forces(self, part: int, psi: mpf) -> list[mpc]:
-        driving, own = self.driving[part]
+    def forces(self, part: int, way: Array) -> Array:
+        """Shape (K, n)."""
+        width, (all_angles, all_signs), (angles, signs), drives = self.segments[part]
         v = self.exponent
-        cosines = [max(-mp.sin(psi + t), mpf(0)) for t in driving]
-        best = max(cosines)
-        total = mp.fsum((c / best) ** v * c if c else mpf(0) for c in cosines)
-        found = []
-        for t, drives in zip(self.own, own, strict=True):
-            c = max(-mp.sin(psi + t), mpf(0))
-            if c < mpf("1e-35"):
-                c = mpf(0)
-            force = (c / best) ** v / total if drives and (c or not v) else mpf(0)
-            found.append(force * mp.expj(psi + t + mp.pi / 2))
-        return found
-
-    def samples(self, part: int) -> np.ndarray:
-        """The same in doubles, shape (K, len(WAY))."""
-        start, stop = self.parts[part]
-        driving, own = self.driving[part]
-        width, v = float(stop - start), float(self.exponent)
-        shift = np.array([float(mp.fmod(start + t, 2 * mp.pi)) for t in driving])
-        cosines = np.maximum(-np.sin(shift[:, None] + width * WAY), 0)
+        moved = width * way
+        cosines = np.maximum(-all_signs[:, None] * np.sin(all_angles[:, None] + moved), 0)
         best = cosines.max(axis=0)
         total = ((cosines / best) ** v * cosines).sum(axis=0)
-        angle = np.array([float(mp.fmod(start + t, 2 * mp.pi)) for t in self.own])
-        angle = angle[:, None] + width * WAY + np.pi / 2
-        force = (np.maximum(np.cos(angle), 0) / best) ** v / total
-        return np.where(np.array(own)[:, None], force, 0) * np.exp(1j * angle)
+        turned = angles[:, None] + moved
+        cosine, sine = -signs[:, None] * np.sin(turned), signs[:, None] * np.cos(turned)
+        force = (np.maximum(cosine, 0) / best) ** v / total
+        return np.where(drives[:, None], force, 0) * (cosine + 1j * sine)
 
 
-Window = tuple[mpf, mpf]
+Grids = Sequence[Array]
 
 
-def climb(
-    value: Callable[[list[mpf]], mpf], place: list[mpf], within: list[Window], window: list[mpf]
-) -> mpf:
-    """Largest value near a place: golden section along one variable after the other."""
-    golden = (mp.sqrt(5) - 1) / 2
-    best = value(place)
-    for _ in range(200):
-        before = best
-        for k, (least, most) in enumerate(within):
-            if least == most:
-                continue
-
-            def along(x: mpf, k: int = k) -> mpf:
-                return value([*place[:k], x, *place[k + 1 :]])
-
-            low, high = max(place[k] - window[k], least), min(place[k] + window[k], most)
-            ends = [(along(x), x) for x in (low, high)]
-            a, b = high - golden * (high - low), low + golden * (high - low)
-            at_a, at_b = along(a), along(b)
-            for _ in range(STEPS):
-                if at_a >= at_b:
-                    high, b, at_b = b, a, at_a
-                    a = high - golden * (high - low)
-                    at_a = along(a)
-                else:
-                    low, a, at_a = a, b, at_b
-                    b = low + golden * (high - low)
-                    at_b = along(b)
-            found, x = max((at_a, a), (at_b, b), *ends)
-            if found > best:
-                window[k] = max(4 * abs(x - place[k]), mpf("1e-25"))
-                best, place[k] = found, x
-        if best - before <= ENOUGH * abs(best):
+def narrowed(
+    value: Callable[[Grids], tuple[Any, Sequence[int]]],
+    place: list[Any],
+    within: list[tuple[Any, Any]],
+    window: list[Any],
+) -> Any:
+    """Largest value near a place; `value` gives that of a grid, and where on it."""
+    best = -np.inf
+    for _ in range(400):
+        grids = [
+            np.clip(at + around * GRID, *ends) if around else np.array([at])
+            for at, ends, around in zip(place, within, window, strict=True)
+        ]
+        found, index = value(grids)
+        best = max(best, found)
+        for k, (grid, i) in enumerate(zip(grids, index, strict=True)):
+            place[k] = grid[i]
+            edge = i in (0, len(grid) - 1) and place[k] not in within[k]
+            window[k] = window[k] * 2 if edge else window[k] / 2
+        if max(window) < 1e-17:
             break
     return best
 
 
-def largest(
-    turn: Turn,
-    coarse: Callable[[np.ndarray], np.ndarray],
-    exact: Callable[[list[mpc], mpf], mpf],
-    sections: Sequence[mpf],
-) -> mpf:
-    """Largest measure: in doubles of forces (K, n) for all sections, exactly of forces at one."""
-    looked = [coarse(turn.samples(part)) for part in range(len(turn.parts))]
+def largest(turn: Turn, value: Callable[[Array, Array], Array], sections: Array) -> Any:
+    """Largest measure: of forces (K, n) at sections (m,), shape (m, n)."""
+    looked = [value(turn.forces(part, WAY), sections) for part in range(len(turn.segments))]
     highest = max(values.max() for values in looked)
     found = []
     for part, values in enumerate(looked):
-        if values.max() < highest * (1 - NEAR):
-            continue
-        section, node = np.unravel_index(int(values.argmax()), values.shape)
-        start, stop = turn.parts[part]
-        psi = start + (stop - start) * mpf(float(WAY[node]))
-        window = (stop - start) * mpf(float(gap(WAY, int(node))))
-        x, low, high = around(sections, int(section))
-        remembered: dict[mpf, list[mpc]] = {}
+        for section in np.flatnonzero(values.max(axis=1) >= highest * (1 - NEAR)):
+            node = int(values[section].argmax())
 
-        def value(place: list[mpf], part: int = part, known: dict = remembered) -> mpf:  # type: ignore[type-arg]
-            psi, x = place
-            if psi not in known:
-                known[psi] = turn.forces(part, psi)
-            return exact(known[psi], x)
+            def of(grids: Grids, part: int = part) -> tuple[Any, Sequence[int]]:
+                x, way = grids
+                values = value(turn.forces(part, way), x)
+                index = np.unravel_index(int(values.argmax()), values.shape)
+                return values[index], index  # type: ignore[return-value]
 
-        found.append(climb(value, [psi, x], [(start, stop), (low, high)], [window, high - low]))
+            x, ends, around = beside(sections, section)
+            place, within = [x, WAY[node]], [ends, (0, 1)]
+            found.append(narrowed(of, place, within, [around, gap(node)]))
     return max(found)
 
 
-def gap(way: np.ndarray, node: int) -> float:
+def gap(node: int) -> Any:
     """Distance of the farther neighbour."""
-    low, high = max(node - 1, 0), min(node + 1, len(way) - 1)
-    return float(max(way[high] - way[node], way[node] - way[low]))
+    low, high = max(node - 1, 0), min(node + 1, len(WAY) - 1)
+    return max(WAY[high] - WAY[node], WAY[node] - WAY[low])
 
 
-def around(sections: Sequence[mpf], index: int) -> tuple[mpf, mpf, mpf]:
-    """A section and those beside it."""
-    last = len(sections) - 1
-    return sections[index], sections[max(index - 1, 0)], sections[min(index + 1, last)]
+def beside(sections: Array, index: int) -> tuple[Any, tuple[Any, Any], Any]:
+    """A section, those beside it, and how far these are."""
+    low, high = sections[max(index - 1, 0)], sections[min(index + 1, len(sections) - 1)]
+    return sections[index], (low, high), high - low
 
 
 def worst_cycle(
     turn: Turn,
-    arms: Callable[[mpf], list[mpf]],
-    sections: Sequence[mpf],
-    used: Callable[[mpf, mpf], mpf],
-    used_of_arrays: Callable[[np.ndarray, np.ndarray], np.ndarray],
-) -> mpf:
+    arms: Callable[[Array], Array],
+    sections: Array,
+    used: Callable[[Array, Array], Array],
+) -> Any:
     """Largest utilisation of any section in any direction by the largest and least moment."""
-    samples = [turn.samples(part) for part in range(len(turn.parts))]
-    forces = np.concatenate(samples, axis=1)
+    forces = np.concatenate([turn.forces(part, WAY) for part in range(len(turn.segments))], axis=1)
     size = len(WAY)
     chi = np.linspace(0, 2 * np.pi, 73)[:-1]
     looked = []
-    for index, x in enumerate(sections):
-        locus = np.array([float(arm) for arm in arms(x)]) @ forces
+    for index, locus in enumerate(arms(sections).T @ forces):
         along = np.cos(chi)[:, None] * locus.real + np.sin(chi)[:, None] * locus.imag
-        top, bottom = along.max(axis=1), along.min(axis=1)
-        use = used_of_arrays(top, bottom)
+        use = used(along.max(axis=1), along.min(axis=1))
         for k in np.flatnonzero((use >= np.roll(use, 1)) & (use >= np.roll(use, -1))):
-            beside = (k - 1) % len(chi), k, (k + 1) % len(chi)
+            around = (k - 1) % len(chi), k, (k + 1) % len(chi)
             upper, lower = (
-                {int(of[i]) for i in beside} for of in (along.argmax(1), along.argmin(1))
+                {int(of[i]) for i in around} for of in (along.argmax(1), along.argmin(1))
             )
             looked += [(use[k], index, k, ends) for ends in product(upper, lower)]
     highest = max(each[0] for each in looked)
-    best = mpf(0)
-    seen = set()
+    found, seen = [], set()
     for use, index, k, ends in sorted(looked, reverse=True):
-        key = (*(end // size for end in ends), k // 4)
-        if use < highest * (1 - 4 * NEAR) or key in seen or len(seen) > 9:
+        parts = [end // size for end in ends]
+        key = (*parts, k // 4)
+        if use < highest * (1 - 4 * NEAR) or key in seen or len(seen) >= STARTS:
             continue
         seen.add(key)
-        x, low, high = around(sections, index)
-        place, within, window = (
-            [mpf(float(chi[k])), x],
-            [(mpf(-9), mpf(9)), (low, high)],
-            [
-                mpf("0.1"),
-                high - low,
-            ],
-        )
-        for end in ends:
-            start, stop = turn.parts[end // size]
-            place.append(start + (stop - start) * mpf(float(WAY[end % size])))
-            within.append((start, stop))
-            window.append((stop - start) * mpf(gap(WAY, end % size)) * 2)
-        parts = [end // size for end in ends]
-        known: dict[tuple[int, mpf], list[mpc]] = {}
 
-        def value(
-            place: list[mpf],
-            parts: list[int] = parts,
-            known: dict = known,  # type: ignore[type-arg]
-        ) -> mpf:
-            chi, x, *psi = place
-            reach = []
-            for part, each in zip(parts, psi, strict=True):
-                if (part, each) not in known:
-                    known[part, each] = turn.forces(part, each)
-                moment = mp.fdot(arms(x), known[part, each])
-                reach.append(moment.real * mp.cos(chi) + moment.imag * mp.sin(chi))
-            return used(*reach)
+        def value(grids: Grids, parts: list[int] = parts) -> tuple[Any, Sequence[int]]:
+            chi, x, *ways = grids
+            top, bottom = (
+                np.multiply.outer(np.cos(chi), moment.real)
+                + np.multiply.outer(np.sin(chi), moment.imag)
+                for moment in (
+                    arms(x).T @ turn.forces(part, way)
+                    for part, way in zip(parts, ways, strict=True)
+                )
+            )
+            use = used(top.max(axis=-1), bottom.min(axis=-1))
+            i, j = np.unravel_index(int(use.argmax()), use.shape)
+            return use[i, j], (int(i), int(j), int(top[i, j].argmax()), int(bottom[i, j].argmin()))
 
-        best = max(best, climb(value, place, within, window))
-    return best
+        x, between, around = beside(sections, index)
+        nodes = [end % size for end in ends]
+        place = [np.longdouble(chi[k]), x, *(WAY[node] for node in nodes)]
+        window = [np.longdouble(0.1), around, *(2 * gap(node) for node in nodes)]
+        found.append(narrowed(value, place, [(-9, 9), between, (0, 1), (0, 1)], window))
+    return max(found)

@@ -19,7 +19,7 @@ from tests.oracles.answers.crank_planetary import EXPONENTS, angles, mechanism
 from tests.oracles.answers.losses import by_a_hair
 from tests.oracles.crank_planetary import peak
 from tests.oracles.pin import bend
-from tests.oracles.pin_turn import Turn, largest, worst_cycle
+from tests.oracles.pin_turn import Turn, largest, long, worst_cycle
 
 CRITERIA = ("goodman", "gerber", "soderberg", "fkm_haigh")
 SURFACES = {"ground": (1.38, -0.067), "machined": (3.04, -0.217), "forged": (54.9, -0.758)}
@@ -91,36 +91,24 @@ def numbers(body: Body, answer: Any) -> Numbers:
     d = typed(pin["diameter_mm"])
     area, modulus = mp.pi * d**2 / 4, mp.pi * d**3 / 32
 
-    def measured(exact: Any, coarse: Any) -> mpf:
-        moments, shears = (
-            np.array([[float(arm) for arm in of(x)] for x in beam.sections])
-            for of in (beam.moments, beam.shears)
-        )
-        return largest(
-            turn,
-            lambda forces: coarse(moments @ forces, shears @ forces),
-            lambda forces, x: exact(
-                mp.fdot(beam.moments(x), forces), mp.fdot(beam.shears(x), forces)
-            ),
-            beam.sections,
-        )
+    def measured(value: Any) -> mpf:
+        return mpf(str(largest(turn, value, beam.sections)))
 
-    def both(moment: Any, shear: Any) -> Any:
+    def bent(forces: Any, x: Any) -> Any:
+        return beam.moments(x).T @ forces / long(modulus)
+
+    def sheared(forces: Any, x: Any) -> Any:
+        return beam.shears(x).T @ forces / long(area)
+
+    def both(forces: Any, x: Any) -> Any:
         """On the edge of the section, at the worst of all places."""
-        bent, sheared = moment / modulus, mp.sqrt(3) * 4 / 3 * shear / area
+        s, t = bent(forces, x), long(mp.sqrt(3) * 4 / 3) * sheared(forces, x)
         # s^2*cos^2(phi - a) + t^2*sin^2(phi - b) is largest by its mean and its swing
-        swing = bent * bent - sheared * sheared
-        return mp.sqrt((abs(bent) ** 2 + abs(sheared) ** 2 + abs(swing)) / 2)
+        return np.sqrt((np.abs(s) ** 2 + np.abs(t) ** 2 + np.abs(s * s - t * t)) / 2)
 
-    def both_coarse(moment: Any, shear: Any) -> Any:
-        bent = moment / float(modulus)
-        sheared = float(mp.sqrt(3) * 4 / 3 / area) * shear
-        swing = np.abs(bent * bent - sheared * sheared)
-        return np.sqrt((np.abs(bent) ** 2 + np.abs(sheared) ** 2 + swing) / 2)
-
-    moment = reference * measured(lambda m, _: abs(m), lambda m, _: np.abs(m))
-    shear = reference * measured(lambda _, v: abs(v), lambda _, v: np.abs(v))
-    most = reference * measured(both, both_coarse)
+    moment = reference * modulus * measured(lambda *at: np.abs(bent(*at)))
+    shear = reference * area * measured(lambda *at: np.abs(sheared(*at)))
+    most = reference * measured(both)
     exact = {
         "/peak_force_N": reference * peak(own["pins"], cranks, exponent, screened=True).ratio,
         "/peak_moment_Nm": moment / 1000,
@@ -133,28 +121,27 @@ def numbers(body: Body, answer: Any) -> Numbers:
     satellite = answer["deflection"]["satellite"] - 1
 
     def sunk(arms: list[mpf]) -> mpf:
-        floats = np.array([[float(arm) for arm in arms]])
-        return reference * largest(
-            turn,
-            lambda forces: np.abs(floats @ forces),
-            lambda forces, _: abs(mp.fdot(arms, forces)),
-            [mpf(0)],
-        )
+        size = max(map(abs, arms)) or mpf(1)
+        own = np.array([[long(arm / size) for arm in arms]])
+        zero = np.zeros(1, np.longdouble)
+        found = largest(turn, lambda forces, _: np.abs(own @ forces), zero)
+        return reference * size * mpf(str(found))
 
     exact["/deflection/deflection_mm"] = max(sunk(arms) for arms in beam.deflections)
     exact["/deflection/slope_mrad"] = 1000 * sunk(beam.slopes[satellite])
     strength = _Strength(body)
     unit = reference / modulus
     if pin["rotates"]:
-        use = strength.use(moment / modulus, -moment / modulus)
+        use = mpf(str(strength.use(long(moment / modulus), -long(moment / modulus))))
     else:
+        scale = long(unit)
         use = worst_cycle(
             turn,
             beam.moments,
             beam.sections,
-            lambda top, bottom: strength.use(unit * top, unit * bottom),
-            lambda top, bottom: strength.use(float(unit) * top, float(unit) * bottom),
+            lambda top, bottom: strength.use(scale * top, scale * bottom),
         )
+        use = mpf(str(use))
     exact["/fatigue/safety_factor"] = 1 / use
     exact["/fatigue/endurance_limit_MPa"] = strength.limit
     exact |= {f"/fatigue/factors/{name}": each for name, each in strength.factors.items()}
@@ -164,6 +151,13 @@ def numbers(body: Body, answer: Any) -> Numbers:
         for name in pointer[1:].split("/"):
             sent = sent[name]
         found[pointer] = Number(sent, value)
+    if "span_mm" in pin:
+        # between supports a slope may be next to nothing
+        z = typed(pin["satellite_positions_mm"][satellite])
+        near = min(z, typed(pin["span_mm"]) - z)
+        slope = "/deflection/slope_mrad"
+        size = max(exact[slope], 1000 * exact["/deflection/deflection_mm"] / near)
+        found[slope] = Number(found[slope].sent, exact[slope], size)
     return found
 
 
@@ -192,29 +186,35 @@ class _Beam:
             [[getattr(bent, name)[bent.at(z)] for bent in bents] for z in self.places]
             for name in ("deflection", "slope")
         )
-        self.sections = [mpf(0)]
+        sections = [mpf(0)]
         if span is not None:
             ends = {mpf(0), span}
             for z in self.places:
                 ends |= {z - self.half, z + self.half}
             stops = sorted(x for x in ends if 0 <= x <= span)
             for start, stop in pairwise(stops):
-                self.sections += [start + (stop - start) * i / 6 for i in range(1, 7)]
+                sections += [start + (stop - start) * i / 6 for i in range(1, 7)]
+        self.sections = np.array([long(x) for x in sections])
 
-    def moments(self, x: mpf) -> list[mpf]:
+    def moments(self, x: Any) -> Any:
+        """Shape (K, m)."""
         found = []
         for z, (shear, moment) in zip(self.places, self.start, strict=True):
-            into = min(max(x - z + self.half, mpf(0)), 2 * self.half)
+            before, half = long(z - self.half), long(self.half)
+            into = np.clip(x - before, 0, 2 * half)
             found.append(
-                moment - shear * x + into / (2 * self.half) * (x - z + self.half - into / 2)
+                long(moment) - long(shear) * x + into / (2 * half) * (x - before - into / 2)
             )
-        return found
+        return np.array(found)
 
-    def shears(self, x: mpf) -> list[mpf]:
-        return [
-            shear - min(max(x - z + self.half, mpf(0)), 2 * self.half) / (2 * self.half)
-            for z, (shear, _) in zip(self.places, self.start, strict=True)
-        ]
+    def shears(self, x: Any) -> Any:
+        """Shape (K, m)."""
+        return np.array(
+            [
+                long(shear) - np.clip((x - long(z - self.half)) / long(2 * self.half), 0, 1)
+                for z, (shear, _) in zip(self.places, self.start, strict=True)
+            ]
+        )
 
 
 class _Strength:
@@ -253,35 +253,26 @@ class _Strength:
         self.limit = product / notch * min(self.tensile / 2, mpf(700))
 
     def use(self, top: Any, bottom: Any) -> Any:
-        """1/n, of numbers at 40 digits or of arrays."""
-        if isinstance(top, np.ndarray):
-            limits = float(self.limit), float(self.tensile), float(self.yields)
-            return np.array(
-                [
-                    float(_use(self.criterion, *each, *limits))
-                    for each in zip(top, bottom, strict=True)
-                ]
+        """1/n."""
+        limit, tensile, yields = (long(each) for each in (self.limit, self.tensile, self.yields))
+        a, m = (top - bottom) / 2, (top + bottom) / 2
+        pull = np.maximum(m, 0)
+        if self.criterion in ("goodman", "soderberg"):
+            return a / limit + pull / (tensile if self.criterion == "goodman" else yields)
+        if self.criterion == "gerber":
+            q = a / limit
+            # n*q + (n*m/Rm)^2 = 1
+            return (q + (q * q + 4 * (pull / tensile) ** 2) ** 0.5) / 2
+        slope = long(max(typed(0.35e-3) * self.tensile - typed(0.1), 0))
+        flatter = (1 + slope) / (1 + slope / 3)  # from R = 0 on
+        return (
+            np.select(
+                [m <= -a, m <= a, m <= 3 * a],
+                [a * (1 - slope), a + slope * m, (a + slope / 3 * m) * flatter],
+                a * (1 + slope) * flatter,
             )
-        return _use(self.criterion, top, bottom, self.limit, self.tensile, self.yields)
-
-
-def _use(criterion: str, top: Any, bottom: Any, limit: Any, tensile: Any, yields: Any) -> Any:
-    a, m = (top - bottom) / 2, (top + bottom) / 2
-    pull = max(m, 0)
-    if criterion in ("goodman", "soderberg"):
-        return a / limit + pull / (tensile if criterion == "goodman" else yields)
-    if criterion == "gerber":
-        q = a / limit
-        # n*q + (n*m/Rm)^2 = 1
-        return (q + (q * q + 4 * (pull / tensile) ** 2) ** 0.5) / 2
-    slope = max(typed(0.35e-3) * mpf(tensile) - typed(0.1), 0)
-    if m <= -a:
-        return a * (1 - slope) / limit
-    if m <= a:
-        return (a + slope * m) / limit
-    at_zero = limit / (1 + slope)  # amplitude at R = 0, from which the line is flatter
-    there = at_zero * (1 + slope / 3)
-    return (a + slope / 3 * m) / there if m <= 3 * a else a * (1 + slope) / there
+            / limit
+        )
 
 
 PIN_STRENGTH = Calculation(
