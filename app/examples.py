@@ -274,6 +274,27 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "deviations": {"pin_tangential_mm": [-0.02, 0.0, 0.0, 0.0, 0.0, 0.0]},
         "include": ["positions", "over_turn", "ideal"],
     },
+    "pin-strength": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {
+            "output_torque_Nm": 500.0,
+            "pin_circle_radius_mm": 50.0,
+            "input_speed_rpm": 1500.0,
+        },
+        "pin": {
+            "diameter_mm": 16.0,
+            "contact_length_mm": 20.0,
+            "satellite_positions_mm": [15.0, 37.0],
+            "material": {
+                "youngs_modulus_GPa": 210.0,
+                "poissons_ratio": 0.3,
+                "tensile_strength_MPa": 1000.0,
+                "yield_strength_MPa": 800.0,
+            },
+        },
+        "fatigue": {"surface": "ground", "reliability_percent": 99.0, "fatigue_notch_factor": 1.2},
+        "include": ["deflection"],
+    },
     "tolerance-study": {
         "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
         "load": {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 40.0},

@@ -13,6 +13,9 @@ PERSSON_1964 = "Persson 1964, On the stress distribution of cylindrical elastic 
 JOHNSON_1985 = "Johnson 1985, Contact Mechanics"
 WANG_2016 = "Wang, Luo, Su 2016: output mechanism of the cycloidal drive, eq. 5"
 HARRIS = "Harris, Rolling Bearing Analysis: Palmgren's approach of rollers"
+SHIGLEY = (
+    "Budynas, Nisbett: Shigley's Mechanical Engineering Design, 9th (2011) and 11th edition, ch. 6"
+)
 ISO_286 = "ISO 286-1:2010, ISO code system for tolerances on linear sizes"
 JANSEN_1999 = "Jansen 1999, Analysis of variance designs for model output"
 ARCHARD_1953 = "Archard 1953, Contact and Rubbing of Flat Surfaces"

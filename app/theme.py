@@ -65,11 +65,15 @@ TEXTS = {
     "limit": "limit {value}",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
+    "locus_hover": "{name}: {along}, {across}",
     "loss": "Loss",
     "lost_motion": "Lost motion",
     "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
+    "moment_locus": "Moment over the turn",
+    "moment_radial": "Moment by radial forces",
+    "moment_tangential": "Moment by tangential forces",
     "nominal": "nominal {value}",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
@@ -114,6 +118,7 @@ TEXTS = {
     "torque_over_lag": "Torque over lag at {angle}",
     "transmission_error": "Transmission error",
     "used": "Used by the calculator",
+    "worst_direction": "Worst direction",
 }
 """Texts of figures in English, by id; the page has its own words for each id."""
 

@@ -23,6 +23,7 @@ results             accuracy and validity notices that every result carries
 materials           elastic materials, effective modulus, a small table with sources
 quadrature          integration rules with honest error estimates
 load_sharing        one displacement shared by many unilateral contacts
+fatigue             endurance limit by named factors, criteria, finite life
 hertz               line contact of pin and hole, and where Hertz stops being valid
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do

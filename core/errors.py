@@ -7,6 +7,7 @@ with other names; here it is worded in English, with the core's names and SI uni
 
 REFUSALS = {
     "at_most": "must be at most {field}",
+    "beyond_support": "must lie at least half a contact length before the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
     "not {given_length:g} m",
@@ -16,6 +17,7 @@ REFUSALS = {
     "in exact geometry",
     "greater_than": "must be larger than {limit:g}",
     "greater_than_equal": "must be at least {limit:g}",
+    "in_carrier": "must be at least half of {field}: the contact would reach into the carrier",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
     "infinitely long there",
     "larger_than": "must be larger than {field}",
@@ -26,6 +28,7 @@ REFUSALS = {
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
+    "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",

@@ -17,6 +17,10 @@ NOTICES = {
     "output has turned through the lost motion, and the load sharing differs.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
+    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance "
+    "limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is "
+    "given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "
     "{error:.2g}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio:.4g} of the pin's radius; Hertz "
@@ -35,6 +39,8 @@ NOTICES = {
     "or compliance is large for such a mechanism.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for "
     "the others is left out, 1 to 2 % of the largest force.",
+    "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life "
+    "does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the "
     "mechanism can be assembled only by force.",
@@ -44,6 +50,8 @@ NOTICES = {
     "{high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
     "centrifugally cast CuSn12-C-GZ is a material of its own.",
+    "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a "
+    "short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "
     "by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, "
@@ -53,6 +61,8 @@ NOTICES = {
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere "
     "for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+    "strength_beyond_size": "The strengths of the material hold up to {limit:.4g} mm of diameter: "
+    "thicker pins are weaker.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
     "loaded one is half a turn of phi further, with the same force.",
 }
@@ -78,6 +88,7 @@ METHODS = {
     "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known "
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
+    "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",
     "multiple_closed_form": "closed form in multiple precision",

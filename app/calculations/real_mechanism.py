@@ -10,6 +10,7 @@ from pydantic import ConfigDict, Field, model_validator
 from app.calculations.contact_force import TorqueFields
 from app.calculations.hertz import Material, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
@@ -25,7 +26,6 @@ from core.output.contact_law import (
     PalmgrenLaw,
     PinSupport,
     PowerLaw,
-    Support,
 )
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import SUM_ERROR, CrankSupport, ElasticMesh, Shares
@@ -210,14 +210,7 @@ class ContactLawFields(RequestModel):
         return kinds[own.pop("kind")](**own)  # type: ignore[no-any-return]
 
 
-def _support_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Two supports need their span."""
-    request_schema(schema, model)
-    schema["if"] = {"properties": {"support": {"enum": ["supported", "fixed"]}}}
-    schema["then"] = {"required": ["span_mm"]}
-
-
-class BentPinFields(RequestModel):
+class BentPinFields(HeldPinFields):
     """How the pins are held, and where the satellites load them."""
 
     diameter_mm: Maybe[float] = quantity(
@@ -229,44 +222,13 @@ class BentPinFields(RequestModel):
         step=0.5,
         help="Diameter of the pin itself, inside its sleeve where it has one.",
     )
-    support: Support = quantity(
-        "Support",
-        symbol="",
-        group="pin",
-        help="Held at one end, simply supported at both, or clamped at both.",
-    )
-    span_mm: Maybe[float] = quantity(
-        "Span",
-        symbol="L",
-        group="pin",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Distance of the two supports.",
-    )
-    satellite_positions_mm: list[Annotated[float, Field(**SIZE)]] = quantity(
-        "Places of the satellites",
-        symbol="z",
-        group="pin",
-        min_length=1,
-        max_length=MAX_SATELLITES,
-        help="Distance of the middle of each satellite from the support.",
-    )
     material: Maybe[Material] = quantity(
         "Material of the pin",
         symbol="",
         group="pin",
         default=None,
-        help="A name of the table of materials, or values; that of the contact where not given.",
+        help="A name of the table of materials, or values; that of the contact where it has one.",
     )
-
-    model_config = ConfigDict(json_schema_extra=_support_schema)
-
-    @model_validator(mode="after")
-    def _span_of_two_supports(self) -> Self:
-        if self.support != "cantilever" and self.span_mm is None:
-            raise field_error("span_mm", "needed_beside", field="support")
-        return self
 
     def held(self, contact: PinContactFields) -> PinSupport:
         """The pin in SI units."""

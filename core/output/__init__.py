@@ -12,6 +12,11 @@ force_laws          the force of the best placed pair under each law of load sha
 peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
+pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
+pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a cycle of stress
+pin_turn            the forces that one pin feels over a turn
+pin_search          where over the turn, along the pin and around it a measure is largest
+pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 sharing_pairs       constants of pairs with clearance and deviations
 sharing_kernel      loops over pairs with gaps: equilibrium of one position
 satellite_support   the same of satellites that give: crank bearings, mesh, given shares

@@ -2,11 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from typing import Literal
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
+from core.output.pin_beam import SHEAR_COEFFICIENT, Support
 from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
@@ -14,11 +14,6 @@ MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 
 LOG_EXPONENT = 10 / 9
 """The power law next to Hertz's with its logarithm."""
-
-SHEAR_FACTOR = 10 / 9
-"""Factor of the mean shear of a round section."""
-
-Support = Literal["cantilever", "supported", "fixed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +131,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     check_positive(diameter=pin.diameter)
     bending = pin.material.youngs_modulus * math.pi * pin.diameter**4 / 64
     shear_modulus = pin.material.youngs_modulus / (2 * (1 + pin.material.poissons_ratio))
-    shear = SHEAR_FACTOR / (shear_modulus * math.pi * pin.diameter**2 / 4)
+    shear = SHEAR_COEFFICIENT / (shear_modulus * math.pi * pin.diameter**2 / 4)
     span = pin.span
     compliances = []
     for index, z in enumerate(pin.satellite_positions):

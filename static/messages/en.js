@@ -655,6 +655,36 @@ export default {
       why: "There Hertz's theory does not apply, and for different materials no conformal solution is known; the pressure means nothing.",
       mend: "Enlarge the hole, lower the load or use one material for both.",
     },
+    fatigue_no_basis: {
+      title: "Fatigue not checked: no limit",
+      tests: "Whether an endurance limit is known for the pin.",
+      why: "There is a rule for steels of known tensile strength only; bronzes, irons and plastics have none.",
+      mend: "Give the endurance limit, and the tensile strength where it is not known.",
+    },
+    fatigue_no_notch: {
+      title: "Fatigue not checked: no notch factor",
+      tests: "Whether a notch of the pin or its factor is given.",
+      why: "The edge of a press fit alone takes half of the strength and more: a pin without any notch is not to be assumed.",
+      mend: "Give the fatigue notch factor of the seat, the notch itself, or the endurance limit.",
+    },
+    low_cycle_fatigue: {
+      title: "Few cycles",
+      tests: "Whether the pin stands 1000 cycles.",
+      why: "The line of finite life holds from 1000 to a million cycles; below it the pin yields in every turn.",
+      mend: "Thicken the pin or lower the load.",
+    },
+    short_pin: {
+      title: "Short pin",
+      tests: "Whether each satellite is at least half a pin diameter from the carrier.",
+      why: "So close to its seat a pin is sheared more than bent, and the seat gives way.",
+      mend: "Take the bending for a rough guide and look at the equivalent stress.",
+    },
+    strength_beyond_size: {
+      title: "Strength beyond its size",
+      tests: "Whether the pin is as thin as the strengths of its material hold for.",
+      why: "Thicker steel hardens less deep: it is weaker than the table says.",
+      mend: "Give the strengths of the material at this size.",
+    },
     pv_not_conformal: {
       title: "pv not that of a bush",
       tests: "Whether the pins carry sleeves, on whose bores the pressure spreads as in a bush.",

@@ -2,6 +2,7 @@
 export default {
   "refusals": {
     "at_most": "must be at most {field}",
+    "beyond_support": "must lie at least half a contact length before the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
     "exclusive": "and {field} exclude each other",
@@ -9,6 +10,7 @@ export default {
     "first_order_only": "must be of first order beside {field}: what satellites give is not known in exact geometry",
     "greater_than": "must be greater than {limit}",
     "greater_than_equal": "must be at least {limit}",
+    "in_carrier": "must be at least half of {field}: the contact would reach into the carrier",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is infinitely long there",
     "larger_than": "must be larger than {field}",
     "less_than": "must be less than {limit}",
@@ -18,6 +20,7 @@ export default {
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
+    "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less {other}, as {field}: the line is infinitely long there",
     "right_angle": "must be smaller than a right angle",
@@ -71,6 +74,8 @@ export default {
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
+    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
     "hertz_impossible": "The half-width of the contact is {ratio} of the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
@@ -79,16 +84,19 @@ export default {
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
     "large_rotation": "The output turns by {share} of the eccentricity under load: clearance or compliance is large for such a mechanism.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for the others is left out, 1 to 2 % of the largest force.",
+    "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the mechanism can be assembled only by force.",
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches along a narrow strip, where pressure times speed is higher.",
     "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
+    "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
     "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is concentrated there, more than elastic rollers would let it be.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
+    "strength_beyond_size": "The strengths of the material hold up to {limit} of diameter: thicker pins are weaker.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is half a turn of phi further, with the same force."
   },
   "neglected": {
@@ -105,8 +113,10 @@ export default {
     "heat": "heat, and what it changes",
     "lubricant_film": "the lubricant's film: the friction coefficient is the same everywhere",
     "misalignment": "misalignment, so that the load is even along the contact",
+    "fretting": "fretting at the pin's seat, unless the notch factor covers it",
     "pin_bending": "the bending of the pins",
     "roller_tilt": "the tilt of the rollers against the discs",
+    "seat_compliance": "the give of the pin's seats",
     "seals": "losses of seals, bearings and teeth",
     "second_flange": "a second flange at the other end of the pins",
     "shear": "the shear of the shaft"
@@ -158,11 +168,15 @@ export default {
     "limit": "limit {value}",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
+    "locus_hover": "{name}: {along}, {across}",
     "loss": "Loss",
     "lost_motion": "Lost motion",
     "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
+    "moment_locus": "Moment over the turn",
+    "moment_radial": "Moment by radial forces",
+    "moment_tangential": "Moment by tangential forces",
     "nominal": "nominal {value}",
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
@@ -206,7 +220,8 @@ export default {
     "torque_at_lag": "{torque} at a lag of {lag}",
     "torque_over_lag": "Torque over lag at {angle}",
     "transmission_error": "Transmission error",
-    "used": "Used by the calculator"
+    "used": "Used by the calculator",
+    "worst_direction": "Worst direction"
   },
   "methods": {
     "approximation": "approximation (2018, eq. 5)",
@@ -226,6 +241,7 @@ export default {
     "golden_section": "sampling, golden section",
     "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known singularities",
     "graded_z": "graded Gauss-Legendre in z",
+    "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",
     "multiple_closed_form": "closed form in multiple precision",
@@ -330,6 +346,10 @@ export default {
       "Stiffness of a bearing",
       "Radial stiffness of the bearing of one satellite; rigid where not given."
     ],
+    "criterion": [
+      "Criterion",
+      "How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."
+    ],
     "cylinder_length_mm": [
       "Cylinder length",
       "Length of one cylinder, from the middle sphere to the end sphere."
@@ -366,13 +386,25 @@ export default {
       "Dynamic factor",
       "Factor of the dynamic load."
     ],
+    "edition": [
+      "Edition",
+      "Edition of Shigley whose constants of the surface are taken."
+    ],
     "efficiency": [
       "Efficiency",
       "Efficiency of the reducer, needed with the input torque."
     ],
+    "endurance_limit_MPa": [
+      "Endurance limit",
+      "Endurance limit of the pin itself, all factors in it."
+    ],
     "exponent": [
       "Exponent",
       "Force ∝ approachⁿ, for the power law."
+    ],
+    "fatigue_notch_factor": [
+      "Fatigue notch factor",
+      "Of the seat or any notch where the pin bends most; 1 says that there is none."
     ],
     "force_N": [
       "Contact force",
@@ -476,7 +508,7 @@ export default {
     ],
     "material": [
       "Material of the pin",
-      "A name of the table of materials, or values; that of the contact where not given."
+      "A name of the table of materials, or values; that of the contact where it has one."
     ],
     "max_backlash_arcmin": [
       "Largest backlash",
@@ -598,6 +630,10 @@ export default {
       "Clearance of a bearing",
       "Radial internal clearance, as catalogues give it: half of it to either side."
     ],
+    "radius_mm": [
+      "Notch radius",
+      "Radius of the notch."
+    ],
     "ratio": [
       "Ratio",
       "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
@@ -621,6 +657,14 @@ export default {
     "reference_z_mm": [
       "Place of C",
       "Place of the bearing C along the axis, from the precession centre."
+    ],
+    "reliability_factor": [
+      "Reliability factor",
+      "Its factor instead."
+    ],
+    "reliability_percent": [
+      "Reliability",
+      "50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."
     ],
     "revolutions": [
       "Crank revolutions",
@@ -666,13 +710,17 @@ export default {
       "Root radius",
       "Radius at the root of the satellite's teeth."
     ],
+    "rotates": [
+      "Pin rotates",
+      "Whether the pin turns in the carrier: then its bending is fully reversed."
+    ],
     "satellite_coupling.kind": [
       "Coupling of the satellites",
       "Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a given share."
     ],
     "satellite_positions_mm": [
       "Places of the satellites",
-      "Distance of the middle of each satellite from the support."
+      "Middle plane of each satellite, from the face of the carrier."
     ],
     "satellite_teeth": [
       "Satellite teeth",
@@ -712,7 +760,7 @@ export default {
     ],
     "span_mm": [
       "Span",
-      "Distance of the two supports."
+      "Distance of the two supports; not for a cantilever."
     ],
     "sphere_diameter_mm": [
       "Sphere diameter",
@@ -744,7 +792,23 @@ export default {
     ],
     "support": [
       "Support",
-      "Held at one end, simply supported at both, or clamped at both."
+      "Held at one end (cantilever), at both ends free to tilt (supported), or at both ends built in (fixed); the truth of a cage lies between the latter two."
+    ],
+    "surface": [
+      "Surface",
+      "How the surface was made; cold-drawn counts as machined."
+    ],
+    "surface_factor": [
+      "Surface factor",
+      "Its factor instead."
+    ],
+    "tensile_strength_MPa": [
+      "Tensile strength",
+      "Tensile strength: what fatigue is judged by."
+    ],
+    "theoretical_factor": [
+      "Stress concentration",
+      "Elastic stress concentration factor of the notch."
     ],
     "tolerances.crank_phase_deg": [
       "Crank phase",
@@ -1056,6 +1120,7 @@ export default {
     "crank-planetary": "Crank-planetary reducer",
     "output-efficiency": "Efficiency of the output mechanism",
     "load-sharing": "Load sharing with clearance and errors",
+    "pin-strength": "Strength of the pins",
     "tolerance-study": "Tolerances and their effect",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",

@@ -246,6 +246,25 @@ async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
         expect(turn["loaded_pairs_min"] <= turn["loaded_pairs_max"], "loaded pairs")
 
 
+async def pin_strength(body: Body, answer: Body, ask: Ask) -> None:
+    """Stresses of one section, the cycle within its largest moment, the force of its own."""
+    error = answer["accuracy"]["relative_error"]
+    room = 1 + error + 1e-9
+    bending, shear = answer["peak_bending_stress_MPa"], answer["peak_shear_stress_MPa"]
+    most = answer["peak_equivalent_stress_MPa"]
+    expect(most * room >= bending, "equivalent below bending", most, bending)
+    expect(most <= math.hypot(bending, math.sqrt(3) * shear) * room, "equivalent above the sum")
+    if "fatigue" in answer:
+        cycle = answer["fatigue"]
+        expect(cycle["max_stress_MPa"] <= bending * room, "stress above the largest", cycle)
+        expect(-cycle["min_stress_MPa"] <= bending * room, "stress below the largest", cycle)
+        expect(cycle["safety_factor"] > 0, "safety", cycle)
+    torque = {key: val for key, val in body["load"].items() if key != "input_speed_rpm"}
+    force = await ask("contact-force", body["mechanism"] | torque)
+    expect(force is not None, "the force alone is refused")
+    equal(force["peak_force_N"], answer["peak_force_N"], "force of its own", error)
+
+
 async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
     """The rollers' forces carry the torque and follow from one displacement."""
     error = answer["accuracy"]["relative_error"]
@@ -365,6 +384,7 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "crank-planetary": crank_planetary,
     "output-efficiency": output_efficiency,
     "load-sharing": load_sharing,
+    "pin-strength": pin_strength,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -240,6 +240,42 @@ def load_sharing(r: Draw) -> Body:
     return body
 
 
+def pin_strength(r: Draw) -> Body:
+    """Strength of the pins on their supports, with all ways to judge its fatigue."""
+    torque = load(r)
+    torque.pop("include")
+    torque.pop("samples", None)
+    if r.chance(0.5):
+        torque["input_speed_rpm"] = r.number("PinLoadFields", "input_speed_rpm", (10, 3000))
+    own = mechanism(r)
+    angles = own.get("crank_angles_deg")
+    satellites = own.get("satellites", 2) if angles is None else len(angles)
+    length = r.number("PinSectionFields", "contact_length_mm")
+    places = [min(1e12, length * (0.51 + j * r.uniform(1, 1.5))) for j in range(satellites)]
+    pin: Body = {
+        "diameter_mm": r.number("PinSectionFields", "diameter_mm"),
+        "contact_length_mm": length,
+        "satellite_positions_mm": places,
+        "support": r.choice(("cantilever", "supported", "fixed")),
+        "rotates": r.chance(0.2),
+        "material": r.choice([*MATERIALS]),
+    }
+    if pin["support"] != "cantilever":
+        pin["span_mm"] = min(1e12, max(places) + length * r.uniform(0.4, 2))
+    if r.chance(0.6):
+        model = "PinMaterialFields"
+        names = ("youngs_modulus_GPa", "tensile_strength_MPa", "yield_strength_MPa")
+        pin["material"] = {name: r.number(model, name) for name in names}
+        pin["material"]["poissons_ratio"] = r.number(model, "poissons_ratio", (0, 0.49))
+    body: Body = {"mechanism": own, "load": torque, "pin": pin}
+    if r.chance(0.8):
+        body["fatigue"] = {
+            "endurance_limit_MPa": r.number("FatigueFields", "endurance_limit_MPa"),
+            "criterion": r.choice(("goodman", "gerber", "soderberg", "fkm_haigh")),
+        }
+    return body | {"include": [each for each in ("deflection", "locus") if r.chance(0.3)]}
+
+
 def roller_strength(r: Draw) -> Body:
     """Rollers with a tolerance or with gaps."""
     model = "RollerStrengthRequest"
@@ -345,6 +381,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "crank-planetary": crank_planetary,
     "output-efficiency": output_efficiency,
     "load-sharing": load_sharing,
+    "pin-strength": pin_strength,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

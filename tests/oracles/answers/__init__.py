@@ -5,6 +5,7 @@ from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOM
 from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.load_sharing import LOAD_SHARING
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
+from tests.oracles.answers.pins import PIN_STRENGTH
 from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
 from tests.oracles.answers.rollers import ROLLER_STRENGTH
 
@@ -15,6 +16,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     HERTZ,
     OUTPUT_EFFICIENCY,
     LOAD_SHARING,
+    PIN_STRENGTH,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,

@@ -1,0 +1,360 @@
+"""Fatigue of a steel part: endurance limit by named factors, safety by a criterion, finite life.
+
+Shigley's Mechanical Engineering Design; where the editions differ, the edition is named. The rule
+of the endurance limit is one of steels: for what is no steel the limit has to be given.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from core.arrays import Number, check_not_negative, check_positive, larger, smaller, where
+from core.errors import InvalidInput
+
+Surface = Literal["ground", "machined", "hot_rolled", "forged"]
+Edition = Literal["shigley_9", "shigley_11"]
+Criterion = Literal["goodman", "gerber", "soderberg", "fkm_haigh"]
+
+SURFACES: dict[str, dict[str, tuple[float, float]]] = {
+    "shigley_9": {
+        "ground": (1.58, -0.085),
+        "machined": (4.51, -0.265),
+        "hot_rolled": (57.7, -0.718),
+        "forged": (272.0, -0.995),
+    },
+    "shigley_11": {
+        "ground": (1.38, -0.067),
+        "machined": (3.04, -0.217),
+        "hot_rolled": (38.6, -0.650),
+        "forged": (54.9, -0.758),
+    },
+}
+"""a and b of the surface factor ``a*Rm^b``, Rm in MPa, by edition; cold-drawn is as machined."""
+
+RELIABILITIES = {50.0: 1.0, 90.0: 0.897, 95.0: 0.868, 99.0: 0.814, 99.9: 0.753, 99.99: 0.702}
+"""Reliability in percent to its factor (Shigley, 9th edition, table 6-5)."""
+
+LOW_CYCLES, ENDURANCE_CYCLES = 1e3, 1e6
+"""Cycles between which the line of finite life holds."""
+
+_KPSI = 6.894757293168361e6
+"""1000 pounds a square inch, Pa."""
+
+
+@dataclass(frozen=True, slots=True)
+class EnduranceFactors:
+    """What makes the endurance limit of a part out of that of a polished specimen.
+
+    Attributes
+    ----------
+    surface, size, reliability : float or array
+        Factors ka, kb, ke of the limit, <= 1.
+    notch : float or array
+        Fatigue notch factor Kf, >= 1, by which it is divided.
+    """
+
+    surface: Number
+    size: Number
+    reliability: Number
+    notch: Number
+
+    @property
+    def product(self) -> Number:
+        """All of them together: ``ka*kb*ke/Kf``."""
+        return self.surface * self.size * self.reliability / self.notch
+
+
+def surface_factor(
+    *, tensile_strength: Number, surface: Surface, edition: Edition = "shigley_11"
+) -> Number:
+    """Factor ka of the surface: ``a*Rm^b``, at most 1.
+
+    Parameters
+    ----------
+    tensile_strength : float or array
+        Tensile strength Rm, Pa, > 0.
+    surface : {"ground", "machined", "hot_rolled", "forged"}
+        How the surface was made.
+    edition : {"shigley_9", "shigley_11"}
+        Whose constants; those of the 11th are 4 to 10 % lower for machined surfaces, higher for
+        forged and mostly for hot-rolled ones.
+
+    Returns
+    -------
+    float or array
+
+    Notes
+    -----
+    Source: Shigley, eq. (6-19) of the 9th, (6-18) of the 11th edition.
+
+    Examples
+    --------
+    >>> round(surface_factor(tensile_strength=690e6, surface="machined", edition="shigley_9"), 6)
+    0.797777
+    """
+    check_positive(tensile_strength=tensile_strength)
+    scale, power = SURFACES[edition][surface]
+    return smaller(scale * (tensile_strength / 1e6) ** power, 1.0)
+
+
+def size_factor(*, diameter: Number) -> Number:
+    """Factor kb of a round section in bending: ``1.24*d^-0.107`` to 51 mm, then ``1.51*d^-0.157``.
+
+    Parameters
+    ----------
+    diameter : float or array
+        Diameter d, m, > 0; in full, as the bending of a pin turns round it.
+
+    Returns
+    -------
+    float or array
+        At most 1; stated for 2.79 mm to 254 mm.
+
+    Notes
+    -----
+    Source: Shigley, eq. (6-20) of the 9th edition.
+
+    Examples
+    --------
+    >>> round(size_factor(diameter=0.032), 6)
+    0.855797
+    """
+    check_positive(diameter=diameter)
+    size = diameter * 1e3
+    factor = where(size <= 51.0, 1.24 * size**-0.107, 1.51 * size**-0.157)
+    return smaller(factor, 1.0)
+
+
+def reliability_factor(*, percent: float) -> float:
+    """Factor ke of the reliability.
+
+    Parameters
+    ----------
+    percent : float
+        One of 50, 90, 95, 99, 99.9 and 99.99.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InvalidInput
+        If the table has no such reliability.
+    """
+    if percent not in RELIABILITIES:
+        raise InvalidInput("reliability_percent", percent, "not_in_table", values=[*RELIABILITIES])
+    return RELIABILITIES[percent]
+
+
+def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength: Number) -> Number:
+    """Fatigue notch factor ``Kf = 1 + (Kt - 1)/(1 + sqrt(a/r))`` (Neuber) of steel in bending.
+
+    ``sqrt(a) = 1.24 - 2.25e-3*Rm + 1.60e-6*Rm^2 - 4.11e-10*Rm^3``, sqrt(mm), Rm in MPa.
+
+    Parameters
+    ----------
+    theoretical_factor : float or array
+        Factor Kt of the elastic stress, >= 1.
+    radius : float or array
+        Radius r of the notch, m, > 0.
+    tensile_strength : float or array
+        Tensile strength Rm, Pa; held to 340 to 1700 MPa, for which the fit is made.
+
+    Returns
+    -------
+    float or array
+
+    Notes
+    -----
+    Source: Shigley, eqs. (6-33), (6-35) of the 11th edition.
+
+    Examples
+    --------
+    >>> round(notch_factor(theoretical_factor=1.65, radius=0.003, tensile_strength=690e6), 6)
+    1.550182
+    """
+    check_positive(radius=radius, tensile_strength=tensile_strength)
+    check_not_negative(theoretical_factor=theoretical_factor - 1)
+    strength = smaller(larger(tensile_strength / 1e6, 340.0), 1700.0)
+    root = 1.24 + strength * (-2.25e-3 + strength * (1.60e-6 - 4.11e-10 * strength))
+    return 1 + (theoretical_factor - 1) / (1 + root / (radius * 1e3) ** 0.5)
+
+
+def endurance_limit(*, tensile_strength: Number, factors: EnduranceFactors) -> Number:
+    """Endurance limit ``Se = ka*kb*ke*Se'/Kf`` of a steel part, ``Se' = 0.5*Rm``, at most 700 MPa.
+
+    Parameters
+    ----------
+    tensile_strength : float or array
+        Tensile strength Rm, Pa.
+    factors : EnduranceFactors
+        Surface, size, reliability, notch.
+
+    Returns
+    -------
+    float or array
+        Pa.
+
+    Notes
+    -----
+    Source: Shigley, eqs. (6-8), (6-18) of the 9th edition.
+
+    Examples
+    --------
+    >>> factors = EnduranceFactors(surface=0.797777, size=0.855797, reliability=1.0, notch=1.0)
+    >>> round(endurance_limit(tensile_strength=690e6, factors=factors)/1e6, 3)
+    235.544
+    """
+    return factors.product * smaller(0.5 * tensile_strength, 700e6)
+
+
+def utilisation(
+    *,
+    amplitude: Number,
+    mean: Number,
+    endurance: Number,
+    tensile_strength: Number,
+    yield_strength: Number | None = None,
+    criterion: Criterion = "goodman",
+) -> Number:
+    """Share of the fatigue strength that a stress cycle takes: 1/n of the safety factor n.
+
+    * goodman: ``sa/Se + max(sm, 0)/Rm``
+    * gerber: ``n*sa/Se + (n*sm/Rm)^2 = 1``, sm > 0
+    * soderberg: ``sa/Se + max(sm, 0)/Re``
+    * fkm_haigh: ``(sa + M*sm)/Se`` to a stress ratio of 0, with ``M = 0.35e-3*Rm - 0.1`` (MPa) of
+      steel; a third of its slope from there to 0.5, then level; and so below minus infinity
+
+    Parameters
+    ----------
+    amplitude, mean : float or array
+        Amplitude sa >= 0 and mean sm of the stress, Pa.
+    endurance : float or array
+        Endurance limit Se, Pa.
+    tensile_strength : float or array
+        Tensile strength Rm, Pa.
+    yield_strength : float or array, optional
+        Yield strength Re, Pa, for Soderberg.
+    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
+        How the mean counts.
+
+    Returns
+    -------
+    float or array
+
+    Notes
+    -----
+    Sources: Shigley, eqs. (6-40), (6-45) to (6-47) of the 9th edition; FKM guideline, 2.4.2.
+
+    It never falls where the largest stress rises or the least one falls, so that the worst
+    direction is found from these two.
+
+    Examples
+    --------
+    Shigley, example 6-10 (kpsi): 3.66.
+
+    >>> cycle = {"amplitude": 8.38, "mean": 8.38, "endurance": 33.9, "tensile_strength": 100.0}
+    >>> [round(1/utilisation(**cycle, criterion=each), 4) for each in ("gerber", "goodman")]
+    [3.664, 3.0212]
+    """
+    share = amplitude / endurance
+    pulls = larger(mean, 0.0)
+    if criterion == "goodman":
+        return share + pulls / tensile_strength
+    if criterion == "gerber":
+        return (share + (share * share + 4 * (pulls / tensile_strength) ** 2) ** 0.5) / 2
+    if criterion == "soderberg":
+        if yield_strength is None:
+            raise InvalidInput("yield_strength", None, "needed", field="criterion")
+        return share + pulls / yield_strength
+    slope = larger(0.35e-9 * tensile_strength - 0.1, 0.0)
+    held = larger(smaller(mean, amplitude), -amplitude)
+    beyond = larger(smaller(mean, 3 * amplitude) - amplitude, 0.0)
+    third = slope / 3
+    return (amplitude + slope * held + third * (1 + slope) / (1 + third) * beyond) / endurance
+
+
+def strength_fraction(*, tensile_strength: float) -> float:
+    """Share f of the tensile strength that steel stands for 1000 cycles.
+
+    ``f = 1.06 - 2.8e-3*S + 6.9e-6*S^2`` of the strength S in kpsi, held to 70 to 200.
+
+    Parameters
+    ----------
+    tensile_strength : float
+        Tensile strength Rm, Pa.
+
+    Returns
+    -------
+    float
+
+    Notes
+    -----
+    Source: Shigley, eq. (6-11) of the 11th edition, a fit of the curve in earlier ones.
+
+    Examples
+    --------
+    >>> round(strength_fraction(tensile_strength=120*6.894757e6), 3)
+    0.823
+    """
+    strength = min(max(tensile_strength / _KPSI, 70.0), 200.0)
+    return 1.06 - 2.8e-3 * strength + 6.9e-6 * strength**2
+
+
+def cycles_to_failure(
+    *,
+    amplitude: float,
+    mean: float,
+    endurance: float,
+    tensile_strength: float,
+    fraction: float | None = None,
+) -> float:
+    """Cycles that a steel part stands: ``(sigma_rev/a)^(1/B)``.
+
+    ``a = (f*Rm)^2/Se``, ``B = -log10(f*Rm/Se)/3``, ``sigma_rev = sa/(1 - max(sm, 0)/Rm)``.
+
+    Parameters
+    ----------
+    amplitude, mean : float
+        Amplitude sa and mean sm of the stress, Pa.
+    endurance : float
+        Endurance limit Se, Pa.
+    tensile_strength : float
+        Tensile strength Rm, Pa.
+    fraction : float, optional
+        f, else `strength_fraction`.
+
+    Returns
+    -------
+    float
+        Infinite up to the endurance limit; 0 where the mean alone breaks the part, or where the
+        limit is no limit (``Se >= f*Rm``) and is passed. Below `LOW_CYCLES` the line does not hold.
+
+    Notes
+    -----
+    Source: Shigley, eqs. (6-13) to (6-16) of the 9th edition.
+
+    Examples
+    --------
+    Shigley, 11th edition, example 6-3 (kpsi): 117 000 by rounded numbers.
+
+    >>> round(cycles_to_failure(amplitude=70.0, mean=0.0, endurance=60.0,
+    ...                         tensile_strength=120.0, fraction=0.82))
+    116193
+    """
+    if fraction is None:
+        fraction = strength_fraction(tensile_strength=tensile_strength)
+    left = 1 - max(mean, 0.0) / tensile_strength
+    if left <= 0:
+        return 0.0
+    reversed_stress = amplitude / left
+    if reversed_stress <= endurance:
+        return math.inf
+    short = fraction * tensile_strength
+    if short <= endurance:
+        return 0.0
+    # N = 10^6*(sigma/Se)^(1/B), the same line
+    power = -3 / math.log10(short / endurance)
+    exponent = 6 + power * math.log10(reversed_stress / endurance)
+    return float(10.0**exponent)

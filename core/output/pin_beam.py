@@ -1,0 +1,247 @@
+"""A pin as a beam: moment, shear, deflection and slope under the satellites, for three supports.
+
+Everything is per unit of a force that is spread evenly over the contact length b around the middle
+plane z of its satellite. x is the distance from the face of the carrier at which the pin is held.
+The moment is positive as that of a cantilever, the deflection in the direction of the force, and
+
+    E*I*theta' = M,   w' = theta + k*V/(G*A),   V = -M',   k = 10/9
+
+(Timoshenko's beam, the shear coefficient of Ovsyannikov et al. 2019). All four are polynomials
+between the ends of the load, in forms that lose no digits where the load is short.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from core.arrays import Number, check_positive, larger, smaller, where
+
+Support = Literal["cantilever", "supported", "fixed"]
+"""Held in the carrier at one end; at both, free to tilt; at both, built in."""
+
+SHEAR_COEFFICIENT = 10 / 9
+"""Shear coefficient k of a round section."""
+
+
+@dataclass(frozen=True, slots=True)
+class PinBeam:
+    """A round pin in its supports.
+
+    Attributes
+    ----------
+    support : {"cantilever", "supported", "fixed"}
+        How it is held.
+    contact_length : float or array
+        Length b of each load, m, > 0.
+    rigidity : float or array
+        E*I, N*m^2, > 0.
+    shear_area : float or array
+        ``k*E*I/(G*A)``, m^2, > 0: what shear adds.
+    span : float, array or None
+        Distance L of the two supports, m; None of a cantilever.
+    """
+
+    support: Support
+    contact_length: Number
+    rigidity: Number
+    shear_area: Number
+    span: Number = None
+
+    @classmethod
+    def round(
+        cls,
+        *,
+        support: Support,
+        diameter: Number,
+        contact_length: Number,
+        youngs_modulus: Number,
+        poissons_ratio: Number,
+        span: Number | None = None,
+    ) -> "PinBeam":
+        """A pin of one diameter.
+
+        Parameters
+        ----------
+        support : {"cantilever", "supported", "fixed"}
+            How it is held.
+        diameter : float or array
+            Diameter d, m, > 0.
+        contact_length : float or array
+            Length b of each load, m, > 0.
+        youngs_modulus : float or array
+            Young's modulus E, Pa, > 0.
+        poissons_ratio : float or array
+            Poisson's ratio.
+        span : float or array, optional
+            Distance L of the two supports, m, > 0; needed but for a cantilever.
+
+        Returns
+        -------
+        PinBeam
+        """
+        check_positive(
+            diameter=diameter, contact_length=contact_length, youngs_modulus=youngs_modulus
+        )
+        if span is not None:
+            check_positive(span=span)
+        inertia = math.pi * diameter**4 / 64
+        # I/A = d^2/16, E/G = 2*(1 + v)
+        shear = SHEAR_COEFFICIENT * (1 + poissons_ratio) * diameter**2 / 8
+        return cls(support, contact_length, youngs_modulus * inertia, shear, span)
+
+    def _integrals(self, x: Number, z: Number) -> tuple[Number, Number, Number, Number]:
+        """Integrals of the load from 0 to x, once to four times."""
+        half = self.contact_length / 2
+        y = x - z
+        into = smaller(larger(y + half, 0.0), 2 * half)
+        beyond = y >= half
+        b = self.contact_length
+        third = y * y / 2 + half * half / 6
+        return (
+            into / b,
+            where(beyond, y, into * into / (2 * b)),
+            where(beyond, third, into**3 / (6 * b)),
+            where(beyond, y * (y * y + half * half) / 6, into**4 / (24 * b)),
+        )
+
+    def reactions(self, z: Number) -> tuple[Number, Number]:
+        """Shear force and moment at x = 0 under a unit force.
+
+        Parameters
+        ----------
+        z : float or array
+            Middle plane of the load, m.
+
+        Returns
+        -------
+        shear, moment : float or array
+            Dimensionless, and m.
+        """
+        if self.support == "cantilever":
+            return 1.0 + 0.0 * z, 1.0 * z
+        length = self.span
+        if self.support == "supported":
+            return (length - z) / length, 0.0 * z
+        half = self.contact_length / 2
+        y = length - z
+        third = y * y / 2 + half * half / 6
+        fourth = y * (y * y + half * half) / 6
+        shear = (third * length / 2 - fourth + self.shear_area * y) / (
+            length**3 / 12 + self.shear_area * length
+        )
+        return shear, shear * length / 2 - third / length
+
+    def moment(self, x: Number, z: Number) -> Number:
+        """Bending moment at x under a unit force at z.
+
+        Parameters
+        ----------
+        x, z : float or array
+            Section, and middle plane of the load, m.
+
+        Returns
+        -------
+        float or array
+            m, positive as a cantilever's.
+        """
+        shear, moment = self.reactions(z)
+        _, second, _, _ = self._integrals(x, z)
+        return moment - shear * x + second
+
+    def shear(self, x: Number, z: Number) -> Number:
+        """Shear force at x under a unit force at z.
+
+        Parameters
+        ----------
+        x, z : float or array
+            Section, and middle plane of the load, m.
+
+        Returns
+        -------
+        float or array
+            Dimensionless.
+        """
+        return self.reactions(z)[0] - self._integrals(x, z)[0]
+
+    def slope(self, x: Number, z: Number) -> Number:
+        """Rotation of the section at x under a unit force at z.
+
+        Parameters
+        ----------
+        x, z : float or array
+            Section, and middle plane of the load, m.
+
+        Returns
+        -------
+        float or array
+            rad/N.
+        """
+        shear, moment = self.reactions(z)
+        _, _, third, _ = self._integrals(x, z)
+        bent = moment * x - shear * x * x / 2 + third
+        return (bent + self._start(z)) / self.rigidity
+
+    def deflection(self, x: Number, z: Number) -> Number:
+        """Deflection at x under a unit force at z.
+
+        Parameters
+        ----------
+        x, z : float or array
+            Section, and middle plane of the load, m.
+
+        Returns
+        -------
+        float or array
+            m/N.
+        """
+        shear, _ = self.reactions(z)
+        _, second, _, _ = self._integrals(x, z)
+        sheared = self.shear_area * (shear * x - second)
+        return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity
+
+    def _bent(self, x: Number, z: Number) -> Number:
+        """E*I times the deflection at x by bending, without the rotation at 0."""
+        shear, moment = self.reactions(z)
+        _, _, _, fourth = self._integrals(x, z)
+        return moment * x * x / 2 - shear * x**3 / 6 + fourth
+
+    def _start(self, z: Number) -> Number:
+        """E*I times the rotation at 0; shear does not turn a pin that is free to tilt."""
+        if self.support != "supported":
+            return 0.0
+        return -self._bent(self.span, z) / self.span
+
+
+def section_stress(*, bending: Number, mean_shear: Number) -> Number:
+    """Largest equivalent stress (Mises) of a round section in bending and shear.
+
+    The shear stress is largest, 4/3 of its mean, where there is no bending. With the moment's
+    stress m and ``v = sqrt(3)*4/3*V/A`` as vectors of the section it is
+    ``sqrt((|m|^2 + |v|^2 + |m^2 - v^2|)/2)``, squares as of complex numbers: the larger of the two
+    where they are parallel, the hypotenuse where they are at right angles.
+
+    Parameters
+    ----------
+    bending : complex, float or array
+        ``M/W``, Pa, in the direction of the force that makes it.
+    mean_shear : complex, float or array
+        ``V/A``, Pa, in its direction.
+
+    Returns
+    -------
+    float or array
+        Pa.
+
+    Notes
+    -----
+    Derived with Jourawski's shear stress, at the edge along the edge: there, at the angle phi,
+    ``s^2*cos^2(phi) + t^2*sin^2(phi - beta)``, whose largest value this is; inside it is less.
+
+    Examples
+    --------
+    >>> round(section_stress(bending=50.0, mean_shear=40.0), 4)
+    92.376
+    """
+    shear = math.sqrt(3) * 4 / 3 * mean_shear
+    apart = abs(bending * bending - shear * shear)
+    return ((abs(bending) ** 2 + abs(shear) ** 2 + apart) / 2) ** 0.5

@@ -1,0 +1,253 @@
+"""The forces that one pin feels over a turn of the wave: as functions of the place, and sampled.
+
+Between the places at which a pair starts or stops driving, or another becomes the best placed, the
+forces are smooth; such a stretch of a pin's turn is an arc. With t the tangent of the pressure
+angle of the best placed pair and d the phase of another against it, that one's cosine over the best
+is ``u = cos(d) - t*sin(d)``, and its sine ``s = sin(d) + t*cos(d)``, so that its force is
+
+    F/F0 = u^v*(u + i*s)/T,   T = sum(u^(1 + v)) over all driving pairs
+
+as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are linear in t,
+and are taken between their values at the ends of the arc: sums of positive numbers only.
+
+All pins of a mechanism are alike but for the time at which they feel the forces.
+"""
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray, IntArray
+from core.output.driving_set import segments
+from core.output.losses import AT_SWITCH
+from core.output.mechanism import Mechanism
+
+ComplexArray = NDArray[np.complex128]
+
+MANY = 64
+"""Driving pairs above which samples are fewer: each pair changes little over an arc."""
+
+SPARSE, DENSE = 0.5, 0.7
+"""Ratio of the distances of neighbouring samples from the nearer end of their arc."""
+
+FIRST = 0.05
+"""Distance of the first sample from an end, over the arc, where the forces are as smooth as their
+cosines; a force exponent above 1 divides it, as it does the distance within which the force goes
+over from one pair to the next."""
+
+SINGULAR = 1e-5
+"""The same where the force rises with a power of the cosine that is not whole."""
+
+NOTHING = 1e-30
+"""Force of a pair, over that of the best placed one, that no sum feels."""
+
+
+class PinTurn:
+    """Forces on a pin over the turn of the wave, over F0, arc by arc.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Attributes
+    ----------
+    smooth : bool
+        Whether the forces have a slope and a curvature where a pair switches.
+    nodes : array, shape (n,)
+        Places of the samples, as parts of the way along an arc, by the tangent.
+    arcs : array of int, shape (a,)
+        Arcs over which the pin feels anything, and one of the others.
+    forces : array, shape (K, a, n)
+        Forces of the satellites on the pin at the samples of these.
+    """
+
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+        phases = mechanism.phases
+        self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
+        self.least = NOTHING ** (1 / force_exponent) if force_exponent > 1 else 0.0
+        parts = list(segments(phases))
+        ends = np.array([[part.low for part in parts], [part.high for part in parts]])
+        self._all_pairs([part.driving.pairs() for part in parts], ends)
+        # over a turn a pin meets the segments of one repeat as often as there are repeats
+        repeats = phases.pins * phases.symmetry
+        part = np.repeat(np.arange(len(parts)), repeats)
+        turn = np.tile(np.arange(repeats) / repeats, len(parts))
+        shift = turn - np.array([each.phase for each in parts])[part]
+        self._own_pairs(np.add.outer(shift, np.array(phases.satellite_phase)), ends[:, part])
+        self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
+        self.ends, self.part = ends[:, part], part
+        felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
+        idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
+        self.arcs = np.concatenate((np.flatnonzero(felt), idle))
+        self.nodes = _nodes(force_exponent, self.weights.shape[1])
+        every = np.arange(len(parts))
+        total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[part[self.arcs]]
+        forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
+        self.forces: ComplexArray = np.ascontiguousarray(forces.swapaxes(0, 1))
+
+    def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
+        """Relative cosines of all driving pairs of each segment at its ends, and their weights."""
+        most = max(len(weights) for _, weights in pairs)
+        phase = np.full((len(pairs), most), 0.5)  # drives nowhere
+        self.weights = np.zeros((len(pairs), most))
+        for row, (own, weights) in enumerate(pairs):
+            phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
+        self.cosines = _relative_cosines(phase, ends[..., None])
+
+    def _own_pairs(self, phase: FloatArray, ends: FloatArray) -> None:
+        """Relative cosines + i*sines of the pin's own pairs at the ends of each arc."""
+        middle = ends.mean(axis=0)[:, None]
+        phase = phase - np.rint(phase + middle)
+        self.drives = np.abs(phase + middle) < 0.25
+        cosines = np.where(self.drives, _relative_cosines(phase, ends[..., None]), 0.0)
+        turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
+        self.own = cosines + 1j * (np.sin(turned) + tangents * np.cos(turned))
+
+    def _power(self, cosines: FloatArray) -> FloatArray:
+        """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
+        with which processors take a hundred times as long.
+        """
+        if self.least:
+            cosines = cosines * (cosines > self.least)
+        found: FloatArray = cosines**self.exponent
+        return found
+
+    def _total(self, part: IntArray) -> Callable[[FloatArray], FloatArray]:
+        """T of segments at parts of the way along them, shape (rows, 1, m)."""
+        low, high = self.cosines[:, part, :, None]
+        weights = self.weights[part][..., None]
+
+        def total(way: FloatArray) -> FloatArray:
+            cosines = _between(low, high, way[:, None])
+            shares = weights * cosines * self._power(cosines)
+            found: FloatArray = shares.sum(axis=1, keepdims=True)
+            return found
+
+        return total
+
+    def _own(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
+        """T times the forces of the satellites on the pin, shape (rows, K, m)."""
+        low, high = self.own[:, arcs, :, None]
+        drives = self.drives[arcs, :, None]
+
+        def own(way: FloatArray) -> ComplexArray:
+            turned = _between(low, high, way[:, None])
+            found: ComplexArray = turned * (self._power(turned.real) * drives)
+            return found
+
+        return own
+
+    def at(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
+        """Forces of the satellites on the pin over F0, along arcs.
+
+        Parameters
+        ----------
+        arcs : array of int, shape (rows,)
+            Arcs.
+
+        Returns
+        -------
+        callable
+            Of parts of the way along each, shape (rows, m): forces, shape (rows, K, m).
+        """
+        own, total = self._own(arcs), self._total(self.part[arcs])
+        return lambda way: own(way) / total(way)
+
+    def drawn(self) -> tuple[FloatArray, ComplexArray]:
+        """Forces over the turn, both sides of every switching angle.
+
+        Returns
+        -------
+        places : array, shape (n,)
+            Ascending, in turns of the wave.
+        forces : array, shape (K, n)
+        """
+        low, high = np.tan(2 * np.pi * self.ends)[..., None]
+        angles = np.arctan(_between(low, high, self.nodes)) / (2 * np.pi)
+        places = angles + (self.middle - self.ends.mean(axis=0))[:, None]
+        forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
+        forces[:, self.arcs] = self.forces
+        order = np.argsort(self.middle, kind="stable")
+        return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
+
+
+def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:
+    """Cosines of pairs over that of the best placed one; exactly 0 where a pair switches.
+
+    Parameters
+    ----------
+    phase : array
+        Phases against the best placed pair, in turns.
+    offset : array
+        Its pressure angle, in turns.
+    """
+    away = 0.25 - np.abs(phase + offset)
+    best = np.sin(2 * np.pi * (0.25 - np.abs(offset)))
+    found: FloatArray = np.where(away > AT_SWITCH, np.sin(2 * np.pi * away), 0.0) / best
+    return found
+
+
+def _between(low: NDArray[Any], high: NDArray[Any], way: FloatArray) -> NDArray[Any]:
+    """Between two values; exactly these at the ends."""
+    found: NDArray[Any] = low * (1 - way) + high * way
+    return found
+
+
+def _smooth(exponent: float) -> bool:
+    """Whether the forces have a slope and a curvature where a pair switches."""
+    return exponent in (0.0, 1.0) or exponent >= 2
+
+
+def _nodes(exponent: float, pairs: int) -> FloatArray:
+    """Places at which an arc is sampled, as parts of the way: the denser the nearer to an end."""
+    first = FIRST / max(exponent, 1.0) if _smooth(exponent) else SINGULAR
+    ratio = DENSE if pairs <= MANY else SPARSE
+    count = math.ceil(math.log(2 * first) / math.log(ratio))
+    half = np.concatenate(([0.0], 0.5 * ratio ** np.arange(count, -1, -1.0)))
+    return np.concatenate((half, 1 - half[-2::-1]))
+
+
+def combine(*, arms: NDArray[Any], forces: ComplexArray) -> ComplexArray:
+    """Sums of the satellites' forces times what each does.
+
+    Parameters
+    ----------
+    arms : array, shape (rows, K)
+        What unit forces do.
+    forces : array, shape (K, m) or (rows, K, m)
+        Forces.
+
+    Returns
+    -------
+    array, shape (rows, m)
+        Summed here, as a library of linear algebra would wake its threads for products this small.
+    """
+    found: ComplexArray = arms[:, :1] * forces[..., 0, :]
+    for k in range(1, arms.shape[1]):
+        found = found + arms[:, k : k + 1] * forces[..., k, :]
+    return found
+
+
+@lru_cache(maxsize=256)
+def pin_turn(mechanism: Mechanism, force_exponent: float) -> PinTurn:
+    """The forces on a pin of a mechanism, looked at once.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Returns
+    -------
+    PinTurn
+    """
+    return PinTurn(mechanism, force_exponent)

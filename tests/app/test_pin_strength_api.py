@@ -1,0 +1,112 @@
+"""Strength of the pins over REST."""
+
+from copy import deepcopy
+
+import pytest
+
+from app.examples import REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "pin-strength"
+LIMIT = {"endurance_limit_MPa": 300.0}
+
+
+def changed(**sections):
+    body = deepcopy(REQUESTS[PATH])
+    for name, value in sections.items():
+        if value is None:
+            del body[name]
+        else:
+            body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
+    return body
+
+
+def judged(**fatigue):
+    return changed() | {"fatigue": fatigue}
+
+
+async def test_the_reference_design(api):
+    answer = (await api.post(PATH, json=judged(**LIMIT))).json()
+    assert round(answer["peak_force_N"], 4) == 3333.3333
+    assert round(answer["peak_bending_stress_MPa"], 6) == 306.704838
+    assert round(answer["static_safety_factor"], 6) == round(800 / 306.704838, 6)
+    fatigue = answer["fatigue"]
+    assert round(fatigue["safety_factor"], 6) == 1.504829
+    assert (fatigue["direction_deg"], fatigue["position_mm"]) == (0, 0)
+    assert not {"factors", "cycles", "life_h"} & {*fatigue}
+    assert answer["deflection"]["satellite"] == 2
+    assert round(answer["deflection"]["slope_mrad"], 10) == 3.4185221273
+    assert "locus" not in answer and "warnings" not in answer
+
+
+async def test_named_factors_and_a_finite_life(api):
+    notch = {"theoretical_factor": 2.5, "radius_mm": 0.5}
+    body = judged(surface="forged", notch=notch, reliability_percent=99.9)
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    factors = answer["factors"]
+    product = factors["surface"] * factors["size"] * factors["reliability"] / factors["notch"]
+    assert answer["endurance_limit_MPa"] == pytest.approx(500 * product, rel=1e-12)
+    assert factors["reliability"] == 0.753
+    assert answer["life_h"] == pytest.approx(answer["cycles"] / (60 * 1575), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("body", "code"),
+    [
+        (judged(surface="ground"), "fatigue_no_notch"),
+        (changed(pin={"material": "brass"}), "fatigue_no_basis"),
+        (changed(pin={"material": "steel_bearing"}), "fatigue_no_basis"),
+        (changed(pin={"diameter_mm": 31.0}), "short_pin"),
+    ],
+)
+async def test_what_is_not_checked_is_said(api, body, code):
+    answer = (await api.post(PATH, json=body)).json()
+    assert code in [each["code"] for each in answer["warnings"]]
+    assert ("fatigue" in answer) is (code == "short_pin")
+
+
+async def test_without_fatigue_asked_there_is_none(api):
+    answer = (await api.post(PATH, json=changed(fatigue=None, include=[]))).json()
+    assert not {"fatigue", "deflection", "warnings"} & {*answer}
+
+
+PLACES = "satellite_positions_mm"
+ONE = {PLACES: [15.0]}
+SHORT = {"support": "fixed", "span_mm": 45.0}
+PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_factor": 1.0}
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "code"),
+    [
+        (changed(pin=ONE), f"/pin/{PLACES}", "different_length"),
+        (changed(pin={PLACES: [9.0, 37.0]}), f"/pin/{PLACES}/0", "in_carrier"),
+        (changed(pin={"support": "fixed"}), "/pin/span_mm", "needed_beside"),
+        (changed(pin=SHORT), f"/pin/{PLACES}/1", "beyond_support"),
+        (changed(fatigue={"surface_factor": 0.9}), "/fatigue/surface_factor", "only_one"),
+        (judged(**PERCENT), "/fatigue/reliability_percent", "not_in_table"),
+        (changed(mechanism={"pins": 2, "satellites": 1}, pin=ONE), "", "dead_centre"),
+        (changed(mechanism={"pins": 400}), "/mechanism/pins", "too_many_pairs"),
+    ],
+)
+async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 422
+    assert [(each["pointer"], each["code"]) for each in answer.json()["errors"]] == [
+        (pointer, code)
+    ]
+
+
+async def test_the_figure_has_the_locus_and_the_stress(api):
+    for theme in ("light", "dark"):
+        figure = (await api.post(f"{PATH}/chart?theme={theme}", json=REQUESTS[PATH])).json()
+        names = [trace["name"] for trace in figure["data"]]
+        assert names == ["Moment over the turn", "Worst direction", "Bending stress"]
+        assert max(figure["data"][2]["y"]) == pytest.approx(306.7048, rel=1e-4)
+
+
+async def test_the_locus_where_it_is_asked(api):
+    locus = (await api.post(PATH, json=changed(include=["locus"]))).json()["locus"]
+    assert max(locus["tangential_Nm"]) == pytest.approx(123.333, rel=1e-4)
+    assert len(locus["stress_MPa"]) == len(locus["crank_angle_deg"])

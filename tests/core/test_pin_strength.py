@@ -1,0 +1,392 @@
+"""Strength of the pins: reference numbers, finite elements, the locus by brute force, invariants.
+
+Some tests hold numbers beside those of other tools' rules ("0 to max", "fully reversed"), which
+they must not be.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from core.arrays import FloatArray
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.fatigue import (
+    EnduranceFactors,
+    cycles_to_failure,
+    endurance_limit,
+    reliability_factor,
+    size_factor,
+    surface_factor,
+    utilisation,
+)
+from core.materials import ElasticMaterial
+from core.output.mechanism import Mechanism
+from core.output.pin_beam import PinBeam
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_turn import pin_turn
+
+STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
+STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
+PIN = {
+    "output_torque": 500.0,
+    "pin_circle_radius": 0.05,
+    "diameter": 0.016,
+    "contact_length": 0.02,
+    "material": STEEL,
+    "fatigue": STRENGTH,
+}
+
+
+def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanism:
+    return Mechanism.evenly_spaced(
+        pins=pins,
+        satellites=satellites,
+        ratio=20.0,
+        crank_spacing=None if degrees is None else math.radians(degrees),
+    )
+
+
+REFERENCE = {"mechanism": spaced(6, 2), "satellite_positions": (0.015, 0.037)} | PIN
+
+
+def test_the_reference_design() -> None:
+    found = pin_strength(**REFERENCE, deflection=True)
+    assert f"{found.peak_force:.4f}" == "3333.3333"
+    assert found.peak_moment == pytest.approx(10000 / 3 * 0.037, rel=1e-14)
+    assert f"{found.peak_bending_stress / 1e6:.6f}" == "306.704838"
+    assert found.peak_shear_stress == pytest.approx(
+        4 / 3 * 10000 / 3 / (math.pi * 0.008**2), rel=1e-14
+    )
+    assert found.peak_equivalent_stress == pytest.approx(found.peak_bending_stress, rel=1e-14)
+    assert found.static_safety_factor == pytest.approx(800 / 306.704838, rel=1e-8)
+    assert f"{found.fatigue.max_stress / 1e6:.6f}" == "306.704838"
+    assert found.fatigue.min_stress == pytest.approx(0, abs=1)
+    assert f"{found.fatigue.safety_factor:.6f}" == "1.504829"
+    assert found.deflection.satellite == 2
+    assert f"{found.deflection.deflection * 1e3:.10f}" == "0.0912803795"
+    assert f"{found.deflection.slope * 1e3:.10f}" == "3.4185221273"
+    assert found.notices == () and found.accuracy.relative_error < 1e-12
+
+
+def test_the_cycle_is_neither_from_zero_nor_reversed() -> None:
+    """Three pins, one satellite: 0.8285; "0 to max" says 0.990, "fully reversed" 0.644."""
+    found = pin_strength(mechanism=spaced(3, 1), satellite_positions=(0.015,), **PIN)
+    peak = found.peak_bending_stress
+    zero = 1 / STRENGTH.utilisation(peak / 2, peak / 2)
+    reversed_ = 1 / STRENGTH.utilisation(peak, 0.0)
+    assert (f"{zero:.3f}", f"{reversed_:.3f}") == ("0.990", "0.644")
+    assert f"{found.fatigue.safety_factor:.7f}" == "0.8285158"
+    assert f"{found.fatigue.amplitude / peak:.3f}" == "0.720"
+    above = min(
+        found.fatigue.direction, 2 * math.pi - found.fatigue.direction
+    )  # or its mirror image
+    assert math.degrees(above) == pytest.approx(70.80, abs=0.01)
+    assert found.fatigue.max_stress == pytest.approx(423.6845e6, rel=1e-4)
+    assert found.fatigue.min_stress == pytest.approx(-247.7095e6, rel=1e-4)
+    reference = pin_strength(**REFERENCE)
+    assert f"{1 / STRENGTH.utilisation(reference.peak_bending_stress, 0.0):.3f}" == "0.978"
+    assert f"{reference.fatigue.safety_factor:.4f}" == "1.5048"
+
+
+def test_three_satellites_load_a_pin_together() -> None:
+    found = pin_strength(
+        mechanism=spaced(6, 3), satellite_positions=(0.015, 0.037, 0.059), **PIN
+    ).fatigue
+    assert f"{found.max_stress / 1e6:.4f}" == "326.0466"
+    assert f"{found.min_stress / 1e6:.4f}" == "54.6169"
+    assert f"{found.safety_factor:.6f}" == "1.555901"
+
+
+def test_cranks_at_120_degrees_and_a_contact_exponent() -> None:
+    found = pin_strength(
+        mechanism=spaced(3, 2, 120.0),
+        force_exponent=10 / 9,
+        satellite_positions=(0.015, 0.037),
+        **PIN,
+    ).fatigue
+    assert f"{found.safety_factor:.7f}" == "0.7289569"
+    assert math.degrees(found.direction) == pytest.approx(60.95, abs=0.01)
+    assert found.amplitude == pytest.approx(371.31e6, rel=1e-4)
+    assert found.mean == pytest.approx(134.12e6, rel=1e-4)
+
+
+def test_diameter_for_a_fatigue_safety() -> None:
+    """Rm 1000 MPa, machined (9th edition), 99 %: safety 1.5 at 16.4179925 mm."""
+
+    def safety(diameter: float) -> float:
+        factors = EnduranceFactors(
+            surface_factor(tensile_strength=1000e6, surface="machined", edition="shigley_9"),
+            size_factor(diameter=diameter),
+            reliability_factor(percent=99.0),
+            1.0,
+        )
+        limit = endurance_limit(tensile_strength=1000e6, factors=factors)
+        strength = FatigueStrength(limit, 1000e6, factors=factors)
+        design = REFERENCE | {"diameter": diameter, "fatigue": strength}
+        return pin_strength(**design).fatigue.safety_factor
+
+    low, high = 0.010, 0.020
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if safety(middle) < 1.5 else (low, middle)
+    assert f"{low * 1e3:.7f}" == "16.4179925"
+
+
+def test_a_rotating_pin_is_fully_reversed() -> None:
+    still, turning = (pin_strength(**REFERENCE, rotates=each).fatigue for each in (False, True))
+    assert turning.direction is None
+    assert turning.amplitude == pytest.approx(still.max_stress, rel=1e-14)
+    assert turning.mean == 0
+    assert f"{turning.safety_factor:.3f}" == "0.978"
+
+
+def test_life() -> None:
+    weak = FatigueStrength(endurance_limit=150e6, tensile_strength=1000e6)
+    found = pin_strength(**REFERENCE | {"fatigue": weak}, input_speed=50 * math.pi).fatigue
+    assert found.cycles == cycles_to_failure(
+        amplitude=found.amplitude, mean=found.mean, endurance=150e6, tensile_strength=1000e6
+    )
+    assert 1e5 < found.cycles < 1e6
+    assert found.life == pytest.approx(found.cycles / (1575 / 60), rel=1e-14)
+    lasting = pin_strength(**REFERENCE, input_speed=50 * math.pi).fatigue
+    assert lasting.cycles is None and lasting.life is None
+    weaker = FatigueStrength(endurance_limit=20e6, tensile_strength=320e6)
+    short = pin_strength(**REFERENCE | {"fatigue": weaker})
+    assert [each.code for each in short.notices] == ["low_cycle_fatigue"]
+
+
+def moments(
+    mechanism: Mechanism, exponent: float, weights: FloatArray, samples: int = 12_000
+) -> FloatArray:
+    """Moment of the last pin over F0, straight from the law of the forces, at many angles."""
+    psi = np.linspace(0, 2 * np.pi, samples) + 1e-7
+    pins = 2 * np.pi * np.arange(mechanism.pins) / mechanism.pins
+    cranks = np.array(mechanism.crank_angles) + mechanism.initial_crank_angle
+    angle = np.pi / 2 + psi + np.add.outer(cranks, pins)[..., None]
+    cosine = np.maximum(np.cos(angle), 0)
+    powers = np.where(cosine > 0, cosine**exponent, 0)
+    force = powers / (powers * cosine).sum(axis=(0, 1))
+    return (weights[:, None] * force[:, -1] * np.exp(1j * angle[:, -1])).sum(axis=0)
+
+
+mechanisms = st.builds(
+    lambda pins, degrees, start: Mechanism(
+        pins=pins,
+        crank_angles=tuple(math.radians(each) for each in degrees),
+        ratio=20.0,
+        initial_crank_angle=math.radians(start),
+    ),
+    pins=st.integers(3, 8),
+    degrees=st.lists(st.integers(0, 359), min_size=1, max_size=3),
+    start=st.integers(0, 359),
+)
+exponents = st.sampled_from([0.0, 0.5, 1.0, 10 / 9, 1.5, 6.0])
+criteria = st.sampled_from(["goodman", "gerber", "soderberg", "fkm_haigh"])
+
+
+def positions(mechanism: Mechanism) -> tuple[float, ...]:
+    return tuple(0.015 + 0.022 * j for j in range(mechanism.satellites))
+
+
+@given(mechanism=mechanisms, exponent=exponents, criterion=criteria)
+@example(mechanism=spaced(3, 2, 179.0), exponent=1.0, criterion="gerber")  # flat: many arcs reach 0
+@example(mechanism=spaced(3, 2, 183.0), exponent=1.5, criterion="goodman")
+@settings(max_examples=40)
+def test_the_worst_cycle_by_brute_force(
+    mechanism: Mechanism, exponent: float, criterion: str
+) -> None:
+    strength = FatigueStrength(250e6, 1000e6, 700e6, criterion)
+    z = positions(mechanism)
+    pin = PIN | {"fatigue": strength}
+    found = pin_strength(mechanism=mechanism, force_exponent=exponent, satellite_positions=z, **pin)
+    modulus = math.pi * 0.016**3 / 32
+    stress = 10000 * moments(mechanism, exponent, np.array(z)) / modulus
+    used = 0.0
+    for chi in np.linspace(0, 2 * np.pi, 181):
+        along = (stress * np.exp(-1j * chi)).real
+        top, bottom = along.max(), along.min()
+        used = max(used, float(strength.utilisation((top - bottom) / 2, (top + bottom) / 2)))
+    room = 1e-3 if exponent >= 1 else 1e-2  # forces jump between the angles looked at
+    assert np.abs(stress).max() <= found.peak_bending_stress * (1 + 1e-12)
+    assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + room)
+    cycle = found.fatigue
+    own = float(strength.utilisation(cycle.amplitude, cycle.mean))
+    assert own == pytest.approx(1 / cycle.safety_factor, rel=1e-12)
+
+
+@given(mechanism=mechanisms, exponent=exponents, place=st.floats(0, 0.05))
+@settings(max_examples=60)
+def test_no_section_of_a_cantilever_is_worse_than_the_root(
+    mechanism: Mechanism, exponent: float, place: float
+) -> None:
+    z = np.array(positions(mechanism))
+    beam = PinBeam.round(
+        support="cantilever",
+        diameter=0.016,
+        contact_length=0.02,
+        youngs_modulus=210e9,
+        poissons_ratio=0.3,
+    )
+    root, inner = (
+        np.abs(moments(mechanism, exponent, beam.moment(np.float64(x), z), 4000)).max()
+        for x in (0.0, place)
+    )
+    assert inner <= root * (1 + 1e-12)
+
+
+@given(mechanism=mechanisms, exponent=exponents, factor=st.floats(0.1, 10))
+@settings(max_examples=20)
+def test_stresses_grow_with_the_torque(
+    mechanism: Mechanism, exponent: float, factor: float
+) -> None:
+    design = {
+        "mechanism": mechanism,
+        "force_exponent": exponent,
+        "satellite_positions": positions(mechanism),
+    } | PIN
+    one = pin_strength(**design, deflection=True)
+    other = pin_strength(**design | {"output_torque": 500.0 * factor}, deflection=True)
+    for name in ("peak_moment", "peak_bending_stress", "peak_shear_stress"):
+        assert getattr(other, name) == pytest.approx(factor * getattr(one, name), rel=1e-14)
+    assert other.peak_equivalent_stress == pytest.approx(
+        factor * one.peak_equivalent_stress, rel=1e-13
+    )
+    assert other.fatigue.safety_factor == pytest.approx(
+        one.fatigue.safety_factor / factor, rel=1e-9
+    )
+    assert other.deflection.slope == pytest.approx(factor * one.deflection.slope, rel=1e-13)
+    assert one.peak_equivalent_stress >= one.peak_bending_stress * (1 - 1e-13)
+    assert one.fatigue.max_stress <= one.peak_bending_stress * (1 + 1e-9)
+
+
+@given(mechanism=mechanisms, exponent=exponents)
+@settings(max_examples=10)
+def test_two_supports_bend_a_pin_less(mechanism: Mechanism, exponent: float) -> None:
+    design = {
+        "mechanism": mechanism,
+        "force_exponent": exponent,
+        "satellite_positions": positions(mechanism),
+    } | PIN
+    span = positions(mechanism)[-1] + 0.015
+    held = pin_strength(**design)
+    for support in ("supported", "fixed"):
+        found = pin_strength(**design, support=support, span=span)
+        assert found.peak_moment <= held.peak_moment
+        assert found.fatigue.safety_factor >= held.fatigue.safety_factor
+        assert 0 <= found.peak_moment_position <= span
+
+
+@pytest.mark.parametrize("support", ["supported", "fixed"])
+def test_the_worst_section_by_brute_force(support: str) -> None:
+    mechanism = spaced(3, 2, 120.0)
+    z = np.array([0.015, 0.037])
+    found = pin_strength(
+        mechanism=mechanism, satellite_positions=(0.015, 0.037), **PIN, support=support, span=0.052
+    )
+    beam = PinBeam.round(
+        support=support,
+        diameter=0.016,
+        contact_length=0.02,
+        youngs_modulus=210e9,
+        poissons_ratio=0.3,
+        span=0.052,
+    )
+    modulus = math.pi * 0.016**3 / 32
+    largest = used = 0.0
+    for x in np.linspace(0, 0.052, 105):
+        weights = beam.moment(np.float64(x), z)
+        stress = 10000 * moments(mechanism, 1.0, weights, 2000) / modulus
+        largest = max(largest, float(np.abs(stress).max()))
+        for chi in np.linspace(0, 2 * np.pi, 91):
+            along = (stress * np.exp(-1j * chi)).real
+            top, bottom = along.max(), along.min()
+            used = max(used, float(STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)))
+    assert largest * (1 - 1e-9) <= found.peak_bending_stress <= largest * (1 + 1e-3)
+    assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + 1e-3)
+
+
+@pytest.mark.parametrize(("satellites", "alike"), [(1, True), (2, True), (3, False)])
+def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
+    """The same where one satellite at a time loads the pin (v = 1, an even number of phases)."""
+    weights = np.array(positions(spaced(6, satellites)))
+    locus = moments(spaced(6, satellites), 1.0, weights)
+    heights = [np.ptp((locus * np.exp(-1j * chi)).real) for chi in np.linspace(0, np.pi, 19)]
+    assert bool(max(heights) / min(heights) < 1 + 1e-6) is alike
+
+
+def test_the_locus_is_closed_but_for_equal_sharing() -> None:
+    for exponent, closed in ((0.0, False), (0.5, True), (1.0, True), (1.5, True)):
+        places, forces = pin_turn(spaced(3, 1), exponent).drawn()
+        same = np.flatnonzero(np.diff(places) < 1e-12)
+        jumps = np.abs(forces[:, same + 1] - forces[:, same]).max()
+        assert bool(jumps < 1e-12) is closed
+
+
+@given(
+    amplitude=st.floats(0, 3),
+    mean=st.floats(-3, 3),
+    more=st.floats(0, 1),
+    criterion=criteria,
+)
+def test_the_worst_direction_is_that_of_the_extremes(
+    amplitude: float, mean: float, more: float, criterion: str
+) -> None:
+    """No criterion falls where the largest stress rises or the least one falls."""
+    limits = {"endurance": 0.3e9, "tensile_strength": 1e9, "yield_strength": 0.8e9}
+
+    def used(a: float, m: float) -> float:
+        return float(utilisation(amplitude=a * 1e8, mean=m * 1e8, **limits, criterion=criterion))
+
+    assert used(amplitude + more, mean + more) >= used(amplitude, mean) * (1 - 1e-14)
+    assert used(amplitude + more, mean - more) >= used(amplitude, mean) * (1 - 1e-14)
+
+
+def test_criteria_take_arrays() -> None:
+    amplitude, mean = np.meshgrid(np.linspace(0, 3e8, 7), np.linspace(-3e8, 9e8, 9))
+    limits = {"endurance": 0.3e9, "tensile_strength": 1e9, "yield_strength": 0.8e9}
+    for criterion in ("goodman", "gerber", "soderberg", "fkm_haigh"):
+        many = utilisation(amplitude=amplitude, mean=mean, **limits, criterion=criterion)
+        for index in np.ndindex(amplitude.shape):
+            one = utilisation(
+                amplitude=float(amplitude[index]),
+                mean=float(mean[index]),
+                **limits,
+                criterion=criterion,
+            )
+            assert many[index] == pytest.approx(one, rel=1e-15)
+    diameters = np.array([0.002, 0.01, 0.051, 0.06])
+    assert size_factor(diameter=diameters).tolist() == [
+        size_factor(diameter=d) for d in diameters.tolist()
+    ]
+
+
+def refusal(**change: object) -> tuple[str, str]:
+    with pytest.raises(InvalidInput) as refused:
+        pin_strength(**REFERENCE | change)
+    return refused.value.parameter, refused.value.code
+
+
+def test_what_cannot_be_is_refused() -> None:
+    assert refusal(satellite_positions=(0.015,)) == ("satellite_positions", "different_length")
+    inside = (0.009, 0.037)
+    assert refusal(satellite_positions=inside) == ("satellite_positions[0]", "in_carrier")
+    assert refusal(support="fixed") == ("span", "needed")
+    beyond = {"support": "fixed", "span": 0.045}
+    assert refusal(**beyond) == ("satellite_positions[1]", "beyond_support")
+    assert refusal(diameter=0.0) == ("diameter", "greater_than")
+    assert refusal(output_torque=-1.0) == ("output_torque", "greater_than")
+    with pytest.raises(ImpossibleMechanism):
+        pin_strength(**REFERENCE | {"mechanism": spaced(2, 1), "satellite_positions": (0.015,)})
+    with pytest.raises(InvalidInput):
+        reliability_factor(percent=97.0)
+    with pytest.raises(InvalidInput):
+        FatigueStrength(300e6, 1000e6, criterion="soderberg")
+
+
+def test_a_short_pin_is_noticed() -> None:
+    found: PinStrength = pin_strength(**REFERENCE | {"diameter": 0.031})
+    assert [each.code for each in found.notices] == ["short_pin"]
