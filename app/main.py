@@ -20,7 +20,15 @@ from starlette.types import Scope
 
 from app import VERSION, about, batch, observability
 from app.about import API
-from app.endpoint import JSON, RESPONSES, CalculationRoute, FigureOut, answering, drawing
+from app.endpoint import (
+    JSON,
+    RESPONSES,
+    STREAMED,
+    CalculationRoute,
+    FigureOut,
+    answering,
+    drawing,
+)
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
@@ -139,7 +147,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             operation_id=each.name.replace("/", "_").replace("-", "_"),
             summary=each.title,
             response_model=each.answer,
-            **described(each),
+            **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
         )(answering(each))
     for each in CALCULATIONS.values():  # behind those above, as paths are compared in this order
         if each.figure is not None:

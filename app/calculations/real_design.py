@@ -17,6 +17,17 @@ from app.units import to_si
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 
+LEFT_OUT = (
+    "bearing_elasticity",
+    "bodies_rigid",
+    "edge_pressure",
+    "friction",
+    "heat",
+    "misalignment",
+    "second_flange",
+)
+"""What the model leaves out."""
+
 
 class RealDesignFields(RequestModel):
     """Mechanism, load, contact, law of contact and pins."""
