@@ -8,7 +8,8 @@ with other names; here it is worded in English, with the core's names and SI uni
 REFUSALS = {
     "at_most": "must be at most {field}",
     "different_length": "must have {expected} entries, has {actual}",
-    "different_sum": "must have lengths that add up to {field} and {other}",
+    "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
+    "not {given_length:g} m",
     "exclusive": "and {field} exclude each other",
     "finite_number": "must be a finite number",
     "greater_than": "must be larger than {limit:g}",

@@ -77,8 +77,9 @@ VARIED: dict[str, tuple[str, ...]] = {
     "roller_spacing": ("hole_circle_radius", "sphere_diameter", "rollers"),
     "roller_room": ("hole_circle_radius", "sphere_diameter"),
     "roller_tilt": ("cylinder_length",),
-    "line_spacing": (),
-    "shaft_in_circle": ("shaft_diameter",),
+    "assembly": ("satellites",),
+    "line_spacing": ("roller_radius", "roller_circle_radius"),
+    "shaft_in_circle": ("shaft_diameter", "roller_radius", "roller_circle_radius"),
     "shaft_deflection": ("shaft_diameter", "overhang", "bearing_distance"),
     "shaft_slope": ("shaft_diameter", "overhang", "bearing_distance"),
 }

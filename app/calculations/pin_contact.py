@@ -55,7 +55,7 @@ class PinContactFields(ContactFields):
         off = Decimal(repr(hole)) - self._sum(*RADII)
         if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
             expected = float(Decimal(repr(hole)) - off)
-            raise field_error("hole_radius_mm", "hole_disagrees", expected=expected)
+            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
         return self
 
     def _sum(self, *names: str) -> Decimal:

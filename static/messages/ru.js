@@ -174,6 +174,7 @@ export default {
   jumps: { label: "На странице", answer: "Проверки", inputs: "Исходные данные", shown: "Рисунки", rest: "Всё" },
   checks: {
     title: "Проверки",
+    waiting: "Появятся, как только входные данные дадут конструкцию.",
     governing: "Определяющая проверка",
     torque: "Наибольший момент",
     largestTorque: "Наибольший допускаемый момент: {torque}",
@@ -296,6 +297,7 @@ export default {
     conformal_half_angle_deg: ["Полуугол конформного контакта", "ε"],
     stiffness_N_per_mm: ["Жёсткость ролика", "c"],
     relative_stiffness: ["Относительная жёсткость", "c/(b·E)"],
+    relative_stress: ["Относительное напряжение изгиба", "σ/E"],
     mean_force_N: ["Средняя сила на конце ролика"],
     relative_position_error: ["Относительная погрешность изготовления", "δ"],
     load_nonuniformity: ["Коэффициент неравномерности распределения нагрузки", "Ψ"],
@@ -686,7 +688,7 @@ export default {
     refusals: {
       at_most: "должно быть не больше, чем {field}",
       different_length: "нужно значений: {expected}, задано: {actual}",
-      different_sum: "сумма длин должна равняться сумме: {field} и {other}",
+      different_sum: "сумма длин должна равняться сумме: {field} и {other}, {needed_length_mm}, а не {given_length_mm}",
       exclusive: "не задаётся вместе с {field}",
       finite_number: "должно быть конечным числом",
       greater_than: "должно быть больше {limit}",
@@ -742,9 +744,9 @@ export default {
       too_nested: "допускается списков и объектов: не более {limit}",
       with_real_forces: "должно быть не больше 1 при зазоре, отклонениях или упругости: силы тогда вычисляют, а не предполагают",
       with_rollers: "должно быть не больше {limit} (число роликов: {rollers})",
-      hole_disagrees: "должно равняться радиусу пальца + эксцентриситету + зазору, {expected}, или не задавайте",
+      hole_disagrees: "должно равняться радиусу пальца + эксцентриситету + зазору, {expected_mm}, или не задавайте",
       of_another_kind: "не относится к виду {kind}",
-      no_class_of_size: "известно лишь для диаметров до {limit} мм",
+      no_class_of_size: "известно лишь для диаметров до {limit_mm}",
     },
     notices: {
       large_rotation: "Под нагрузкой выходное звено поворачивается на {share} эксцентриситета: зазор или податливость велики для такого механизма.",

@@ -174,6 +174,7 @@ export default {
   jumps: { label: "На сторінці", answer: "Перевірки", inputs: "Вхідні дані", shown: "Рисунки", rest: "Усе" },
   checks: {
     title: "Перевірки",
+    waiting: "З’являться, щойно вхідні дані дадуть конструкцію.",
     governing: "Визначальна перевірка",
     torque: "Найбільший момент",
     largestTorque: "Найбільший допустимий момент: {torque}",
@@ -296,6 +297,7 @@ export default {
     conformal_half_angle_deg: ["Півкут конформного контакту", "ε"],
     stiffness_N_per_mm: ["Жорсткість ролика", "c"],
     relative_stiffness: ["Відносна жорсткість", "c/(b·E)"],
+    relative_stress: ["Відносне напруження згину", "σ/E"],
     mean_force_N: ["Середня сила на кінці ролика"],
     relative_position_error: ["Відносна похибка виготовлення", "δ"],
     load_nonuniformity: ["Коефіцієнт нерівномірності розподілу навантаження", "Ψ"],
@@ -686,7 +688,7 @@ export default {
     refusals: {
       at_most: "має бути не більше ніж {field}",
       different_length: "потрібно значень: {expected}, задано: {actual}",
-      different_sum: "сума довжин має дорівнювати сумі: {field} та {other}",
+      different_sum: "сума довжин має дорівнювати сумі: {field} та {other}, {needed_length_mm}, а не {given_length_mm}",
       exclusive: "не задається разом з {field}",
       finite_number: "має бути скінченним числом",
       greater_than: "має бути більше ніж {limit}",
@@ -742,9 +744,9 @@ export default {
       too_nested: "допустимо переліків та об’єктів: не більше ніж {limit}",
       with_real_forces: "має бути не більше ніж 1 за зазору, відхилень чи пружності: сили тоді обчислюють, а не припускають",
       with_rollers: "має бути не більше ніж {limit} (кількість роликів: {rollers})",
-      hole_disagrees: "має дорівнювати радіусу цівки + ексцентриситету + зазору, {expected}, або не задавайте",
+      hole_disagrees: "має дорівнювати радіусу цівки + ексцентриситету + зазору, {expected_mm}, або не задавайте",
       of_another_kind: "не належить до виду {kind}",
-      no_class_of_size: "відомо лише для діаметрів до {limit} мм",
+      no_class_of_size: "відомо лише для діаметрів до {limit_mm}",
     },
     notices: {
       large_rotation: "Під навантаженням вихідна ланка повертається на {share} ексцентриситету: зазор або податливість великі для такого механізму.",

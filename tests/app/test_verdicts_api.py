@@ -450,31 +450,53 @@ async def test_the_shaft_by_hand(api):
         assert governing is None or answer["governing"] == governing
 
 
-async def test_every_fix_makes_its_check_pass(api):
+REDUCERS = [
+    {"load__output_torque_Nm": 1500.0},
+    {"contact__hole_radius_mm": 9.9},
+    {"mechanism__pins": 18},
+    {"mechanism__crank_spacing_deg": 90.0},
+    {"mechanism": {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}},
+    {"satellite_body": {"outer_radius_mm": 59.0}},
+    {"contact__hole_radius_mm": 10.05},
+]
+SHAFT = REQUESTS["precession/shaft-deflection"]
+
+
+@pytest.mark.parametrize(
+    ("path", "body"),
+    [("crank-planetary", design(**changes)) for changes in REDUCERS]
+    + [
+        ("precession/shaft-deflection", SHAFT | {"roller_radius_mm": 12.95}),
+        ("precession/shaft-deflection", SHAFT | {"shaft_diameter_mm": 92.0}),
+    ],
+)
+async def test_every_fix_makes_its_check_pass(api, path, body):
     """Each fix, applied as it says, gives the verdict that it promises."""
-    for changes in (
-        {"load__output_torque_Nm": 1500.0},
-        {"contact__hole_radius_mm": 9.9},
-        {"mechanism__pins": 18},
-        {"mechanism__crank_spacing_deg": 90.0},
-        {"satellite_body": {"outer_radius_mm": 59.0}},
-        {"contact__hole_radius_mm": 10.05},
-    ):
-        body = design(**changes) | {"include": ["checks", "fixes"]}
-        answer, _ = await asked(api, "crank-planetary", body)
-        assert answer["fixes"], changes
-        for fix in answer["fixes"]:
-            fixed = deepcopy(body) | {"include": ["checks"]}
-            for pointer, value in fix["sets"].items():
-                *path, last = pointer.split("/")[1:]
-                inner = fixed
-                for part in path:
-                    inner = inner[part]
-                inner[last] = value
-            after, checks = await asked(api, "crank-planetary", fixed)
-            assert after["verdict"] == fix["verdict"], fix
-            if fix["status"] == "solved":
-                assert checks[fix["code"]]["status"] == "pass", fix
+    body = body | {"include": ["checks", "fixes"]}
+    answer, _ = await asked(api, path, body)
+    assert answer["fixes"]
+    for fix in answer["fixes"]:
+        fixed = deepcopy(body) | {"include": ["checks"]}
+        for pointer, value in fix["sets"].items():
+            *parts, last = pointer.split("/")[1:]
+            inner = fixed
+            for part in parts:
+                inner = inner[part]
+            inner[last] = value
+        after, checks = await asked(api, path, fixed)
+        assert after["verdict"] == fix["verdict"], fix
+        if fix["status"] == "solved":
+            assert checks[fix["code"]]["status"] == "pass", fix
+
+
+async def test_satellites_that_are_alike(api):
+    """Three satellites of 21 teeth in a ring of 22 are three different parts, two are alike."""
+    teeth = {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}
+    answer, _ = await asked(
+        api, "crank-planetary", design(mechanism=teeth) | {"include": ["fixes"]}
+    )
+    (fix,) = [each for each in answer["fixes"] if each["code"] == "assembly"]
+    assert (fix["from"], fix["to"], fix["status"]) == (3, 2, "solved")
 
 
 async def test_a_pin_is_fixed_to_a_standard_size(api):
