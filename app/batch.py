@@ -16,7 +16,9 @@ from pydantic_core import from_json, to_json
 from app.endpoint import (
     COMPRESS_LEVEL,
     JSON,
+    LINES,
     RESPONSES,
+    by_lines,
     encoded,
     read_body,
     received,
@@ -56,8 +58,6 @@ MAX_REQUESTS = 10_000
 """Most requests of a batch."""
 
 Name = Annotated[str, StringConstraints(max_length=MAX_NAME)]
-
-LINES = "application/x-ndjson"
 
 BATCHED = {name: each for name, each in CALCULATIONS.items() if each.batched}
 
@@ -158,14 +158,14 @@ async def batch(request: Request) -> Response:
     )
     done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
     done = _from(await anext(done), done)  # without which there is nothing to answer
-    by_lines = LINES in request.headers.get("accept", "")
-    done = _named(done, ids, numbered=by_lines)
-    written = _as_lines(done) if by_lines else _as_object(done)
+    lines_asked = by_lines(request)
+    done = _named(done, ids, numbered=lines_asked)
+    written = _as_lines(done) if lines_asked else _as_object(done)
     headers = {"vary": "accept-encoding"}
     if takes_gzip(request.scope):
         headers["content-encoding"] = "gzip"
         written = _zipped(written)
-    return StreamingResponse(written, headers=headers, media_type=LINES if by_lines else JSON)
+    return StreamingResponse(written, headers=headers, media_type=LINES if lines_asked else JSON)
 
 
 def split(
@@ -223,7 +223,7 @@ async def answers(
         if unfinished is not None:
             culprit = done + len(written)
             if isinstance(unfinished, TooLong) or culprit == stopped_at:
-                written.append(_problem(why(unfinished, record)))
+                written.append(_problem(why(unfinished, settings.max_seconds)))
             stopped_at = culprit
         if written:
             yield written

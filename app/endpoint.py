@@ -7,13 +7,18 @@ reads the bytes and orjson writes them, which takes half the time of FastAPI's o
 import gzip
 import math
 import time
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+from contextlib import aclosing
+from contextvars import copy_context
 from functools import cache
+from queue import SimpleQueue
+from threading import Thread
 from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import orjson
 from fastapi import Request, Response
+from fastapi.responses import StreamingResponse
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
@@ -24,6 +29,8 @@ from app.model import Calculation, RequestModel
 from app.problems import (
     MEDIA_TYPE,
     ErrorItem,
+    Problem,
+    impossible,
     invalid_input,
     not_json,
     too_large,
@@ -38,6 +45,7 @@ from app.theme import Figure, Theme, with_words
 from core.errors import ImpossibleMechanism
 
 JSON = "application/json"
+LINES = "application/x-ndjson"
 
 LIGHT_BYTES = 16_384
 LIGHT_POINTS = 20_000
@@ -62,6 +70,9 @@ COMPRESS_BYTES = 2048
 COMPRESS_LEVEL = 3
 """On curves, half the time of zlib's usual level for 2 % more bytes."""
 
+PROGRESS_S = 0.25
+"""How often a client is told how much of a study is done, seconds."""
+
 PART_BYTES = 1 << 18
 """Size of what is sent at once."""
 
@@ -81,6 +92,11 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
     )
 }
 """Refusals of every calculation, as its description shows them."""
+
+STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
+    200: {"content": {LINES: {"schema": {"type": "string"}}}}
+}
+"""Answers besides of what tells its progress where that is asked."""
 
 
 class FigureOut(BaseModel):
@@ -109,6 +125,8 @@ class CalculationRoute(APIRoute):
             record = at_hand.get() or Record()
             sent = await received(request, record.settings.max_body_bytes)
             record.received = time.perf_counter()
+            if CALCULATIONS[name].reporting is not None and not drawn and by_lines(request):
+                return await _told_by_lines(request, name, sent, record)
             theme = _theme(request) if drawn else None
             zipped = takes_gzip(request.scope)
             body = None
@@ -210,6 +228,82 @@ def _answer(
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
     yield _content(calculation, read_body(calculation, sent, settings), theme, zipped)
+
+
+async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
+    """Answer of a study, line by line: how much of it is done, and at last its result."""
+    settings = record.settings.model_copy(update={"max_seconds": record.settings.max_study_seconds})
+    jobs, limit_s = request.app.state.jobs, settings.max_seconds
+    parts = processes.as_it_comes(
+        jobs, _progress, name, sent, settings, record=record, limit_s=limit_s
+    )
+    await anext(parts)  # without which it is refused as a whole
+
+    async def lines() -> AsyncIterator[bytes]:
+        try:
+            async with aclosing(parts) as some:
+                async for line in some:
+                    yield line
+        except Problem as problem:
+            yield _line({"problem": problem.body()})
+
+    return StreamingResponse(lines(), media_type=LINES)
+
+
+def _progress(name: str, sent: bytes, settings: Settings) -> Iterator[bytes]:
+    """Lines of a study in a process, behind an empty one where the request is right."""
+    calculation = CALCULATIONS[name]
+    body, reporting = read_body(calculation, sent, settings), calculation.reporting
+    assert reporting is not None
+    yield b""
+    try:
+        for told in _reported(lambda report: encoded(reporting(body, report))):
+            if isinstance(told, bytes):
+                yield b'{"result":' + told + b"}\n"
+            else:
+                yield _line({"progress": told})
+    except ImpossibleMechanism as error:
+        yield _line({"problem": impossible(error).body()})
+    except Problem as problem:
+        yield _line({"problem": problem.body()})
+
+
+def _line(values: dict[str, Any]) -> bytes:
+    return orjson.dumps(values) + b"\n"
+
+
+def _reported(work: Callable[[Callable[[float], None]], bytes]) -> Iterator[float | bytes]:
+    """How much of some work is done, now and then, and at last its outcome: the work runs in a
+    thread, as it can tell that but not stop for it.
+    """
+    told: SimpleQueue[float | bytes | BaseException] = SimpleQueue()
+    last = time.monotonic()
+
+    def report(share: float) -> None:
+        nonlocal last
+        if time.monotonic() - last >= PROGRESS_S:
+            last = time.monotonic()
+            told.put(share)
+
+    def run() -> None:
+        try:
+            told.put(work(report))
+        except BaseException as error:
+            told.put(error)
+
+    Thread(target=copy_context().run, args=(run,), daemon=True).start()
+    while True:
+        each = told.get()
+        if isinstance(each, BaseException):
+            raise each
+        yield each
+        if isinstance(each, bytes):
+            return
+
+
+def by_lines(request: Request) -> bool:
+    """Whether a client takes an answer line by line."""
+    return LINES in request.headers.get("accept", "")
 
 
 async def received(request: Request, limit: int) -> bytes:

@@ -188,6 +188,14 @@ EXAMPLES: list[dict[str, Any]] = [
         {"pins": 4, "satellites": 1, "ratio": 30.0},
         {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 32.5, "force_exponent": 0.0},
     ),
+    _crank_planetary(
+        "clearance",
+        "0.03 mm of clearance: fewer pins carry, each more",
+        f"{YANCHEVSKIY_2021}, without clearance",
+        {"pins": 6, "satellites": 2, "ratio": 20.0},
+        {"output_torque_Nm": 400.0, "pin_circle_radius_mm": 50.0},
+        {"hole_radius_mm": 10.03},
+    ),
     _rollers("ovsyannikov-2019-fig-6", "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)", "fig. 6"),
     _rollers(
         "ovsyannikov-2019-fig-4",
@@ -246,6 +254,27 @@ _MESH = _without(
     _SHAFT, "bearing_distance_mm", "overhang_mm", "shaft_diameter_mm", "youngs_modulus_GPa"
 )
 _FORCE = _JOB["mechanism"] | _JOB["load"]
+
+DESIGN: dict[str, Any] = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+    "load": {
+        "output_torque_Nm": 200.0,
+        "pin_circle_radius_mm": 40.0,
+        "torque_direction": "alternating",
+    },
+    "contact": {
+        "contact_length_mm": 12.0,
+        "pin_radius_mm": 5.0,
+        "eccentricity_mm": 2.0,
+        "hole_clearance_mm": 0.03,
+        "hole_material": "steel_case_hardened",
+    },
+    "deviations": {"pin_tangential_mm": [-0.02, 0.0, 0.0, 0.0, 0.0, 0.0]},
+    "pin": {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34.0},
+    "requirements": {"max_backlash_arcmin": 8.0, "max_lost_motion_arcmin": 8.0},
+    "include": ["load_sharing", "hertz", "checks"],
+}
+"""A design as its parts are made, with what is asked of it."""
 
 REQUESTS: dict[str, dict[str, Any]] = {
     "cyclogram": _JOB["mechanism"],

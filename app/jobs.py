@@ -22,8 +22,8 @@ import threading
 import time
 import weakref
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from collections.abc import AsyncGenerator, Callable, Iterable, Iterator
+from contextlib import aclosing, suppress
 from multiprocessing.process import BaseProcess
 from typing import Any, Self
 
@@ -174,28 +174,45 @@ class Jobs:
         CannotRun
             If there is no process and none can be started.
         """
+        parts: list[Any] = []
+        asked = self.stream(job, *args, limit_s=limit_s, admitted=admitted, client=client)
+        try:
+            async with aclosing(asked) as some:
+                async for each in some:
+                    parts += each
+        except Unfinished as unfinished:
+            unfinished.parts = parts
+            raise
+        return parts
+
+    async def stream(
+        self, job: Job, *args: Any, limit_s: float, admitted: bool = False, client: str = ""
+    ) -> AsyncGenerator[list[Any]]:
+        """The same as it comes, some parts at a time; to close this ends the job."""
         if not admitted:
             self.admit(client)
         child = await self._next_free(client)
-        parts: list[Any] = []
-        begun, ended = time.monotonic(), False
+        count, begun, ended = 0, time.monotonic(), False
+        end = asyncio.get_running_loop().time() + limit_s
         try:
-            async with asyncio.timeout(limit_s):
+            async with asyncio.timeout_at(end):
                 await child.send((job, args))
-                while message := await child.receive(PAUSE_S if len(parts) > 1 else 0.0):
-                    parts += message
-            ended = True
+            while not ended:
+                async with asyncio.timeout_at(end):
+                    message = await child.receive(PAUSE_S if count > 1 else 0.0)
+                count, ended = count + len(message), not message
+                if message:
+                    yield message
         except TimeoutError:
-            raise TooLong(parts) from None
+            raise TooLong([]) from None
         except ConnectionError:
-            raise Stopped(parts) from None
+            raise Stopped([]) from None
         finally:
             self._turn_s += 0.1 * (time.monotonic() - begun - self._turn_s)
             if ended:
                 self._give(child)
             else:
                 self._replace(child)
-        return parts
 
     async def _next_free(self, client: str) -> "_Child":
         """A process for a job of a client."""

@@ -27,6 +27,7 @@ from app.about import API
 from app.endpoint import (
     JSON,
     RESPONSES,
+    STREAMED,
     CalculationRoute,
     FigureOut,
     answering,
@@ -164,7 +165,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             operation_id=each.name.replace("/", "_").replace("-", "_"),
             summary=each.title,
             response_model=each.answer,
-            **described(each),
+            **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
         )(answering(each))
     for each in CALCULATIONS.values():  # behind those above, as paths are compared in this order
         if each.figure is not None:

@@ -326,6 +326,9 @@ class Calculation:
         What its model leaves out, keys of `NEGLECTED`.
     batched : bool
         Whether batches take it.
+    reporting : callable, optional
+        As `solve`, of what may take long: with a function that is told how much of it is done, from
+        0 to 1.
     """
 
     name: str
@@ -338,6 +341,7 @@ class Calculation:
     sources: tuple[str, ...] = ()
     neglects: tuple[str, ...] = ()
     batched: bool = True
+    reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
 
 NEGLECTED = {

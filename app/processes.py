@@ -8,7 +8,7 @@ should stop.
 import asyncio
 import logging
 import traceback
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import AsyncGenerator, Callable, Coroutine, Iterator
 from typing import Any, TypeVar
 
 from starlette.requests import ClientDisconnect
@@ -68,7 +68,7 @@ async def in_process(
             break
         except Unfinished as unfinished:
             if last or isinstance(unfinished, TooLong):
-                raise why(unfinished, record) from None
+                raise why(unfinished, limit_s) from None
     return part
 
 
@@ -103,12 +103,40 @@ async def in_parts(
         raise
 
 
-def why(unfinished: Unfinished, record: Record) -> Problem:
+async def as_it_comes(
+    jobs: Jobs, job: Callable[..., Iterator[Any]], *args: Any, record: Record, limit_s: float
+) -> AsyncGenerator[Any]:
+    """What a job yields, in a process, part by part, as long as someone waits for it.
+
+    Raises
+    ------
+    Problem, ClientDisconnect
+        As `in_process`.
+    """
+    parts = jobs.stream(_told, job, args, limit_s=limit_s, client=record.client)
+    try:
+        while some := await _while_wanted(_next(parts), record):
+            for part in some:
+                yield _noted(part, record)
+    except Busy as busy:
+        raise _too_many(busy) from None
+    except CannotRun:
+        raise unavailable("No process for calculations can be started") from None
+    except Unfinished as unfinished:
+        raise why(unfinished, limit_s) from None
+    finally:
+        if not getattr(parts, "ag_running", False):  # else it is cancelled already
+            await parts.aclose()
+
+
+async def _next(parts: AsyncGenerator[list[Any]]) -> list[Any]:
+    return await anext(parts, [])
+
+
+def why(unfinished: Unfinished, limit_s: float) -> Problem:
     """Problem of a calculation that has not come to its end."""
     if isinstance(unfinished, TooLong):
-        return unavailable(
-            f"The calculation was not done within {record.settings.max_seconds:g} s: it is too long"
-        )
+        return unavailable(f"The calculation was not done within {limit_s:g} s: it is too long")
     return unavailable("The process of the calculation was stopped")
 
 

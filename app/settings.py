@@ -77,6 +77,9 @@ class Settings(BaseSettings):
     max_seconds: Seconds = Field(
         default=10.0, description="longest calculation, without waiting for a process, s"
     )
+    max_study_seconds: Seconds = Field(
+        default=60.0, description="longest study that is sent with its progress, s"
+    )
     processes: int = Field(
         default=0,
         ge=0,

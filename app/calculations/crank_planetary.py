@@ -19,6 +19,7 @@ from app.calculations.hertz import HertzResponse, material_of
 from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import Angle
 from app.calculations.pin_contact import PinContactFields
+from app.calculations.real_design import LEFT_OUT
 from app.calculations.real_mechanism import (
     BentPinFields,
     ContactLawFields,
@@ -437,17 +438,21 @@ class LoadSharingOut(OverTurnOut):
     torque_direction: Literal["driving", "reverse"] = result(
         "Direction of the torque: of both the one with the larger pressure."
     )
+    judged_force_N: Maybe[float] = result(
+        "Force with the largest pressure under the dynamic load: that of the section hertz and of "
+        "the checks.",
+        default=None,
+        symbol="F",
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
-    def values(
-        cls, result: RealForces, run_time_us: float | None = None, **given: object
-    ) -> Values:
-        """Values of the forces over the turn."""
+    def values(cls, result: RealForces, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the forces over the turn; `judged_force_N` is given."""
         direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
-        own = {"torque_direction": direction, "pressure_MPa": None}
-        return super().values(result.turn, run_time_us, **own, **given)
+        own: Values = {"torque_direction": direction, "pressure_MPa": None}
+        return super().values(result.turn, run_time_us, **(own | given))
 
 
 class CrankPlanetaryResponse(JudgedResponse):
@@ -525,7 +530,12 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         if "contact_force" in asked:
             sections["contact_force"] = ContactForceResponse.values(force, force_us)
     if "load_sharing" in asked:
-        sections["load_sharing"] = LoadSharingOut.values(*run(body, body.solve_sharing))
+        sharing, sharing_us = run(body, body.solve_sharing)
+        forces, _ = run(body, lambda: body.design.judged_forces)
+        force_N = forces.force if isinstance(forces, RealForces) else None
+        sections["load_sharing"] = LoadSharingOut.values(
+            sharing, sharing_us, judged_force_N=force_N
+        )
     if "hertz" in asked:
         contact, hertz_us = run(body, lambda: body.solve_hertz(None if body.as_made else force))
         sections["hertz"] = HertzResponse.values(contact, hertz_us)
@@ -568,5 +578,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
-    neglects=("clearance", "deviations", "friction", "pin_bending", "equal_discs", "edge_pressure"),
+    neglects=LEFT_OUT,
 )

@@ -17,7 +17,7 @@ from app.calculations.load_sharing_answer import (
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.mechanism import Angle
-from app.calculations.real_design import RealDesignFields
+from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields
 from app.model import (
     SIZE,
@@ -306,13 +306,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, JOHNSON_1985, HARRIS),
-    neglects=(
-        "bearing_elasticity",
-        "bodies_rigid",
-        "edge_pressure",
-        "friction",
-        "heat",
-        "misalignment",
-        "second_flange",
-    ),
+    neglects=LEFT_OUT,
 )

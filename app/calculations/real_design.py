@@ -45,6 +45,17 @@ def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
         {"not": {"allOf": [supported, coupled]}},
     ]
 
+LEFT_OUT = (
+    "bearing_elasticity",
+    "bodies_rigid",
+    "edge_pressure",
+    "friction",
+    "heat",
+    "misalignment",
+    "second_flange",
+)
+"""What the model leaves out."""
+
 
 class RealDesignFields(RequestModel):
     """Mechanism, load, contact, law of contact, pins, and what the satellites give."""

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.real_design import RealDesignFields
+from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import OneWayLoadFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
@@ -58,6 +58,9 @@ FEWEST = 20
 """Samples that a mechanism must allow: else it has too many pairs for a study."""
 
 MAX_SAMPLES = 1_000_000
+
+Report = Callable[[float], None]
+"""What is told how much is done, from 0 to 1."""
 
 
 def _limit(title: str) -> Any:
@@ -193,8 +196,8 @@ class ToleranceStudyRequest(RealDesignFields):
         limits = {} if self.limits is None else dict(self.limits)
         return {name: limit for name, limit in limits.items() if limit is not None}
 
-    def study(self) -> Study:
-        """The study in SI units."""
+    def study(self, report: Report) -> Study:
+        """The study in SI units, which tells how much of it is done."""
         return Study(
             real=self.made(Deviations()),
             tolerances=self.tolerances.tolerances(self.contact),
@@ -206,17 +209,38 @@ class ToleranceStudyRequest(RealDesignFields):
             ),
             samples=self.samples,
             seed=self.seed,
+            progress=self._counted(report),
         )
 
-    def solve(self) -> tuple[Values, Accuracy]:
-        """What is asked for, and its accuracy."""
-        study = self.study()
+    def _counted(self, report: Report) -> Callable[[int], None]:
+        """What takes the number of pieces that are done, which begins anew with each contribution,
+        and tells their share of all.
+        """
+        before = last = 0
+
+        def count(done: int) -> None:
+            nonlocal before, last
+            before += last if done < last else 0
+            last = done
+            report(min((before + done) / self._pieces, 1.0))
+
+        return count
+
+    @property
+    def _pieces(self) -> int:
+        """How many pieces are calculated."""
+        if "contributions" not in self.include:
+            return self.samples
+        sources = sum(given is not None for _, given in self.tolerances)
+        return self.samples * (2 * sources + 3)
+
+    def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
+        """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
+        study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}
-        pieces = self.samples
         if "contributions" in self.include:
             quantities[self.names[0]]["contributions"] = self._contributions(study)
-            pieces *= 2 * len(study.tolerances.sources) + 3
         sampling = max(self._sampling_error(name, quantities, found) for name in self.names)
         grid = max(found.angle_grid_error.values())
         values = {
@@ -227,7 +251,7 @@ class ToleranceStudyRequest(RealDesignFields):
             "cannot_work": int(np.isnan(found.values[:, 0]).sum()),
             "accuracy": {"sampling_error": sampling, "angle_grid_error": grid},
         }
-        return values, Accuracy("monte_carlo", sampling + grid, pieces * self.crank_angles)
+        return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
 
     def _quantity(self, name: str, found: ToleranceStudy) -> Values:
         quantity = core_name(name)
@@ -304,13 +328,21 @@ def _histogram(values: FloatArray) -> Values:
     return {"edges": edges, "counts": counts}
 
 
+def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
+    """The same as `solve`, which tells how much of it is done."""
+    (values, accuracy), run_time_us = run(body, lambda: body.solve(report))
+    values["accuracy"] |= accuracy_values(accuracy, run_time_us)
+    return values
+
+
 def solve(body: ToleranceStudyRequest) -> Values:
     """What tolerances do to peak force, backlash, lost motion and others: percentiles and yield of
     pieces drawn from them, with their intervals, and which tolerance does most.
+
+    With `Accept: application/x-ndjson` in lines, at most four a second: `{"progress": 0.25}`, from
+    0 to 1, and at last `{"result": ...}` or `{"problem": ...}`. Closing the connection ends it.
     """
-    (values, accuracy), run_time_us = run(body, body.solve)
-    values["accuracy"] |= accuracy_values(accuracy, run_time_us)
-    return values
+    return reporting(body, lambda share: None)
 
 
 def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
@@ -331,14 +363,7 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_286, JANSEN_1999),
-    neglects=(
-        "bearing_elasticity",
-        "bodies_rigid",
-        "edge_pressure",
-        "friction",
-        "heat",
-        "misalignment",
-        "second_flange",
-    ),
+    neglects=LEFT_OUT,
     batched=False,
+    reporting=reporting,
 )

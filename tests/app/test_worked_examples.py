@@ -42,10 +42,24 @@ MORE: list[dict[str, Any]] = [
                 "contact_length_mm": 10.0,
                 "pin_radius_mm": 5.0,
                 "hole_radius_mm": 5.02,
-                "eccentricity_mm": 0.01,
+                "eccentricity_mm": 0.02,
                 "pin_material": STEEL,
                 "hole_material": STEEL,
                 "dynamic_factor": 1.2,
+            },
+        },
+    },
+    {
+        "calculation": "crank-planetary",
+        "input": {
+            "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+            "load": {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 40.0},
+            "contact": {
+                "contact_length_mm": 12.0,
+                "pin_radius_mm": 5.0,
+                "hole_radius_mm": 7.03,
+                "eccentricity_mm": 2.0,
+                "dynamic_factor": 1.25,
             },
         },
     },
@@ -121,6 +135,9 @@ async def _answer(api: Any, calculation: str, given: dict[str, Any]) -> dict[str
         sections = ["cyclogram", "contact_force", "hertz"]
         if "eccentricity_mm" in given["contact"]:
             sections.append("geometry")
+            own = given["contact"]
+            if own["hole_radius_mm"] - own["pin_radius_mm"] - own["eccentricity_mm"] > 1e-9:
+                sections.append("load_sharing")
         load = given["load"] | {"include": ["equal_sharing", "approximation"]}
         body = given | {"load": load, "include": sections}
         return {name: part for name, part in (await post(calculation, body)).items() if part}

@@ -12,7 +12,7 @@ import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { WANTED } from "./wanted.js";
-import { workedSteps } from "./worked.js";
+import { pressedBy, workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
 
@@ -27,13 +27,18 @@ function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
   return { ...mechanism, ...load };
 }
 
-function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
-  return { ...contact, force_N: answer.contact_force.peak_force_N };
+function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
+  const { contact, force } = pressedBy(given, answer);
+  return { ...contact, force_N: force };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
-function clearanceNote({ contact }) {
-  const clearance = tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
+function clearanceOf({ contact }) {
+  return tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
+}
+
+function clearanceNote(input) {
+  const clearance = clearanceOf(input);
   if (!(Math.abs(clearance) > 1e-9)) return "";
   return message(`form.${clearance > 0 ? "clearance" : "interference"}`, { value: formatQuantity(Math.abs(clearance), "mm", 4) });
 }
@@ -142,13 +147,13 @@ export default {
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
     load: ["torque", "contact.dynamic_factor"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["requirements.pitting_safety", "requirements.min_wall_mm"],
+    requirements: ["pitting_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
   hidden: [
     "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
-    "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
+    "load.include", "load.samples", "load.torque_direction", "contact.hole_clearance_mm", "include", "fixes_for", "crank_angle_deg",
   ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
@@ -197,7 +202,7 @@ export default {
         ...(input.satellite_body && { satellite_body: input.satellite_body }),
         ...(input.requirements && { requirements: input.requirements }),
       }),
-      include: [...sections, "checks"],
+      include: [...sections, ...(sections.includes("hertz") && clearanceOf(input) > 1e-9 ? ["load_sharing"] : []), "checks"],
     }));
   },
 
@@ -210,7 +215,7 @@ export default {
   targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
 
   verdict: (answer, { input = {} } = {}) => [
-    cell("peak", answer.contact_force, (section) => peakCell(section, input)),
+    cell("peak", answer.load_sharing ?? answer.contact_force, (section) => peakCell(section, input)),
     cell("pairs", answer.cyclogram, pairsCell),
     cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],

@@ -21,12 +21,12 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
 export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
 
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
-export function sentences({ cyclogram, contact_force: force, hertz }, { input } = {}) {
+export function sentences({ cyclogram, contact_force: force, load_sharing: real, hertz }, { input } = {}) {
   const factor = factorOf(input?.contact);
   return [
     cyclogram && transmission(cyclogram),
     force?.equal_sharing_peak_N !== undefined && evenness(force),
-    force && hertz && factor !== 1 && ["", say("factors", {
+    force && hertz && !real && factor !== 1 && ["", say("factors", {
       force: formatQuantity(force.peak_force_N * factor, "N", 4), factor: formatNumber(factor, 4),
     })],
   ];

@@ -313,14 +313,21 @@ function geometrySteps(section, contact) {
   })];
 }
 
+/** The contact and the force of its pressure: with clearance the force is that under the dynamic load. */
+export function pressedBy(contact, { contact_force: ideal, load_sharing: real }) {
+  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N };
+  return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N };
+}
+
 /** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values. */
 export function workedSteps({ input, answer, materialOf }) {
   const mechanism = mechanismOf(input.mechanism);
   const { cyclogram, contact_force: force, hertz, geometry } = answer;
+  const pressed = hertz && pressedBy(input.contact, answer);
   return [
     cyclogram && { section: "cyclogram", steps: cyclogramSteps(cyclogram, mechanism) },
     force && { section: "contact_force", steps: forceSteps(force, mechanism, input.load) },
-    hertz && { section: "hertz", steps: hertzSteps(hertz, input.contact, force.peak_force_N, materialOf) },
+    hertz && { section: "hertz", steps: hertzSteps(hertz, pressed.contact, pressed.force, materialOf) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
   ].filter(Boolean);
 }

@@ -1,0 +1,209 @@
+"""The design document with clearance, deviations and elasticity, over REST: the section of its
+forces, what follows from what, refusals.
+"""
+
+from copy import deepcopy
+
+import numpy as np
+import pytest
+
+from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.endpoint import LIGHT_POINTS, points
+from app.examples import DESIGN, REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "crank-planetary"
+IDEAL = REQUESTS[PATH]
+
+
+def changed(body=DESIGN, /, **changes):
+    """A design with changed fields: `section__field=value`; None takes one away."""
+    body = deepcopy(body)
+    for place, value in changes.items():
+        *path, last = place.split("__")
+        inner = body
+        for part in path:
+            inner = inner.setdefault(part, {})
+        if value is None:
+            del inner[last]
+        else:
+            inner[last] = value
+    return body
+
+
+async def answered(api, body):
+    response = await api.post(PATH, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+async def refused(api, body):
+    response = await api.post(PATH, json=body)
+    assert response.status_code == 422, response.text
+    (error,) = response.json()["errors"]
+    return error["pointer"], error["code"]
+
+
+async def test_the_section_is_that_of_load_sharing(api):
+    both = {}
+    for way in ("driving", "reverse"):
+        body = {name: DESIGN[name] for name in ("mechanism", "contact", "deviations", "pin")}
+        body["load"] = DESIGN["load"] | {"torque_direction": way}
+        response = await api.post("load-sharing", json=body | {"include": ["over_turn"]})
+        both[way] = response.json()["over_turn"]
+    answer = await answered(api, DESIGN)
+    found = answer["load_sharing"]
+    worse = max(both, key=lambda way: both[way]["max_pressure_MPa"])
+    assert found.pop("torque_direction") == worse
+    pair, force = found["peak_pair"], found.pop("judged_force_N")
+    assert force == pytest.approx(found["peak_force_N"])
+    found.pop("accuracy")
+    found.pop("warnings", None)
+    assert found == {name: pytest.approx(value) for name, value in both[worse].items()}
+    # under which the pressure is that of the section hertz and of the checks
+    checks = {each["code"]: each for each in answer["checks"]}
+    pressure = checks["contact_pressure_hole"]
+    assert pressure["value"] == answer["hertz"]["governing_pressure_MPa"]
+    assert answer["hertz"]["max_pressure_MPa"] == pytest.approx(found["max_pressure_MPa"])
+    assert {name: pressure["at"][name] for name in pair} == pair
+    assert checks["backlash"]["value"] == found["backlash_max_arcmin"]
+    assert checks["lost_motion"]["value"] == found["lost_motion_arcmin"]
+    assert "clearance" not in answer["not_considered"]
+
+
+async def test_the_section_is_at_the_torque_the_checks_at_the_dynamic_one(api):
+    one = await answered(api, changed(contact__dynamic_factor=1.25))
+    more = await answered(api, changed(load__output_torque_Nm=250.0))
+    base = await answered(api, DESIGN)
+    for name in ("peak_force_N", "lost_motion_arcmin", "max_pressure_MPa"):
+        assert one["load_sharing"][name] == base["load_sharing"][name]
+    for name in ("judged_force_N",):
+        assert one["load_sharing"][name] == pytest.approx(more["load_sharing"][name])
+    assert one["hertz"]["max_pressure_MPa"] == pytest.approx(more["hertz"]["max_pressure_MPa"])
+    assert one["largest_torque_Nm"] == pytest.approx(base["largest_torque_Nm"] / 1.25)
+
+
+@pytest.mark.parametrize(
+    ("contact", "clearance", "codes"),
+    [
+        ({"hole_radius_mm": 10.0, "eccentricity_mm": 2.0}, 0.0, []),
+        ({"hole_radius_mm": 10.03, "eccentricity_mm": 2.0}, 0.03, ["clearance"]),
+        ({"eccentricity_mm": 2.0, "hole_clearance_mm": 0.03}, 0.03, ["clearance"]),
+        ({"eccentricity_mm": 2.0}, 0.0, []),
+        ({"eccentricity_mm": 2.0, "hole_clearance_mm": -0.03}, -0.03, ["interference"]),
+        ({"hole_radius_mm": 10.03}, 0.0, ["eccentricity_assumed"]),
+        (
+            {"hole_radius_mm": 10.03, "eccentricity_mm": 2.0, "hole_clearance_mm": 0.03},
+            0.03,
+            ["clearance"],
+        ),
+    ],
+)
+async def test_of_hole_eccentricity_and_clearance_two_say_the_third(api, contact, clearance, codes):
+    body = deepcopy(IDEAL)
+    body["contact"] = {"contact_length_mm": 20.0, "pin_radius_mm": 8.0} | contact
+    answer = await answered(api, body | {"include": ["geometry", "checks"]})
+    assert answer["geometry"]["clearance_mm"] == pytest.approx(clearance, abs=1e-12)
+    assert [each["code"] for each in answer.get("warnings", [])] == codes
+    assert ("clearance" in answer["not_considered"]) == (clearance <= 0)
+    assert (answer["verdict"] == "fail") or clearance >= 0
+
+
+@pytest.mark.parametrize(
+    ("changes", "pointer", "code"),
+    [
+        ({"contact__hole_radius_mm": 7.04}, "/contact/hole_radius_mm", "hole_disagrees"),
+        ({"contact__eccentricity_mm": None}, "/contact/eccentricity_mm", "needed_beside"),
+        (
+            {"contact__eccentricity_mm": None, "contact__hole_clearance_mm": None},
+            "/contact/hole_radius_mm",
+            "needed",
+        ),
+        (
+            {"contact__distribution_factor": 1.2},
+            "/contact/distribution_factor",
+            "with_real_forces",
+        ),
+        ({"deviations__pin_radial_mm": [0.0] * 5}, "/deviations/pin_radial_mm", "different_length"),
+        (
+            {"pin__satellite_positions_mm": [9.0]},
+            "/pin/satellite_positions_mm",
+            "different_length",
+        ),
+        ({"mechanism__pins": 51, "deviations": None}, "/mechanism/pins", "too_many_pairs"),
+        ({"load__torque_direction": "both"}, "/load/torque_direction", "literal_error"),
+        ({"contact__hole_clearance_mm": 2.5, "include": ["load_sharing"]}, "", "lost_in_space"),
+        ({"contact__hole_clearance_mm": 2.5, "include": ["hertz"]}, "", "lost_in_space"),
+    ],
+)
+async def test_what_does_not_fit_together_is_refused(api, changes, pointer, code):
+    assert await refused(api, changed(**changes)) == (pointer, code)
+
+
+async def test_uneven_sharing_may_be_assumed_of_ideal_forces_only(api):
+    for changes in (
+        {"contact__hole_radius_mm": 10.03},
+        {"contact_law": {"kind": "hertz"}},
+        {"deviations": {}},
+        {"pin": {"support": "cantilever", "satellite_positions_mm": [10, 30]}},
+    ):
+        body = changed(IDEAL, contact__distribution_factor=1.2, **changes)
+        assert (await refused(api, body))[1] == "with_real_forces"
+        assert (
+            await api.post(PATH, json=changed(body, contact__distribution_factor=1.0))
+        ).is_success
+    await answered(api, changed(IDEAL, contact__distribution_factor=1.2))
+
+
+async def test_by_default_what_cannot_be_solved_is_left_out_and_said(api):
+    body = changed(contact__hole_clearance_mm=2.5, include=None)
+    answer = await answered(api, body)
+    assert not {"load_sharing", "hertz"} & {*answer} and "contact_force" in answer
+    assert answer["verdict"] in ("incomplete", "fail") and "clearance" in answer["not_considered"]
+    default = await answered(api, changed(include=None))
+    assert {"cyclogram", "contact_force", "load_sharing", "hertz"} <= {*default}
+
+
+async def test_the_geometry_has_the_real_forces(api):
+    body = changed(include=["geometry"], crank_angle_deg=37.0, load__torque_direction="reverse")
+    pairs = (await answered(api, body))["geometry"]["pairs"]
+    sharing = {name: body[name] for name in ("mechanism", "load", "contact", "deviations", "pin")}
+    response = await api.post("load-sharing", json=sharing | {"crank_angle_deg": [37.0]})
+    forces = [each for row in response.json()["positions"][0]["force_N"] for each in row]
+    assert [each["force_N"] for each in pairs] == pytest.approx(forces)
+    assert [each["driving"] for each in pairs] == [force > 0 for force in forces]
+
+
+async def test_in_reverse_the_other_pairs_carry(api):
+    bodies = [
+        changed(IDEAL, load__torque_direction=way, crank_angle_deg=20.0, include=["geometry"])
+        for way in ("driving", "reverse")
+    ]
+    pairs = [(await answered(api, body))["geometry"]["pairs"] for body in bodies]
+    for one, other in zip(*pairs, strict=True):
+        assert one["pressure_angle_deg"] == other["pressure_angle_deg"]
+        assert min(one["force_N"], other["force_N"]) == 0
+    lever = np.cos(np.radians([each["pressure_angle_deg"] for each in pairs[1]]))
+    force = np.array([each["force_N"] for each in pairs[1]])
+    load = IDEAL["load"]
+    torque = float(force @ lever) * load["pin_circle_radius_mm"] / 1000
+    assert torque == pytest.approx(-load["output_torque_Nm"])
+
+
+def test_only_what_solves_the_real_forces_is_long():
+    for body, long in (
+        (IDEAL, False),
+        (changed(IDEAL, load__torque_direction="reverse"), False),
+        (changed(IDEAL, contact__hole_radius_mm=9.9), False),
+        (changed(IDEAL, requirements={"max_backlash_arcmin": 1}), False),
+        (DESIGN, True),
+        (changed(IDEAL, contact__hole_radius_mm=10.03), True),
+        (changed(IDEAL, deviations={}), True),
+        (changed(IDEAL, include=["load_sharing"]), True),
+        (changed(IDEAL, requirements={"max_lost_motion_arcmin": 1}), True),
+    ):
+        read = CrankPlanetaryRequest.model_validate(body)
+        assert (points(read, drawn=False) > LIGHT_POINTS) == long, body
+    read = CrankPlanetaryRequest.model_validate(changed(load=None, include=None))
+    assert points(read, drawn=False) <= LIGHT_POINTS  # without a load there is nothing to solve

@@ -1,0 +1,188 @@
+"""Studies that tell how much of them is done, line by line: progress before the end, the same
+result, refusals, and nothing left running where the client goes.
+"""
+
+import asyncio
+import json
+
+import pytest
+
+from app import endpoint
+from app.calculations.tolerance_study import ToleranceStudyRequest, reporting
+from app.endpoint import LINES
+from app.examples import REQUESTS
+from app.jobs import Jobs
+from app.main import PRELOAD, create_app
+from app.problems import Problem
+from app.processes import as_it_comes
+from app.record import Record
+from app.settings import Settings
+from core.errors import ImpossibleMechanism
+from tests.app import jobs_to_run
+from tests.running_service import lives
+
+pytestmark = pytest.mark.anyio
+
+PATH = "tolerance-study"
+STUDY = REQUESTS[PATH]
+LONG = STUDY | {"samples": 5000, "crank_angles": 12, "quantities": ["peak_force_N"]}
+HEADERS = {"accept": LINES, "content-type": "application/json"}
+
+
+class Client:
+    """One request to an ASGI application, whose answer is read line by line as it comes."""
+
+    def __init__(self, app, body, **headers):
+        self.app, self.gone, self.lines = app, asyncio.Event(), asyncio.Queue()
+        self.status, self.asked = 0, False
+        self.content = json.dumps(body).encode()
+        self.headers = [(k.encode(), v.encode()) for k, v in (HEADERS | headers).items()]
+        self.answering = asyncio.create_task(app(self.scope, self.receive, self.send))
+
+    @property
+    def scope(self):
+        path = f"/api/v1/{PATH}"
+        return {
+            "type": "http",
+            "method": "POST",
+            "path": path,
+            "raw_path": path.encode(),
+            "query_string": b"",
+            "headers": self.headers,
+        }
+
+    async def receive(self):
+        if not self.asked:
+            self.asked = True
+            return {"type": "http.request", "body": self.content, "more_body": False}
+        await self.gone.wait()
+        return {"type": "http.disconnect"}
+
+    async def send(self, message):
+        if message["type"] == "http.response.start":
+            self.status = message["status"]
+            self.kind = dict(message["headers"])[b"content-type"].decode()
+        for line in message.get("body", b"").splitlines():
+            self.lines.put_nowait(json.loads(line))
+
+
+def processes_of(app):
+    return {child.process.pid for child in app.state.jobs._children}
+
+
+async def test_progress_comes_before_the_end_and_leaving_ends_the_study():
+    app = create_app(Settings(processes=1, max_study_seconds=300))
+    client = Client(app, LONG)
+    first = await client.lines.get()
+    assert 0 < first["progress"] < 1 and not client.answering.done()
+    assert (client.status, client.kind) == (200, LINES)
+    (busy,) = processes_of(app)
+    client.gone.set()
+    await asyncio.gather(client.answering, return_exceptions=True)
+    while lives(busy):
+        await asyncio.sleep(0.02)
+    # and the next one is served
+    short = Client(app, STUDY)
+    await short.answering
+    assert "result" in last_of(short)
+
+
+def last_of(client):
+    lines = []
+    while not client.lines.empty():
+        lines.append(client.lines.get_nowait())
+    assert all([*line] == ["progress"] for line in lines[:-1])
+    return lines[-1]
+
+
+async def test_the_result_is_that_without_progress(api):
+    whole = (await api.post(PATH, json=STUDY)).json()
+    by_lines = await api.post(PATH, json=STUDY, headers={"accept": LINES})
+    assert by_lines.headers["content-type"] == LINES
+    result = json.loads(by_lines.text.splitlines()[-1])["result"]
+    for answer in (whole, result):
+        del answer["accuracy"]["run_time_us"]
+    assert result == whole
+
+
+@pytest.mark.parametrize("include", [[], ["contributions"]])
+def test_all_of_it_is_done_at_the_end(include):
+    body = STUDY | {"include": include, "samples": 20, "crank_angles": 12, "percentiles": [50.0]}
+    told = []
+    reporting(ToleranceStudyRequest.model_validate(body), told.append)
+    assert told == sorted(told) and told[-1] == 1
+    assert len(told) == 20 * (15 if include else 1)
+
+
+@pytest.mark.parametrize(
+    ("change", "pointer"),
+    [
+        ({"samples": 0}, "/samples"),
+        ({"samples": 1_000_000}, "/samples"),
+        ({"percentiles": [99.9]}, "/percentiles/0"),
+        ({"x": 1}, "/x"),
+    ],
+)
+async def test_what_is_wrong_is_refused_as_a_whole(api, change, pointer):
+    answer = await api.post(PATH, json=STUDY | change, headers={"accept": LINES})
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.json()["errors"][0]["pointer"] == pointer
+
+
+async def test_what_cannot_work_is_the_last_line(api):
+    soft = STUDY | {"contact_law": {"kind": "linear", "stiffness_N_per_mm": 1.0}}
+    answer = await api.post(PATH, json=soft, headers={"accept": LINES})
+    assert answer.status_code == 200
+    problem = json.loads(answer.text.splitlines()[-1])["problem"]
+    assert (problem["status"], problem["errors"][0]["code"]) == (422, "lost_in_space")
+
+
+async def test_more_time_is_given_than_to_an_answer_at_once(api):
+    at_once = await api.post(PATH, json=STUDY | {"samples": 100_000})
+    limit = at_once.json()["errors"][0]["params"]["limit"]
+    by_lines = await api.post(PATH, json=STUDY | {"samples": 100_000}, headers={"accept": LINES})
+    # 300 s of the tests' own service, 60 s by default
+    assert by_lines.json()["errors"][0]["params"]["limit"] == limit // 5
+
+
+@pytest.mark.parametrize(
+    ("job", "said"), [("yields_then_sleeps", "0.5 s"), ("yields_then_dies", "stopped")]
+)
+async def test_what_does_not_come_to_its_end_has_given_what_it_had(job, said):
+    async def stays():
+        await asyncio.Event().wait()
+
+    got, asked = [], (3, 60) if job == "yields_then_sleeps" else (3,)
+    async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
+        record = Record(receive=stays)
+        parts = as_it_comes(jobs, getattr(jobs_to_run, job), *asked, record=record, limit_s=0.5)
+
+        async def take():
+            async for part in parts:
+                got.append(part)
+
+        with pytest.raises(Problem) as problem:
+            await take()
+    assert got == [0, 1, 2]
+    assert problem.value.status == 503 and said in problem.value.detail
+
+
+def test_an_error_of_the_work_is_raised():
+    def fails(report):
+        report(0.5)
+        raise ImpossibleMechanism("not_balanced")
+
+    with pytest.raises(ImpossibleMechanism):
+        list(endpoint._reported(fails))
+
+
+def test_so_much_is_told_only_as_anyone_can_see(monkeypatch):
+    def work(report):
+        for done in range(1000):
+            report(done / 1000)
+        return b"done"
+
+    assert [*endpoint._reported(work)] == [b"done"]
+    monkeypatch.setattr(endpoint, "PROGRESS_S", 0.0)
+    assert len([*endpoint._reported(work)]) == 1001
