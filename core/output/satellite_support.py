@@ -22,6 +22,7 @@ from core.output.sharing_kernel import (
     STEPS,
     Position,
     at,
+    interference,
     law,
     play,
     shift,
@@ -201,6 +202,32 @@ class HeldSatellites:
             at(psi, one, pairs, own)
             ends.append(play(one, own)[:2])
         return _mean_play(self.support.shares, ends)
+
+    def interference(self, psi: float, setup: Setup, room: Room) -> float:
+        """Smallest possible worst approach of the unloaded pairs at a wave angle, m; with given
+        shares each satellite turns for itself.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        setup : Setup
+            The design.
+        room : Room
+            Scratch.
+
+        Returns
+        -------
+        float
+        """
+        parts = [(setup, self.pairs, room)]
+        if isinstance(self.support, Shares):
+            parts = self._each(setup, room)
+        far, worst = setup.eccentricity / setup.radius, []
+        for one, pairs, own in parts:
+            at(psi, one, pairs, own)
+            worst.append(interference(-far, far, one, pairs, own))
+        return max(worst)
 
     def wave_torque(self, psi: float, setup: Setup, room: Room) -> float:
         """Torque of the forces on the wave, N*m, as `solve` left the room.

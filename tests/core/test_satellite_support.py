@@ -200,6 +200,26 @@ def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
         assert flat(found) == pytest.approx(flat(rigid), rel=1e-6, abs=1e-6)
 
 
+def test_interference_of_given_shares_is_that_of_the_worst_disc() -> None:
+    """Discs that are turned against each other press only where one output holds both."""
+    tight = replace(AHEAD, clearance=1e-6)
+    rigid = solved(tight, 0.3, 30.0)
+    assert rigid.play is None and rigid.interference > 0
+    assert solved(replace(tight, support=ElasticMesh(1e4)), 0.3, 30.0).play is None
+    apart = solved(replace(tight, support=Shares((0.5, 0.5))), 0.3, 30.0)
+    assert apart.play is not None
+    pressed = replace(tight, clearance=-1e-6)
+    shared = solved(replace(pressed, support=Shares((0.5, 0.5))), 0.3, 30.0)
+    assert shared.play is None
+    alone = solved(
+        replace(pressed, mechanism=replace(pressed.mechanism, crank_angles=(0.0,)),
+                deviations=Deviations()), 0.3, 30.0
+    )  # fmt: skip
+    assert shared.interference == pytest.approx(alone.interference, rel=0.02)
+    loose = solved(replace(pressed, support=CrankSupport(1e8, 1e-5)), 0.3, 30.0)
+    assert loose.interference is None or loose.interference < rigid.interference + 2e-6
+
+
 def test_one_pin_and_two() -> None:
     quarter = -math.pi / 2 / (1 + 1 / 18)
     for support in (CrankSupport(1e8), ElasticMesh(1e5), Shares((1.0,))):
