@@ -322,7 +322,7 @@ class HeldSatellites:
         if first == math.inf:
             return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
         power, steps = 1.0 if pressed else 1 / setup.exponent, 0
-        rest = 0.0 if self._crank else 1.0
+        rest, far = 0.0 if self._crank else 1.0, setup.eccentricity / setup.radius
         owns = [rest] * setup.satellites  # over the lag: where the next search begins
 
         def balance(lag: float) -> _Balance:
@@ -338,6 +338,8 @@ class HeldSatellites:
                 change = (torque - carried) / slope
             elif slope > 0 and ratio > 0:
                 change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+            if pressed:  # as in the kernel: no step beyond what is sought
+                change = min(max(change, -far), far)
             size = math.fsum(disc.gross + abs(disc.weight) * disc.size for disc in discs)
             return _Balance(carried - torque, change, size, slope, discs)
 
