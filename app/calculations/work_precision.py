@@ -136,7 +136,7 @@ class ShaftDeflectionStudy(Study):
 
 
 class LoadSharingStudy(Study):
-    """Peak force with clearance and errors."""
+    """Peak force with clearance and errors; of a torque that alternates its driving direction."""
 
     calculation: Literal["load-sharing"]
     input: LoadSharingRequest

@@ -289,8 +289,8 @@ class RealMechanism:
             more than the eccentricity, or a contact would be as wide as its pin.
         """
         pairs, _, limits = self._prepared
-        if self._held is not None:
-            position = self._held.solve(psi, torque, setup, room)
+        if self.held is not None:
+            position = self.held.solve(psi, torque, setup, room)
         else:
             position = solve(psi, torque, setup, pairs, room)
         code, params = "", {}
@@ -314,7 +314,7 @@ class RealMechanism:
         return position
 
     @cached_property
-    def _held(self) -> HeldSatellites | None:
+    def held(self) -> HeldSatellites | None:
         """The satellites that give, where they do."""
         return None if self.support is None else HeldSatellites(self.support, self.pairs)
 
@@ -335,8 +335,8 @@ class RealMechanism:
         low, high : float
             Least and largest lag of the unloaded output in the torque's direction, rad.
         """
-        if self._held is not None:
-            return self._held.played(psi, setup, room)
+        if self.held is not None:
+            return self.held.played(psi, setup, room)
         at(psi, setup, self.pairs, room)
         low, high, *_ = play(setup, room)
         return low, high
@@ -362,8 +362,8 @@ class RealMechanism:
         float
             N*m.
         """
-        if self._held is not None:
-            on_wave = self._held.wave_torque(psi, setup, room)
+        if self.held is not None:
+            on_wave = self.held.wave_torque(psi, setup, room)
         else:
             on_wave = wave_torque(psi, lag, setup, self.pairs, room)
         ratio = setup.ratio

@@ -22,6 +22,7 @@ from core.output.sharing_kernel import (
     STEPS,
     Position,
     at,
+    interference,
     law,
     play,
     shift,
@@ -202,6 +203,32 @@ class HeldSatellites:
             ends.append(play(one, own)[:2])
         return _mean_play(self.support.shares, ends)
 
+    def interference(self, psi: float, setup: Setup, room: Room) -> float:
+        """Smallest possible worst approach of the unloaded pairs at a wave angle, m; with given
+        shares each satellite turns for itself.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        setup : Setup
+            The design.
+        room : Room
+            Scratch.
+
+        Returns
+        -------
+        float
+        """
+        parts = [(setup, self.pairs, room)]
+        if isinstance(self.support, Shares):
+            parts = self._each(setup, room)
+        far, worst = setup.eccentricity / setup.radius, []
+        for one, pairs, own in parts:
+            at(psi, one, pairs, own)
+            worst.append(interference(-far, far, one, pairs, own))
+        return max(worst)
+
     def wave_torque(self, psi: float, setup: Setup, room: Room) -> float:
         """Torque of the forces on the wave, N*m, as `solve` left the room.
 
@@ -295,7 +322,7 @@ class HeldSatellites:
         if first == math.inf:
             return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
         power, steps = 1.0 if pressed else 1 / setup.exponent, 0
-        rest = 0.0 if self._crank else 1.0
+        rest, far = 0.0 if self._crank else 1.0, setup.eccentricity / setup.radius
         owns = [rest] * setup.satellites  # over the lag: where the next search begins
 
         def balance(lag: float) -> _Balance:
@@ -311,6 +338,8 @@ class HeldSatellites:
                 change = (torque - carried) / slope
             elif slope > 0 and ratio > 0:
                 change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+            if pressed:  # as in the kernel: no step beyond what is sought
+                change = min(max(change, -far), far)
             size = math.fsum(disc.gross + abs(disc.weight) * disc.size for disc in discs)
             return _Balance(carried - torque, change, size, slope, discs)
 

@@ -17,6 +17,9 @@ from core.work_precision.study import (
 MAX_PAIRS = 36
 """Most pairs of a study: it solves some twenty thousand positions."""
 
+MAX_PAIRS_GIVING = 9
+"""The same where the satellites give, which takes four times as long."""
+
 POSITIONS = (24, 60, 120, 360, 720, 1440, 2880)
 ZOOMED = (24, 60, 120, 360, 720)
 DENSE = 4
@@ -34,7 +37,7 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
     Parameters
     ----------
     real : RealMechanism
-        The mechanism, of at most `MAX_PAIRS` pairs.
+        The mechanism, of at most `MAX_PAIRS` pairs, or `MAX_PAIRS_GIVING`.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
 
@@ -51,7 +54,8 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         See `RealMechanism.solved`.
     """
     own = real.mechanism
-    refuse_many_pairs(mechanism=own, limit=MAX_PAIRS)
+    most = MAX_PAIRS if real.support is None else MAX_PAIRS_GIVING
+    refuse_many_pairs(mechanism=own, limit=most)
     turn = Turn(real, output_torque)
     start = own.initial_crank_angle
 

@@ -161,6 +161,42 @@ async def test_every_quantity_of_exact_parts_is_that_of_load_sharing(api):
     assert found["peak_force_N"]["nominal"] <= highest * (1 + 1e-12)
 
 
+@pytest.mark.parametrize(
+    "giving",
+    [
+        {"crank_support": {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.02}},
+        {"satellite_coupling": {"kind": "elastic", "stiffness_Nm_per_arcmin": 30.0}},
+        {"satellite_coupling": {"kind": "shares", "shares": [0.55, 0.45]}},
+    ],
+)
+async def test_satellites_that_give_do_so_in_the_study_too(api, giving):
+    """The piece at the middle of all limits, at positions of the wave."""
+    names = ["peak_force_N", "backlash_max_arcmin", "lost_motion_arcmin"]
+    names += ["stiffness_min_Nm_per_arcmin"]
+    shown = {"disc_phase_deg": {"lower_deg": 0.009, "upper_deg": 0.011, "common": True}}
+    body = changed(shown, quantities=names, crank_angles=60, samples=6, **giving)
+    found = (await answered(api, body))["quantities"]
+    design = {name: body[name] for name in ("mechanism", "load", "contact", "contact_law",
+                                            "geometry", *giving)}  # fmt: skip
+    design["deviations"] = {"disc_phase_deg": [0.01, 0.01]}
+    design["include"] = ["over_turn"]
+    turn = (await api.post("load-sharing", json=design)).json()["over_turn"]
+    for name in names:
+        assert found[name]["nominal"] == pytest.approx(turn[name], rel=0.03), name
+    without = {name: each for name, each in body.items() if name not in giving}
+    rigid = (await answered(api, without))["quantities"]
+    shared = "shares" in str(giving)
+    moved = "peak_force_N" if shared else "stiffness_min_Nm_per_arcmin"
+    ratio = found[moved]["nominal"] / rigid[moved]["nominal"]
+    assert ratio > 1.05 if shared else ratio < 0.95
+
+
+async def test_a_torque_that_alternates_is_refused_by_name(api):
+    load = CHECKED["load"] | {"torque_direction": "alternating"}
+    problem = (await api.post(PATH, json=changed(load=load))).json()
+    assert [each["pointer"] for each in problem["errors"]] == ["/load/torque_direction"]
+
+
 async def test_the_stated_error_is_that_of_sample_and_grid(api):
     answer = await answered(api, changed())
     accuracy, force = answer["accuracy"], answer["quantities"]["peak_force_N"]

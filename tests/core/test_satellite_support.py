@@ -200,6 +200,38 @@ def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
         assert flat(found) == pytest.approx(flat(rigid), rel=1e-6, abs=1e-6)
 
 
+def test_a_pressed_pair_at_its_dead_angle_does_not_hold_the_output() -> None:
+    """It pushes its disc away; the output turns freely until another pair takes up."""
+    pushed = Deviations(pin_radial=(-6.5e-6, 0.0, 0.0))
+    real = design(mechanism=Mechanism(3, (0.0,), 2.0), clearance=0.0, deviations=pushed,
+                  law=LinearLaw(1e8), exact=False, support=CrankSupport(1e8))  # fmt: skip
+    found = solved(real, 0.0, 1e-4)
+    assert found.play is None and found.loaded_pairs == 2
+    # Half of what is pressed is the contact's, half the bearing's, which the other pair waits for.
+    lever = real.pin_circle_radius * math.sin(math.pi / 3)
+    assert found.rotation == pytest.approx(6.5e-6 / 2 / lever, rel=1e-3)
+
+
+def test_interference_of_given_shares_is_that_of_the_worst_disc() -> None:
+    """Discs that are turned against each other press only where one output holds both."""
+    tight = replace(AHEAD, clearance=1e-6)
+    rigid = solved(tight, 0.3, 30.0)
+    assert rigid.play is None and rigid.interference > 0
+    assert solved(replace(tight, support=ElasticMesh(1e4)), 0.3, 30.0).play is None
+    apart = solved(replace(tight, support=Shares((0.5, 0.5))), 0.3, 30.0)
+    assert apart.play is not None
+    pressed = replace(tight, clearance=-1e-6)
+    shared = solved(replace(pressed, support=Shares((0.5, 0.5))), 0.3, 30.0)
+    assert shared.play is None
+    alone = solved(
+        replace(pressed, mechanism=replace(pressed.mechanism, crank_angles=(0.0,)),
+                deviations=Deviations()), 0.3, 30.0
+    )  # fmt: skip
+    assert shared.interference == pytest.approx(alone.interference, rel=0.02)
+    loose = solved(replace(pressed, support=CrankSupport(1e8, 1e-5)), 0.3, 30.0)
+    assert loose.interference is None or loose.interference < rigid.interference + 2e-6
+
+
 def test_one_pin_and_two() -> None:
     quarter = -math.pi / 2 / (1 + 1 / 18)
     for support in (CrankSupport(1e8), ElasticMesh(1e5), Shares((1.0,))):

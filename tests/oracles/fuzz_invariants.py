@@ -223,15 +223,19 @@ async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
     torque = load.get("output_torque_Nm")
     if torque is None:
         torque = load["input_torque_Nm"] * load["efficiency"] * ratio(body["mechanism"])
-    torque *= -1 if load.get("torque_direction") == "reverse" else 1
+    way = load.get("torque_direction", "driving")
     turn = answer.get("over_turn")
     for position in answer["positions"]:
         forces = [force for row in position["force_N"] for force in row]
+        chosen = position.get("torque_direction", way)
+        expect(chosen in ("driving", "reverse"), "direction", chosen)
+        expect((way == "alternating") == ("torque_direction" in position), "which direction", way)
         largest, count = max(forces), sum(force > 0 for force in forces)
         expect(min(forces) >= 0 and position["loaded_pairs"] == count, "loaded", count)
         room = count * position["force_error_N"] * radius
         held = sum(position["satellite_torque_Nm"])
-        equal(held, torque, "torque", size=sum(forces) * radius + room / ROUNDING)
+        signed = -torque if chosen == "reverse" else torque
+        equal(held, signed, "torque", size=sum(forces) * radius + room / ROUNDING)
         expect(position["stiffness_Nm_per_arcmin"] > 0, "stiffness")
         if "play_arcmin" in position:
             low, high = position["play_arcmin"]
@@ -263,6 +267,36 @@ async def pin_strength(body: Body, answer: Body, ask: Ask) -> None:
     force = await ask("contact-force", body["mechanism"] | torque)
     expect(force is not None, "the force alone is refused")
     equal(force["peak_force_N"], answer["peak_force_N"], "force of its own", error)
+
+
+async def tolerance_study(body: Body, answer: Body, ask: Ask) -> None:
+    """Shares are shares, percentiles lie within their intervals, in order."""
+    samples, fits = answer["samples"], answer["fits"]
+    expect(samples == body.get("samples", 200) and 0 <= fits <= samples, "pieces", fits, samples)
+    equal(answer["cannot_assemble"]["value"], 1 - fits / samples, "cannot be assembled")
+    limits = body.get("limits") or {}
+    wanted = dict.fromkeys([*body.get("quantities", answer["quantities"]), *limits])
+    expect(list(answer["quantities"]) == list(wanted), "quantities", list(wanted))
+    shares = [answer["cannot_assemble"]]
+    for name, quantity in answer["quantities"].items():
+        expect(quantity["nominal"] >= 0 and quantity["mean"] >= 0, "below 0", name)
+        values = [each["value"] for each in sorted(quantity["percentiles"], key=_percent)]
+        expect(values == sorted(values), "percentiles in order", name, values)
+        for each in quantity["percentiles"]:
+            expect(each["low"] <= each["value"] <= each["high"], "interval", name, each)
+        if "yield" in quantity:
+            shares.append(quantity["yield"])
+            expect(quantity["yield"]["value"] <= fits / samples + ROUNDING, "yield", name)
+    for each in shares:
+        expect(0 <= each["low"] <= each["value"] <= each["high"] <= 1, "share", each)
+    if samples <= 3:
+        again = await ask("tolerance-study", body)
+        expect(again is not None and again["quantities"] == answer["quantities"], "the same")
+
+
+def _percent(percentile: Body) -> float:
+    number: float = percentile["percent"]
+    return number
 
 
 async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
@@ -385,6 +419,7 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "output-efficiency": output_efficiency,
     "load-sharing": load_sharing,
     "pin-strength": pin_strength,
+    "tolerance-study": tolerance_study,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

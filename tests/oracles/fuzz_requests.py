@@ -208,14 +208,14 @@ def output_efficiency(r: Draw) -> Body:
     return body | {"contact": contact, "friction": friction}
 
 
-def load_sharing(r: Draw) -> Body:
-    """Clearance, any law, deviations and bending pins at times; a turn where it is short."""
+def real_design(r: Draw) -> Body:
+    """Clearance, any law, and satellites that give at times."""
     number = r.number
     torque = load(r)
     del torque["include"]
     torque.pop("samples", None)
     body: Body = {"mechanism": mechanism(r), "load": torque}
-    torque["torque_direction"] = r.choice(("driving", "reverse"))
+    torque["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
     sizes = ("contact_length_mm", "pin_radius_mm", "eccentricity_mm")
     contact = {name: number("RealContactFields", name) for name in sizes}
     contact["hole_clearance_mm"] = contact["eccentricity_mm"] * r.choice(
@@ -229,7 +229,35 @@ def load_sharing(r: Draw) -> Body:
         law["reference_force_N"] = number("ContactLawFields", "reference_force_N", (100, 1e4))
         usual = (1e-3, 0.1)
         law["reference_approach_mm"] = number("ContactLawFields", "reference_approach_mm", usual)
-    body |= {"contact": contact, "contact_law": law, "crank_angle_deg": [r.uniform(-360, 360)]}
+    body |= {"contact": contact, "contact_law": law}
+    if r.chance(0.3):
+        body |= {"geometry": "first_order"} | giving(r, body["mechanism"])
+    return body
+
+
+def giving(r: Draw, mechanism: Body) -> Body:
+    """What the satellites give."""
+    number, kind = r.number, r.choice(("bearings", "elastic", "shares"))
+    if kind == "bearings":
+        bearings = {"radial_clearance_mm": r.choice((0.0, r.log_uniform(1e-6, 0.1)))}
+        if r.chance(0.7):
+            stiff = number("CrankSupportFields", "stiffness_N_per_mm", (1e4, 1e7))
+            bearings["stiffness_N_per_mm"] = stiff
+        return {"crank_support": bearings}
+    coupling: Body = {"kind": kind}
+    if kind == "elastic":
+        stiff = number("SatelliteCouplingFields", "stiffness_Nm_per_arcmin", (1, 1e3))
+        coupling["stiffness_Nm_per_arcmin"] = stiff
+    else:
+        count = mechanism.get("satellites", len(mechanism.get("crank_angles_deg", ())))
+        weights = [r.uniform(0.5, 1) for _ in range(count)]
+        coupling["shares"] = [weight / math.fsum(weights) for weight in weights]
+    return {"satellite_coupling": coupling}
+
+
+def load_sharing(r: Draw) -> Body:
+    """A real design with deviations at times; a turn where it is short."""
+    body = real_design(r) | {"crank_angle_deg": [r.uniform(-360, 360)]}
     pins = body["mechanism"]["pins"]
     if r.chance(0.4) and pins <= 1000:
         size = r.choice((1e-3, 0.02, 1.0))
@@ -274,6 +302,36 @@ def pin_strength(r: Draw) -> Body:
             "criterion": r.choice(("goodman", "gerber", "soderberg", "fkm_haigh")),
         }
     return body | {"include": [each for each in ("deflection", "locus") if r.chance(0.3)]}
+
+
+def tolerance_study(r: Draw) -> Body:
+    """A few pieces of a real design."""
+    body = real_design(r)
+    if body["load"]["torque_direction"] == "alternating" and r.chance(0.9):
+        body["load"]["torque_direction"] = "driving"
+    size = r.choice((1e-3, 0.02, 0.3))
+    tolerances: Body = {
+        "pin_position_mm": size,
+        "hole_position_mm": size / 2,
+        "pin_diameter": r.choice(({"class": "m6"}, {"lower_mm": -size, "upper_mm": 0.0})),
+        "hole_diameter": {"lower_mm": 0.0, "upper_mm": size, "distribution": "uniform"},
+        "eccentricity_mm": {"lower_mm": -size, "upper_mm": size, "common": True},
+        "disc_phase_deg": size,
+    }
+    kept = {name: each for name, each in tolerances.items() if r.chance(0.5)}
+    samples = r.count(30)
+    body |= {"tolerances": kept, "samples": samples, "crank_angles": 12, "seed": r.count(10**6)}
+    names = list(MODELS["LimitsFields"]["properties"])
+    body["quantities"] = r.sample(names, r.randint(1, 3))
+    body["percentiles"] = [50.0] if samples >= 6 else []
+    if r.chance(0.3):
+        limited = r.choice(names)
+        body["limits"] = {limited: r.number("LimitsFields", limited, (0.1, 1e4))}
+    if r.chance(0.1):
+        body["include"] = ["histogram"]
+    if r.chance(0.02) and kept:
+        body |= {"samples": 4, "include": ["contributions"], "percentiles": []}
+    return body
 
 
 def roller_strength(r: Draw) -> Body:
@@ -382,6 +440,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "output-efficiency": output_efficiency,
     "load-sharing": load_sharing,
     "pin-strength": pin_strength,
+    "tolerance-study": tolerance_study,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,
