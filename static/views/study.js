@@ -60,7 +60,7 @@ export function createView({ id, logic, asking }) {
     const names = body.quantities ?? Object.keys(answer.quantities);
     const [leading] = names;
     const of = answer.quantities[leading] ?? first[1];
-    const words = [...logic.advice(leading, of), ...logic.exactness(answer, body)];
+    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer, body)];
     fill(root.querySelector(".outcome"), html`
       <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
       <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>
