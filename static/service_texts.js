@@ -16,6 +16,7 @@ function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titles.get(value) ?? value);
   if (name === "names") return value.split(", ").map((one) => titles.get(one) ?? one).join("; ");
   if (typeof value !== "number") return String(value);
+  if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
 }
 

@@ -270,6 +270,7 @@ export default {
   jumps: { label: "On this page", answer: "Checks", inputs: "Inputs", shown: "Figures", rest: "All" },
   checks: {
     title: "Checks",
+    waiting: "Made once the inputs give a design.",
     governing: "Governing check",
     torque: "Largest torque",
     largestTorque: "Largest torque allowed {torque}",
@@ -393,6 +394,7 @@ export default {
     conformal_half_angle_deg: ["Half-angle of the conformal contact", "ε"],
     stiffness_N_per_mm: ["Stiffness of a roller", "c"],
     relative_stiffness: ["Relative stiffness", "c/(b·E)"],
+    relative_stress: ["Relative bending stress", "σ/E"],
     mean_force_N: ["Mean force on a roller end"],
     relative_position_error: ["Relative position error", "δ"],
     load_nonuniformity: ["Load non-uniformity", "Ψ"],
@@ -445,6 +447,7 @@ export default {
   section: {
     cyclogram: "Cyclogram",
     contact_force: "Contact force",
+    load_sharing: "Load sharing",
     hertz: "Contact pressure",
     geometry: "Fit of pin and hole",
     roller_strength: "Strength of the rollers",
