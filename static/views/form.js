@@ -118,7 +118,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
 
   /** A group that is off until wanted: its switch, and once that is on its fields. */
   function addWanted({ id, items: [gate, ...items] }) {
-    const part = element(html`<fieldset class="group card wanted" data-group="${id}"><legend class="unseen">${gate.title}</legend></fieldset>`);
+    const part = element(html`<fieldset class="group card wanted" data-group="${id}" aria-label="${gate.title}"></fieldset>`);
     addField(gate, part);
     root.append(part);
     return (state) => {

@@ -23,7 +23,7 @@ function histogramMarkup({ title, unit, histogram, marks }, barsOf) {
 function quantityMarkup(quantity, barsOf) {
   return html`<section class="studied" data-quantity="${quantity.name}"><h3>${quantity.title}</h3>
     ${quantity.histogram && histogramMarkup(quantity, barsOf)}
-    <table class="data"><thead class="unseen"><tr><th></th><th scope="col">${message("study.value")}</th><th scope="col">${message("study.interval")}</th></tr></thead>
+    <table class="data"><thead class="unseen"><tr><td></td><th scope="col">${message("study.value")}</th><th scope="col">${message("study.interval")}</th></tr></thead>
       <tbody>${quantity.marks.map(({ id, title, value, interval }, i) => html`<tr>
         <th scope="row"><svg class="key" viewBox="0 0 24 8" aria-hidden="true"><line class="mark-${id === "limit" || id === "nominal" ? id : i}" x1="0" x2="24" y1="4" y2="4"/></svg>${title}</th>
         <td>${value}</td><td class="note">${interval}</td></tr>`)}</tbody></table></section>`;
@@ -60,7 +60,7 @@ export function createView({ id, logic, asking }) {
     const names = body.quantities ?? Object.keys(answer.quantities);
     const [leading] = names;
     const of = answer.quantities[leading] ?? first[1];
-    const words = [...logic.advice(leading, of), ...logic.exactness(answer, body)];
+    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer, body)];
     fill(root.querySelector(".outcome"), html`
       <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
       <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>

@@ -206,6 +206,14 @@ test("the study: what to tighten is what lowers the percentile most, not what ha
   assert.match(study.advice("peak_force_N", stiffer)[0][1], /no single/);
 });
 
+test("the two errors are those of the quantity that is spoken of", () => {
+  const answer = { samples: 40, cannot_assemble: { value: 0.1, low: 0.05, high: 0.2 }, cannot_work: 2, accuracy: { sampling_error: 1 } };
+  const words = study.exactness("peak_force_N", { ...quantity, angle_grid_error: 0.02 }, answer, { crank_angles: 24 });
+  assert.deepEqual(words.map(([level]) => level), ["", "", "warning", "bad"]);
+  assert.match(words[0][1], /Peak force.* ±5\s*% with 40 pieces/);
+  assert.match(words[1][1], /24 positions miss 2\s*%/);
+});
+
 test("the histogram has room for all marks", () => {
   const { marks } = study.quantityOf("peak_force_N", quantity);
   const { bars, marks: lines, low, high } = study.barsOf(quantity.histogram, marks);

@@ -122,12 +122,14 @@ export function advice(name, of) {
   ].filter(Boolean);
 }
 
-/** How exact it is, in words. */
-export function exactness({ samples, cannot_assemble: pressed, cannot_work: broken, accuracy, most }, { crank_angles: angles }) {
+/** How exact the numbers of a quantity are, in words, and which pieces are no good. */
+export function exactness(name, of, { samples, cannot_assemble: pressed, cannot_work: broken, most }, { crank_angles: angles }) {
+  const error = Math.max(...of.percentiles.map(({ value, low, high }) => Math.min((high - low) / 2 / Math.abs(value), 1) || 0));
+  const quantity = titleOf(name);
   return [
-    ["", message("study.sampling", { error: share(accuracy.sampling_error, 2), samples })],
-    ["", message("study.grid", { error: share(accuracy.angle_grid_error, 2), angles })],
-    pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: share(pressed.low, 2), high: share(pressed.high, 2) })],
+    of.percentiles.length > 0 && ["", message("study.sampling", { quantity, error: share(error, 2), samples })],
+    ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2), angles })],
+    pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2) })],
     broken > 0 && ["bad", message("study.broken", { count: broken })],
     most !== undefined && ["warning", message("study.most", { most })],
   ].filter(Boolean);

@@ -1,0 +1,162 @@
+"""What is off until wanted: clearance and errors, tolerances."""
+
+from contextlib import suppress
+
+import pytest
+from playwright.sync_api import Error, Locator, Page, Route, expect
+
+from tests.browser.calculator_page import ask, box, number, reopen, settled, show, words_at
+from tests.browser.conftest import Watch
+from tests.browser.test_accessibility import OPEN_ALL, open_page, violations
+
+__all__ = ["open_page"]
+
+DESIGN = {
+    "mechanism.pins": "6",
+    "mechanism.ratio": "20",
+    "load.output_torque_Nm": "200",
+    "load.pin_circle_radius_mm": "40",
+    "contact.contact_length_mm": "12",
+    "contact.pin_radius_mm": "5",
+    "contact.eccentricity_mm": "2",
+}
+REAL = {"real.on": "on", "contact.hole_clearance_mm": "0.03"}
+STUDY = {
+    "study.on": "on",
+    "tolerances.hole_position_mm": "0.02",
+    "tolerances.pin_diameter.class": "h6",
+    "quantities": "peak_force_N",
+    "samples": "40",
+    "percentiles": "50;90",
+    "crank_angles": "12",
+}
+BODY = {
+    "mechanism": {"pins": 6, "ratio": 20},
+    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
+    "contact": {
+        "contact_length_mm": 12,
+        "pin_radius_mm": 5,
+        "eccentricity_mm": 2,
+        "hole_clearance_mm": 0.03,
+    },
+    "include": ["over_turn", "ideal"],
+}
+
+
+def switch(page: Page, group: str) -> Locator:
+    return page.locator(f'[data-path="{group}.on"] input')
+
+
+def real(page: Page) -> Locator:
+    return page.locator(".real")
+
+
+def fresh(page: Page) -> None:
+    expect(real(page)).to_have_attribute("data-state", "fresh", timeout=30_000)
+    expect(real(page)).to_have_attribute("data-stale", "false")
+
+
+def of_wanted(watch: Watch) -> list[str]:
+    """What was asked for the sections that are off until wanted."""
+    names = ("load-sharing", "tolerance", "besides", "real.js", "study.js")
+    return [path for path in watch.paths() if any(name in path for name in names)]
+
+
+def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
+    show(page, service, "crank-planetary", **DESIGN)
+    expect(page.locator(".js-plotly-plot").first).to_be_attached()
+    assert of_wanted(watch) == []
+    expect(page.locator('[data-wanted="real"]')).to_be_hidden()
+    # On: numbers, those of the service.
+    switch(page, "real").check()
+    box(page, "contact.hole_clearance_mm").fill("0.03")
+    expect(real(page).locator(".quantities")).to_contain_text("0.03 mm", timeout=30_000)
+    fresh(page)
+    answer = ask(service, "/load-sharing", BODY)
+    peak = real(page).locator(".numbers .figures").first.text_content() or ""
+    assert number(peak.removesuffix("N")) == pytest.approx(
+        answer["over_turn"]["peak_force_N"], 1e-4
+    )
+    expect(real(page).locator(".numbers")).to_contain_text(f"{answer['ideal']['ratio']:.3f}")
+    expect(real(page).locator(".js-plotly-plot")).to_be_visible()
+    # A part's measures, pasted; what is no number names its place, and all else stays.
+    page.locator('[data-path="deviations.pins"] summary').click()
+    first = page.get_by_label("P1, Pins outward", exact=True)
+    first.evaluate(
+        "(box, text) => { const data = new DataTransfer(); data.setData('text', text);"
+        " box.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true })) }",
+        "0,01\t0\n-0.02\t0\n",
+    )
+    expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
+    fresh(page)
+    page.get_by_label("P3, Pins outward", exact=True).fill("0.0l")
+    expect(words_at(page, "deviations.pins")).to_contain_text("Pins outward: Not a number")
+    settled(page)
+    expect(real(page).locator(".state")).to_contain_text("Measured pins")
+    expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
+    page.get_by_label("P3, Pins outward", exact=True).fill("0.01")
+    fresh(page)
+    # More pins than were measured: the service says so, at the table.
+    box(page, "mechanism.pins").fill("7")
+    expect(words_at(page, "deviations.pins")).to_contain_text("must have 7 entries", timeout=30_000)
+    expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
+    page.get_by_role("button", name="Undo").click()
+    fresh(page)
+    reopen(page)
+    fresh(page)
+    expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
+    assert page.evaluate("() => watched.shift") < 0.02
+    switch(page, "real").uncheck()
+    expect(page.locator('[data-wanted="real"]')).to_be_hidden()
+
+
+def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watch: Watch) -> None:
+    show(page, service, "crank-planetary", **DESIGN, **STUDY)
+    study = page.locator(".study")
+    run = study.get_by_role("button", name="Run the study")
+    expect(run).to_be_enabled()
+    box(page, "samples").fill("45")
+    settled(page)
+    assert not any("tolerance-study" in path for path in watch.paths())
+    run.click()
+    expect(study.locator(".ranked tbody tr")).to_have_count(2, timeout=60_000)
+    expect(study.locator(".sentences")).to_contain_text("with 45 pieces")
+    expect(study.locator(".histogram")).to_have_count(1)
+    box(page, "tolerances.hole_position_mm").fill("0.03")
+    expect(study.locator(".state")).to_have_text("Numbers of earlier inputs")
+    expect(study.locator(".outcome")).to_have_attribute("data-stale", "true")
+    asked: list[Route] = []
+    page.route("**/tolerance-study", lambda route: asked.append(route))  # never answered
+    run.click()
+    expect(study.locator("progress")).to_be_visible()
+    study.get_by_role("button", name="Stop").click()
+    expect(study.locator(".state")).to_contain_text("Stopped.")
+    expect(study.locator(".histogram")).to_have_count(1)
+    assert len(asked) == 1
+    page.unroute("**/tolerance-study")
+    with suppress(Error):  # the page has given it up
+        asked[0].abort()
+    # Too many samples: said at their box.
+    box(page, "samples").fill("1000000")
+    run.click()
+    expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
+
+
+@pytest.mark.parametrize(("language", "scheme"), [("en", "light"), ("uk", "dark")])
+def test_nothing_overflows_and_axe_finds_nothing(
+    open_page: Page,
+    service: str,
+    language: str,
+    scheme: str,
+) -> None:
+    page = open_page
+    page.emulate_media(color_scheme=scheme)  # type: ignore[arg-type]
+    show(page, service, "crank-planetary", **DESIGN, **REAL, **STUDY, lang=language, units="us")
+    fresh(page)
+    page.locator('[data-do="run"]').click()
+    expect(page.locator(".study .histogram")).to_have_count(1, timeout=60_000)
+    page.evaluate(OPEN_ALL)
+    assert violations(page) == []
+    for width in (390, 320):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width
