@@ -15,6 +15,7 @@ import { WANTED } from "./wanted.js";
 import { workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
+const DESIGN = ["contact_law", "deviations", "pin", "satellite_body", "requirements"]; // parts that are judged beside the contact
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
 const TRADE_OFF = {
@@ -29,6 +30,14 @@ function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
 
 function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
   return { ...contact, force_N: answer.contact_force.peak_force_N };
+}
+
+/** The design with what it is made to, where that is wanted: the verdict is of it too. */
+async function madeOf({ besides, ...input }, filled, get) {
+  if (besides?.real?.on !== "on") return input;
+  const { asked, bodyOf } = await import("./real.js");
+  const { contact, contact_law: law, deviations, pin } = await bodyOf(asked({ ...input, besides }, filled), { get });
+  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }), ...(pin && { pin }) };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -142,12 +151,13 @@ export default {
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
     load: ["torque", "contact.dynamic_factor"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["requirements.pitting_safety", "requirements.min_wall_mm"],
+    requirements: ["pitting_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
   hidden: [
     "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
+    "contact.hole_clearance_mm", "load.torque_direction", // asked where clearance and errors are wanted
     "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
   ],
   choices: {
@@ -187,21 +197,21 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry"],
 
-  async ask({ post, input, filled, sections, tables }) {
+  async ask({ post, get, input: given, filled, sections, tables }) {
+    const input = await madeOf(given, filled, get);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
       ...(sections.includes("hertz") && {
         contact: input.contact,
-        ...(input.satellite_body && { satellite_body: input.satellite_body }),
-        ...(input.requirements && { requirements: input.requirements }),
+        ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
       include: [...sections, "checks"],
     }));
   },
 
-  mend: ({ post, input: { besides, ...input } }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
+  mend: async ({ post, get, input, filled }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include: ["fixes"] }),
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },
