@@ -7,9 +7,6 @@ from playwright.sync_api import Error, Locator, Page, Route, expect
 
 from tests.browser.calculator_page import ask, box, number, reopen, settled, show, words_at
 from tests.browser.conftest import Watch
-from tests.browser.test_accessibility import OPEN_ALL, open_page, violations
-
-__all__ = ["open_page"]
 
 DESIGN = {
     "mechanism.pins": "3",
@@ -20,7 +17,6 @@ DESIGN = {
     "contact.pin_radius_mm": "5",
     "contact.eccentricity_mm": "2",
 }
-REAL = {"real.on": "on", "contact.hole_clearance_mm": "0.03"}
 STUDY = {
     "study.on": "on",
     "tolerances.hole_position_mm": "0.02",
@@ -141,23 +137,3 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     box(page, "samples").fill("1000000")
     run.click()
     expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
-
-
-@pytest.mark.parametrize(("language", "scheme"), [("en", "light"), ("uk", "dark")])
-def test_nothing_overflows_and_axe_finds_nothing(
-    open_page: Page,
-    service: str,
-    language: str,
-    scheme: str,
-) -> None:
-    page = open_page
-    page.emulate_media(color_scheme=scheme)  # type: ignore[arg-type]
-    show(page, service, "crank-planetary", **DESIGN, **REAL, **STUDY, lang=language, units="us")
-    fresh(page)
-    page.locator('[data-do="run"]').click()
-    expect(page.locator(".study .histogram")).to_have_count(1, timeout=60_000)
-    page.evaluate(OPEN_ALL)
-    assert violations(page) == []
-    for width in (390, 320):
-        page.set_viewport_size({"width": width, "height": 800})
-        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width
