@@ -10,7 +10,7 @@ import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
-import { factorOf, sentences } from "./sentences.js";
+import { factorOf, pressingForce, sentences } from "./sentences.js";
 import { WANTED } from "./wanted.js";
 import { workedSteps } from "./worked.js";
 
@@ -29,7 +29,7 @@ function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
 }
 
 function hertzBody({ contact: { eccentricity_mm, ...contact } }, answer) {
-  return { ...contact, force_N: answer.contact_force.peak_force_N };
+  return { ...contact, force_N: pressingForce(answer, contact) };
 }
 
 /** The design with what it is made to, where that is wanted: the verdict is of it too. */

@@ -20,6 +20,12 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
 /** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
 export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
 
+/** The force under which the pressure is given, without the factors: the peak, or where clearance and errors are judged the real one. */
+export function pressingForce({ contact_force: { peak_force_N: peak }, hertz }, contact) {
+  const force = (2 * hertz.mean_pressure_MPa * hertz.half_width_mm * contact.contact_length_mm) / factorOf(contact);
+  return Math.abs(force / peak - 1) > 1e-9 ? force : peak;
+}
+
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
 export function sentences({ cyclogram, contact_force: force, hertz }, { input } = {}) {
   const factor = factorOf(input?.contact);
@@ -27,7 +33,7 @@ export function sentences({ cyclogram, contact_force: force, hertz }, { input } 
     cyclogram && transmission(cyclogram),
     force?.equal_sharing_peak_N !== undefined && evenness(force),
     force && hertz && factor !== 1 && ["", say("factors", {
-      force: formatQuantity(force.peak_force_N * factor, "N", 4), factor: formatNumber(factor, 4),
+      force: formatQuantity(pressingForce({ contact_force: force, hertz }, input.contact) * factor, "N", 4), factor: formatNumber(factor, 4),
     })],
   ];
 }

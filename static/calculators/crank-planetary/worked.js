@@ -2,6 +2,7 @@
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { cranksOf, eccentricityOf, ratioOf } from "./mechanism.js";
+import { pressingForce } from "./sentences.js";
 
 const HALF_TURN = q("180°", 180, "°");
 const TURN = q("360°", 360, "°");
@@ -320,7 +321,7 @@ export function workedSteps({ input, answer, materialOf }) {
   return [
     cyclogram && { section: "cyclogram", steps: cyclogramSteps(cyclogram, mechanism) },
     force && { section: "contact_force", steps: forceSteps(force, mechanism, input.load) },
-    hertz && { section: "hertz", steps: hertzSteps(hertz, input.contact, force.peak_force_N, materialOf) },
+    hertz && { section: "hertz", steps: hertzSteps(hertz, input.contact, pressingForce(answer, input.contact), materialOf) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
   ].filter(Boolean);
 }
