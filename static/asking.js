@@ -30,7 +30,7 @@ async function askSections({ client, calculator, input, filled, tables, signal }
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      return { answer: await calculator.ask({ post, input, filled, sections, tables }), refusal, requests };
+      return { answer: await calculator.ask({ post, get: client.get, input, filled, sections, tables }), refusal, requests };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
       refusal ??= problem;
@@ -74,7 +74,7 @@ export function createAsking({ store, client, designs }) {
   /** What would mend the design that is shown, asked for after its answer. */
   async function mend(shown) {
     if (!calculator.mend || !["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict)) return;
-    const { answer } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), ...shown }));
+    const { answer } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
     if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? []);
   }
 
@@ -111,7 +111,7 @@ export function createAsking({ store, client, designs }) {
       const { input, filled, answer } = store.state.shown;
       const sections = calculator.sections.filter((id) => answer[id]);
       return figure.tables(await calculator.ask({
-        post: postingOnce(client), input, filled, sections, tables: new Set([figure.id]),
+        post: postingOnce(client), get: client.get, input, filled, sections, tables: new Set([figure.id]),
       }));
     },
   };

@@ -14,7 +14,7 @@ export function createBeside({ store, client, id, logic }) {
 
   async function ask() {
     const { typed, reading: { input, filled, besides } } = store.state;
-    if (besides[id].length > 0) {
+    if (besides[id]?.length > 0) {
       newest.cancel();
       store.apply(besided, id, { typed, phase: "incomplete", refusal: null });
       return;

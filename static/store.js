@@ -249,7 +249,7 @@ export function refusedBesides(state, id, problem) {
 /** What stands in the way of a wanted group: boxes of its own that cannot be read, in words. */
 export function hinderedBesides(state, id) {
   const { reading: { besides, readings }, about: { model: { fields } } } = state;
-  return besides[id].map((path) => ofTitle(fields.get(path).title, readingText(readings[path]))).join("; ");
+  return (besides[id] ?? []).map((path) => ofTitle(fields.get(path).title, readingText(readings[path]))).join("; ");
 }
 
 /** What a box is told by the group that it belongs to; it stands until something is typed. */

@@ -164,7 +164,7 @@ export function readField(field, text) {
 
 /**
  * The request body that the shown boxes say: `{ input, filled, readings: {path: reading}, wrong: [path] }`, and
- * `besides`, the wrong ones of groups that are wanted, by group: these keep nobody else from an answer. Boxes that cannot be read are left out of `input`; `filled` has the schema's defaults too.
+ * `besides`, the wrong ones of wanted groups on which no verdict hangs, by group: these keep nobody else from an answer. Boxes that cannot be read are left out of `input`; `filled` has the schema's defaults too.
  */
 export function readState(model, state) {
   const [input, filled] = [{}, {}];
@@ -188,10 +188,9 @@ export function readState(model, state) {
     }
   }
   const all = Object.keys(readings).filter((path) => readings[path].problem);
-  const wantedOf = (path) => model.fields.get(path).wanted;
-  const besides = Object.fromEntries(model.groups.filter(({ wanted }) => wanted)
-    .map(({ id }) => [id, all.filter((path) => wantedOf(path) === id)]));
-  return { input, filled, readings, wrong: all.filter((path) => !wantedOf(path)), besides };
+  const apart = model.groups.filter(({ wanted, judged }) => wanted && !judged);
+  const besides = Object.fromEntries(apart.map(({ id }) => [id, all.filter((path) => model.fields.get(path).wanted === id)]));
+  return { input, filled, readings, wrong: all.filter((path) => !Object.values(besides).flat().includes(path)), besides };
 }
 
 /** A state in which the boxes that say what their link gives are empty: they follow the others. */

@@ -168,6 +168,8 @@ export function formModel(openapi, {
     items: withChoices(part.items, choices, optional).map((item) => (diameters ? asDiameter(item, diameters) : item)),
   }));
   const items = parts.flatMap((part) => part.items);
+  // What follows another box is always said, be it by that one: figures need it too.
+  for (const field of items.flatMap(fieldsOf)) field.required ||= Boolean(suggestions[field.path]?.needs);
   const besides = wanted.map((group) => wantedGroup(openapi, group, words));
   const fields = new Map([...items, ...besides.flatMap((group) => group.items)].flatMap(fieldsOf).map((field) => [field.path, field]));
   const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
@@ -194,9 +196,10 @@ function allowedBy(pattern) {
 /**
  * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `rows` and `columns` of a list of records that the body has as lists.
+ * of the schema, `rows` and `columns` of a list of records that the body has as lists. A group is `judged` where the verdict
+ * hangs on it too.
  */
-function wantedGroup(openapi, { id, paths, fields }, words) {
+function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {
   const bodies = paths.map((path) => bodySchema(openapi, path, words));
   const [{ resolve }] = bodies;
   const made = (at, { words: [name, group] = [], like = at, ...own }) => {
@@ -224,7 +227,7 @@ function wantedGroup(openapi, { id, paths, fields }, words) {
       covers: columns,
     }),
   }));
-  return { id, wanted: true, items };
+  return { id, wanted: true, judged, items };
 }
 
 /** The items in groups of the page's own, `{ group: [path or choice] }`; the last takes what is not named. */

@@ -70,6 +70,7 @@ export default {
   // Words of choices from a list.
   option: {
     radial: "Radial clearance", fits: "ISO fit", driving: "Driving", reverse: "Reverse",
+    alternating: "Alternating, the worse of both",
     hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",
     rigid: "Rigid pins", cantilever: "Cantilever", supported: "Supported at both ends", fixed: "Fixed at both ends",
     exact: "Exact", first_order: "First order, as in the papers", class: "ISO class", limits: "Limits",

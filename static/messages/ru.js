@@ -64,6 +64,7 @@ export default {
   examples: { label: "Пример", own: "Свои значения", source: "Источник: {source}" },
   option: {
     radial: "Радиальный зазор", fits: "Посадка ISO", driving: "Прямое", reverse: "Обратное",
+    alternating: "Реверсивное, худшее из двух",
     hertz: "Герц", palmgren: "Пальмгрен", linear: "Линейный", power: "Степенной",
     rigid: "Жёсткие пальцы", cantilever: "Консольные", supported: "На двух опорах", fixed: "С заделкой обоих концов",
     exact: "Точная", first_order: "Первое приближение, как в статьях", class: "Поле допуска", limits: "Отклонения",

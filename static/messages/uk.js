@@ -64,6 +64,7 @@ export default {
   examples: { label: "Приклад", own: "Власні значення", source: "Джерело: {source}" },
   option: {
     radial: "Радіальний зазор", fits: "Посадка ISO", driving: "Прямий", reverse: "Зворотний",
+    alternating: "Реверсивний, гірший з двох",
     hertz: "Герц", palmgren: "Пальмгрен", linear: "Лінійний", power: "Степеневий",
     rigid: "Жорсткі цівки", cantilever: "Консольні", supported: "На двох опорах", fixed: "Защемлені з обох кінців",
     exact: "Точна", first_order: "Перше наближення, як у статтях", class: "Поле допуску", limits: "Відхилення",

@@ -71,7 +71,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     on.apply();
   });
   root.addEventListener("keydown", (event) => {
-    if (event.key !== "Enter" || event.target.closest("button")) return;
+    if (event.key !== "Enter" || event.target.closest("button, summary")) return;
     event.preventDefault();
     on.apply();
   });

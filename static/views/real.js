@@ -3,7 +3,7 @@ import { element, fill, html } from "../lib/html.js";
 import { arrow, circle, label, line, paper } from "../lib/svg.js";
 import { message } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
-import { besided, following, hinderedBesides } from "../store.js";
+import { besided, following } from "../store.js";
 import { createFigure } from "./figure.js";
 import { sign } from "./parts.js";
 
@@ -27,7 +27,7 @@ function largerHole() {
 
 export function createView({ id, store, client, titles, figures, logic, asking }) {
   const root = element(html`
-    <div class="real"><p class="state" role="status"></p>
+    <div class="real"><p class="state"></p>
       <dl class="numbers"></dl><ul class="sentences"></ul>
       <table class="quantities"><tbody></tbody></table>
       <details class="more"><summary>${message("real.why")}</summary><div class="larger">
@@ -66,14 +66,12 @@ export function createView({ id, store, client, titles, figures, logic, asking }
     root,
     update(state) {
       const now = state.besides[id] ?? {};
-      const { phase = "computing", body, refusal, typed } = now;
+      const { phase = "computing", answer, body, refusal, typed } = now;
       root.dataset.stale = String(phase !== "fresh" || typed !== state.typed);
       root.dataset.state = phase;
-      const words = {
-        computing: message("state.computing"), incomplete: message("besides.needed", { fields: hinderedBesides(state, id) }),
-        refused: refusal?.text, offline: refusal?.text,
-      }[phase] ?? "";
-      part(".state").textContent = phase === "incomplete" && state.reading.besides[id].length === 0 ? message("state.computing") : words;
+      const older = typed !== state.typed && state.phase !== "computing" && answer;
+      part(".state").textContent = older ? message("besides.older")
+        : { computing: message("state.computing"), refused: refusal?.text, offline: refusal?.text }[typed === state.typed ? phase : state.phase] ?? "";
       part(".state").classList.toggle("bad", phase === "refused" || phase === "offline");
       numbers({ ...now, body: body ?? {} });
       if (body && drawn.body !== body) drawn = { body, shown: { input: body, filled: body, answer: { real: true } } };

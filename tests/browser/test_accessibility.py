@@ -1,6 +1,7 @@
 """WCAG 2.2 AA by axe in every calculator and state, and what axe cannot see."""
 
 from collections.abc import Iterator
+from typing import Literal
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
@@ -21,6 +22,23 @@ IMPOSSIBLE = {
     "contact.contact_length_mm": "10",
     "contact.pin_radius_mm": "6",
     "contact.eccentricity_mm": "2",
+}
+WANTED = {
+    "mechanism.pins": "3",
+    "mechanism.ratio": "20",
+    "load.output_torque_Nm": "200",
+    "load.pin_circle_radius_mm": "40",
+    "contact.contact_length_mm": "12",
+    "contact.pin_radius_mm": "5",
+    "contact.eccentricity_mm": "2",
+    "real.on": "on",
+    "contact.hole_clearance_mm": "0.03",
+    "study.on": "on",
+    "tolerances.hole_position_mm": "0.02",
+    "quantities": "peak_force_N",
+    "samples": "40",
+    "percentiles": "50;90",
+    "crank_angles": "12",
 }
 OPTIONS = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]}
 
@@ -107,6 +125,23 @@ def test_axe_finds_nothing_in_other_languages(
         settled(open_page)
         open_page.evaluate(OPEN_ALL)
         assert violations(open_page) == [], calculator
+
+
+@pytest.mark.parametrize(("language", "scheme"), [("en", "light"), ("uk", "dark")])
+def test_axe_finds_nothing_in_what_was_off_until_wanted(
+    open_page: Page, service: str, language: str, scheme: Literal["light", "dark"]
+) -> None:
+    page = open_page
+    page.emulate_media(color_scheme=scheme)
+    show(page, service, "crank-planetary", **WANTED, lang=language, units="us")
+    expect(page.locator(".real")).to_have_attribute("data-stale", "false", timeout=60_000)
+    page.locator('[data-do="run"]').click()
+    expect(page.locator(".study .histogram")).to_be_visible(timeout=60_000)
+    page.evaluate(OPEN_ALL)
+    assert violations(page) == []
+    for width in (390, 320):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width
 
 
 @pytest.mark.parametrize("calculator", CALCULATORS)

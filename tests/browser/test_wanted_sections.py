@@ -7,12 +7,9 @@ from playwright.sync_api import Error, Locator, Page, Route, expect
 
 from tests.browser.calculator_page import ask, box, number, reopen, settled, show, words_at
 from tests.browser.conftest import Watch
-from tests.browser.test_accessibility import OPEN_ALL, open_page, violations
-
-__all__ = ["open_page"]
 
 DESIGN = {
-    "mechanism.pins": "6",
+    "mechanism.pins": "3",
     "mechanism.ratio": "20",
     "load.output_torque_Nm": "200",
     "load.pin_circle_radius_mm": "40",
@@ -20,7 +17,6 @@ DESIGN = {
     "contact.pin_radius_mm": "5",
     "contact.eccentricity_mm": "2",
 }
-REAL = {"real.on": "on", "contact.hole_clearance_mm": "0.03"}
 STUDY = {
     "study.on": "on",
     "tolerances.hole_position_mm": "0.02",
@@ -31,7 +27,7 @@ STUDY = {
     "crank_angles": "12",
 }
 BODY = {
-    "mechanism": {"pins": 6, "ratio": 20},
+    "mechanism": {"pins": 3, "ratio": 20},
     "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
     "contact": {
         "contact_length_mm": 12,
@@ -52,8 +48,8 @@ def real(page: Page) -> Locator:
 
 
 def fresh(page: Page) -> None:
-    expect(real(page)).to_have_attribute("data-state", "fresh", timeout=30_000)
-    expect(real(page)).to_have_attribute("data-stale", "false")
+    """Wait until the real forces are those of the inputs; uncompiled they take seconds."""
+    expect(real(page)).to_have_attribute("data-stale", "false", timeout=60_000)
 
 
 def of_wanted(watch: Watch) -> list[str]:
@@ -70,7 +66,7 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
     # On: numbers, those of the service.
     switch(page, "real").check()
     box(page, "contact.hole_clearance_mm").fill("0.03")
-    expect(real(page).locator(".quantities")).to_contain_text("0.03 mm", timeout=30_000)
+    expect(real(page).locator(".quantities")).to_contain_text("0.03 mm", timeout=60_000)
     fresh(page)
     answer = ask(service, "/load-sharing", BODY)
     peak = real(page).locator(".numbers .figures").first.text_content() or ""
@@ -91,17 +87,18 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
     fresh(page)
     page.get_by_label("P3, Pins outward", exact=True).fill("0.0l")
     expect(words_at(page, "deviations.pins")).to_contain_text("Pins outward: Not a number")
-    settled(page)
-    expect(real(page).locator(".state")).to_contain_text("Measured pins")
+    settled(page, "wrong")
+    expect(real(page).locator(".state")).to_have_text("Numbers of earlier inputs")
     expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
     page.get_by_label("P3, Pins outward", exact=True).fill("0.01")
     fresh(page)
     # More pins than were measured: the service says so, at the table.
-    box(page, "mechanism.pins").fill("7")
-    expect(words_at(page, "deviations.pins")).to_contain_text("must have 7 entries", timeout=30_000)
+    box(page, "mechanism.pins").fill("4")
+    expect(words_at(page, "deviations.pins")).to_contain_text("must have 4 entries", timeout=60_000)
     expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
     page.get_by_role("button", name="Undo").click()
     fresh(page)
+    settled(page)
     reopen(page)
     fresh(page)
     expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
@@ -140,23 +137,3 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     box(page, "samples").fill("1000000")
     run.click()
     expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
-
-
-@pytest.mark.parametrize(("language", "scheme"), [("en", "light"), ("uk", "dark")])
-def test_nothing_overflows_and_axe_finds_nothing(
-    open_page: Page,
-    service: str,
-    language: str,
-    scheme: str,
-) -> None:
-    page = open_page
-    page.emulate_media(color_scheme=scheme)  # type: ignore[arg-type]
-    show(page, service, "crank-planetary", **DESIGN, **REAL, **STUDY, lang=language, units="us")
-    fresh(page)
-    page.locator('[data-do="run"]').click()
-    expect(page.locator(".study .histogram")).to_have_count(1, timeout=60_000)
-    page.evaluate(OPEN_ALL)
-    assert violations(page) == []
-    for width in (390, 320):
-        page.set_viewport_size({"width": width, "height": 800})
-        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width

@@ -9,6 +9,7 @@ import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
 import { fieldWords } from "../../static/messages/index.js";
+import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as real from "../../static/calculators/crank-planetary/real.js";
 import * as study from "../../static/calculators/crank-planetary/study.js";
 import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
@@ -66,6 +67,13 @@ test("fields are made of the schema of an endpoint of its own, and of what is sa
   assert.deepEqual(field("parts.table").columns.map(({ name, kind, lowest }) => [name, kind, lowest]), [["pin_mm", "number", -10], ["hole_mm", "number", -10]]);
 });
 
+test("what follows another box is said even where the service could do without", () => {
+  const suggestions = { "contact.pin_radius_mm": { linked: true, needs: "mechanism.ratio", value: ({ mechanism }) => mechanism.ratio / 4 } };
+  const made = formModel(OPENAPI, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], suggestions });
+  const typed = stateFromInput(made, { ...INPUT, contact: { pin_material: "steel" } });
+  assert.equal(readState(made, typed).input.contact.pin_radius_mm, 5);
+});
+
 test("a group that is off is not shown, asked for, listed or linked", () => {
   const state = stateFromInput(MODEL, INPUT);
   assert.ok(!isOn("real", state.texts));
@@ -102,6 +110,15 @@ test("what cannot be read in it keeps nobody else from an answer, and says where
   assert.deepEqual([state.phase, state.reading.wrong, state.reading.besides.real], ["computing", [], ["parts.table"]]);
   assert.match(next.hinderedBesides(state, "real"), /row 2, Pins: Not a number/);
   assert.equal(state.typed.texts["parts.table"], "0,01; | x; ");
+});
+
+test("where the verdict hangs on a group, what cannot be read in it waits for everything", () => {
+  const judged = formModel(SERVICE, {
+    path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [{ ...GROUP, judged: true }], words: fieldWords,
+  });
+  const typed = stateFromInput(judged, { ...INPUT, besides: { real: { on: "on" } } });
+  const { wrong, besides } = readState(judged, { ...typed, texts: { ...typed.texts, tolerance: "x" } });
+  assert.deepEqual([wrong, besides], [["tolerance"], {}]);
 });
 
 test("a refusal of it stands at its boxes until something is typed", () => {
@@ -166,6 +183,22 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
   assert.deepEqual(ask({ contact: { hole_clearance_mm: 0.03 } }).contact, { ...others, hole_clearance_mm: 0.03 });
   assert.equal(ask({ contact: { hole_clearance_mm: 0.05 } }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
   assert.deepEqual(ask({ pin: { support: "cantilever", satellite_positions_mm: [5, 15] } }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
+});
+
+test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {
+  const post = async (path, body) => body;
+  const parts = { mechanism: DESIGN.mechanism, load: DESIGN.load, contact: DESIGN.contact };
+  const besides = {
+    real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 }, load: { torque_direction: "reverse" },
+    deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, study: { on: "on" }, samples: 200,
+  };
+  const asked = (input, sections = ["contact_force", "hertz"]) => calculator.ask({ post, input, filled: DESIGN, sections, tables: new Set() });
+  const { load: { include, ...load }, ...body } = await asked({ ...parts, besides });
+  assert.deepEqual(load, { ...DESIGN.load, torque_direction: "reverse" });
+  assert.deepEqual([body.contact.hole_clearance_mm, body.deviations], [0.03, { pin_radial_mm: [0.01, 0, 0] }]);
+  assert.deepEqual(Object.keys(body).sort(), ["contact", "deviations", "include", "mechanism"]);
+  assert.ok(!("deviations" in await asked({ ...parts, besides }, ["contact_force"])));
+  assert.ok(!("deviations" in await asked({ ...parts, besides: { ...besides, real: undefined } })));
 });
 
 test("the tables of a measured part as lists, holes by satellites, what is not said as 0", () => {

@@ -15,6 +15,7 @@ import { WANTED } from "./wanted.js";
 import { pressedBy, workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
+const DESIGN = ["contact_law", "deviations", "pin", "satellite_body", "requirements"]; // parts that are judged beside the contact
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
 const TRADE_OFF = {
@@ -32,9 +33,22 @@ function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
   return { ...contact, force_N: force };
 }
 
+/** The design with what it is made to, where that is wanted: the verdict is of it too. */
+async function madeOf({ besides, ...input }, filled, get) {
+  if (besides?.real?.on !== "on") return input;
+  const { asked, bodyOf } = await import("./real.js");
+  const { contact, contact_law: law, deviations, pin } = await bodyOf(asked({ ...input, besides }, filled), { get });
+  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }), ...(pin && { pin }) };
+}
+
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
 function clearanceOf({ contact }) {
   return tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
+}
+
+/** Whether the design is stated as it is made, so that its real forces are judged. */
+function asMade(input) {
+  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations", "pin"].some((part) => input[part]);
 }
 
 function clearanceNote(input) {
@@ -153,7 +167,8 @@ export default {
   },
   hidden: [
     "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
-    "load.include", "load.samples", "load.torque_direction", "contact.hole_clearance_mm", "include", "fixes_for", "crank_angle_deg",
+    "contact.hole_clearance_mm", "load.torque_direction", // asked where clearance and errors are wanted
+    "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
   ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
@@ -192,21 +207,21 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry"],
 
-  async ask({ post, input, filled, sections, tables }) {
+  async ask({ post, get, input: given, filled, sections, tables }) {
+    const input = await madeOf(given, filled, get);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
       ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
       ...(sections.includes("hertz") && {
         contact: input.contact,
-        ...(input.satellite_body && { satellite_body: input.satellite_body }),
-        ...(input.requirements && { requirements: input.requirements }),
+        ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("hertz") && clearanceOf(input) > 1e-9 ? ["load_sharing"] : []), "checks"],
+      include: [...sections, ...(sections.includes("hertz") && asMade(input) ? ["load_sharing"] : []), "checks"],
     }));
   },
 
-  mend: ({ post, input: { besides, ...input } }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
+  mend: async ({ post, get, input, filled }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include: ["fixes"] }),
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },

@@ -92,6 +92,7 @@ export const WANTED = [
     id: "real",
     paths: ["/load-sharing", "/tolerance-study"],
     fields: REAL,
+    judged: true,
     load: () => Promise.all([import("./real.js"), import("../../views/real.js")]),
   },
   {
