@@ -96,6 +96,7 @@ PHYSICAL = frozenset(
         "roller_without_arm",
         "service_limit",
         "smaller_than",
+        "sum_not_one",
         "to_be_drawn",
         "too_few",
         "too_many_pairs",

@@ -33,14 +33,16 @@ export function ofTitle(title, words) {
   return message("verdict.field", { title, words: words.charAt(0).toLowerCase() + words.slice(1) });
 }
 
-/** What the service says of a box: its words, and the cell of a list of records they are about. */
+/** What the service says of a box: its words, and the cell, or the column, of a list of records they are about. */
 function atBox(field, pointer, words) {
-  const [row, column] = keysOf(pointer).slice(-2);
-  const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
+  const keys = keysOf(pointer);
+  const about = field.kind === "records" && field.columns.findLast(({ name }) => keys.includes(name));
   if (!about) return { words };
+  if (field.covers) return { words: ofTitle(about.title, words) };
+  const [row] = keys.slice(-2);
   return {
     words: message("rows.problem", { row: Number(row) + 1, title: about.title, words }),
-    place: { row: Number(row), column },
+    place: { row: Number(row), column: about.name },
   };
 }
 

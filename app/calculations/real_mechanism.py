@@ -1,5 +1,6 @@
 """The output mechanism as it is made, as a request gives it."""
 
+import math
 from collections.abc import Iterator
 from functools import partial
 from typing import Annotated, Any, Literal, Self, get_args
@@ -13,6 +14,7 @@ from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
 from app.units import to_si
+from core.checks.real_forces import Direction
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
     MAX_EXPONENT,
@@ -26,6 +28,7 @@ from core.output.contact_law import (
     Support,
 )
 from core.output.real_mechanism import Deviations
+from core.output.satellite_support import SUM_ERROR, CrankSupport, ElasticMesh, Shares
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
 
@@ -51,18 +54,31 @@ torque_direction = partial(
     symbol="",
     group="load",
     default="driving",
-    help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+    help="Driving: the satellites turn the pins; reverse: the load turns them back; "
+    "alternating: both are solved, and the worse is given.",
 )
 
 
 class RealLoadFields(TorqueFields):
     """Torque, its direction, and its lever; the force exponent is that of the contact law."""
 
-    torque_direction: Literal["driving", "reverse"] = torque_direction()
+    torque_direction: Direction = torque_direction()
 
     def signed_torque(self, torque: float) -> float:
         """A torque with the sign of its direction, N*m."""
         return -torque if self.torque_direction == "reverse" else torque
+
+
+class OneWayLoadFields(RealLoadFields):
+    """Torque in one direction."""
+
+    torque_direction: Literal["driving", "reverse"] = quantity(
+        "Direction of the torque",
+        symbol="",
+        group="study",
+        default="driving",
+        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+    )
 
 
 class RealContactFields(PinContactFields):
@@ -264,6 +280,108 @@ class BentPinFields(RequestModel):
             material=given,
             span=own.get("span"),
         )
+
+
+class CrankSupportFields(RequestModel):
+    """Bearings of the satellites on their cranks. The gear's force on them is left out."""
+
+    stiffness_N_per_mm: Maybe[float] = quantity(
+        "Stiffness of a bearing",
+        symbol="k_b",
+        group="crank_support",
+        default=None,
+        **SIZE,
+        step=10_000,
+        help="Radial stiffness of the bearing of one satellite; rigid where not given.",
+    )
+    radial_clearance_mm: float = quantity(
+        "Clearance of a bearing",
+        symbol="G",
+        group="crank_support",
+        default=0.0,
+        ge=0,
+        le=SIZE["le"],
+        step=0.005,
+        help="Radial internal clearance, as catalogues give it: half of it to either side.",
+    )
+
+    def support(self) -> CrankSupport:
+        """The bearings in SI units."""
+        return CrankSupport(**self.to_core())
+
+
+CouplingKind = Literal["rigid", "elastic", "shares"]
+
+COUPLED_BY: dict[CouplingKind, str] = {
+    "elastic": "stiffness_Nm_per_arcmin",
+    "shares": "shares",
+}
+"""What a kind of coupling needs, and only that kind takes."""
+
+
+def _coupling_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What each kind of coupling needs, and that it takes nothing of the others."""
+    request_schema(schema, model)
+    schema["allOf"] = [
+        {
+            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
+            "then": {"required": [name]},
+            "else": {"not": {"required": [name]}},
+        }
+        for kind, name in COUPLED_BY.items()
+    ]
+
+
+class SatelliteCouplingFields(RequestModel):
+    """How the satellites share the torque."""
+
+    kind: CouplingKind = quantity(
+        "Coupling of the satellites",
+        symbol="",
+        group="satellite_coupling",
+        default="rigid",
+        help="Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each "
+        "carries a given share.",
+    )
+    stiffness_Nm_per_arcmin: Maybe[float] = quantity(
+        "Stiffness of a mesh",
+        symbol="k_D",
+        group="satellite_coupling",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Torque of one satellite over what its mesh lets it turn, for elastic coupling.",
+    )
+    shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
+        "Shares of the torque",
+        symbol="w_j",
+        group="satellite_coupling",
+        default=None,
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        help="Share of each satellite, together 1.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_coupling_schema)
+
+    @model_validator(mode="after")
+    def _fields_of_the_kind(self) -> Self:
+        for kind, name in COUPLED_BY.items():
+            given = getattr(self, name) is not None
+            if kind == self.kind and not given:
+                raise field_error(name, "needed_beside", field="kind")
+            if kind != self.kind and given:
+                raise field_error(name, "of_another_kind", kind=self.kind)
+        total = math.fsum(self.shares or [1.0])
+        if abs(total - 1) > SUM_ERROR:
+            raise field_error("shares", "sum_not_one", sum=total)
+        return self
+
+    def support(self) -> ElasticMesh | Shares | None:
+        """The coupling in SI units; none where it is rigid."""
+        if self.stiffness_Nm_per_arcmin is not None:
+            return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
+        return None if self.shares is None else Shares(tuple(self.shares))
 
 
 def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:

@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
+from app.calculations.real_mechanism import OneWayLoadFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import TolerancesFields
@@ -87,6 +88,7 @@ class LimitsFields(RequestModel):
 class ToleranceStudyRequest(RealDesignFields):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
 
+    load: OneWayLoadFields
     tolerances: TolerancesFields
     samples: Whole = quantity(
         "Samples",
@@ -150,6 +152,7 @@ class ToleranceStudyRequest(RealDesignFields):
         """
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
+        self.refuse_other_shares()
         budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
         most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
         if most < FEWEST:
@@ -166,7 +169,7 @@ class ToleranceStudyRequest(RealDesignFields):
         if "contributions" in self.include:
             sources = [name for name, given in self.tolerances if given is not None]
             each += (2 * len(sources) + 2) * self._solves(self.names[:1])
-        return each * self.crank_angles
+        return each * self.crank_angles * self.times_as_long
 
     @staticmethod
     def _solves(names: list[str]) -> int:

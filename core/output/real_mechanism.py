@@ -24,7 +24,17 @@ from core.output.contact_law import (
     pin_compliance,
 )
 from core.output.mechanism import Mechanism
-from core.output.sharing_kernel import NO_DRIVE, NOT_SOLVED, NOT_STABLE, Position, solve
+from core.output.satellite_support import HeldSatellites, SatelliteSupport, check_support, loosen
+from core.output.sharing_kernel import (
+    NO_DRIVE,
+    NOT_SOLVED,
+    NOT_STABLE,
+    Position,
+    at,
+    play,
+    solve,
+    wave_torque,
+)
 from core.output.sharing_pairs import Errors, Pairs, Room, Setup, prepare
 
 
@@ -124,6 +134,8 @@ class RealMechanism:
         Of this piece.
     exact : bool
         Exact geometry; else first order in lag and deviations, with fixed lines of action.
+    support : SatelliteSupport, optional
+        What the satellites' bearings or mesh give, in first order; rigid where not given.
     """
 
     mechanism: Mechanism
@@ -138,6 +150,7 @@ class RealMechanism:
     pin: PinSupport | None = None
     deviations: Deviations = field(default_factory=Deviations)
     exact: bool = True
+    support: SatelliteSupport | None = None
 
     def __post_init__(self) -> None:
         sizes = {
@@ -151,6 +164,7 @@ class RealMechanism:
                 "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
             )
         check_law(self.law)
+        check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
 
     def setup(self, direction: float) -> Setup:
         """The design as the kernel takes it.
@@ -197,6 +211,7 @@ class RealMechanism:
                 )
             compliance = [*pin_compliance(self.pin)]
         prepare(self.setup(1.0), errors, list(self.mechanism.crank_angles), pairs)
+        loosen(support=self.support, pairs=pairs)
         radii, limits = [], []
         for i, difference in enumerate(pairs.distance):
             j, n = divmod(i, pins)
@@ -274,7 +289,10 @@ class RealMechanism:
             more than the eccentricity, or a contact would be as wide as its pin.
         """
         pairs, _, limits = self._prepared
-        position = solve(psi, torque, setup, pairs, room)
+        if self._held is not None:
+            position = self._held.solve(psi, torque, setup, room)
+        else:
+            position = solve(psi, torque, setup, pairs, room)
         code, params = "", {}
         if position.status == NO_DRIVE:
             code = "dead_centre"
@@ -294,6 +312,62 @@ class RealMechanism:
             angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
             raise ImpossibleMechanism(code, {"crank_angle": angle}, **params)
         return position
+
+    @cached_property
+    def _held(self) -> HeldSatellites | None:
+        """The satellites that give, where they do."""
+        return None if self.support is None else HeldSatellites(self.support, self.pairs)
+
+    def played(self, psi: float, setup: Setup, room: Room) -> tuple[float, float]:
+        """Limits of the play at a wave angle; the first is larger where pairs press.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        setup : Setup
+            The design, with the torque's direction.
+        room : Room
+            Scratch.
+
+        Returns
+        -------
+        low, high : float
+            Least and largest lag of the unloaded output in the torque's direction, rad.
+        """
+        if self._held is not None:
+            return self._held.played(psi, setup, room)
+        at(psi, setup, self.pairs, room)
+        low, high, *_ = play(setup, room)
+        return low, high
+
+    def input_torque(
+        self, psi: float, torque: float, lag: float, setup: Setup, room: Room
+    ) -> float:
+        """Torque that turns the crank without friction, as a position under load left the room.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque, lag : float
+            Size of the torque, N*m, and the lag that it makes, rad.
+        setup : Setup
+            The design, with the torque's direction.
+        room : Room
+            As `solved` left it.
+
+        Returns
+        -------
+        float
+            N*m.
+        """
+        if self._held is not None:
+            on_wave = self._held.wave_torque(psi, setup, room)
+        else:
+            on_wave = wave_torque(psi, lag, setup, self.pairs, room)
+        ratio = setup.ratio
+        return setup.direction * torque / ratio + (1 + 1 / ratio) * on_wave
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.

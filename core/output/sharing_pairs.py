@@ -67,6 +67,7 @@ class Room(NamedTuple):
     force: Row
     lever: Row
     stiffness: Row  # of the contact
+    own_lag: Row  # [K] of the satellites, where they give
 
 
 def prepare(setup: Setup, errors: Errors, phase: Row, pairs: Pairs) -> None:

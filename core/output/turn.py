@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import at, largest, play, wave_torque
+from core.output.sharing_kernel import largest
 
 POSITIONS = 720
 """Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
@@ -88,9 +88,7 @@ class Turn:
 
     def input_torque(self, psi: float, lag: float) -> float:
         """Torque that turns the crank, as a position under load left the room."""
-        ratio, setup = self.setup.ratio, self.setup
-        on_wave = wave_torque(psi, lag, setup, self.real.pairs, self.room)
-        return setup.direction * self.torque / ratio + (1 + 1 / ratio) * on_wave
+        return self.real.input_torque(psi, self.torque, lag, self.setup, self.room)
 
     def force(self, psi: float) -> float:
         """Largest force at a wave angle."""
@@ -106,9 +104,7 @@ class Turn:
 
     def played(self, psi: float) -> tuple[float, float]:
         """Limits of the play at a wave angle."""
-        at(psi, self.setup, self.real.pairs, self.room)
-        low, high, *_ = play(self.setup, self.room)
-        return low, high
+        return self.real.played(psi, self.setup, self.room)
 
     def lost(self, psi: float, share: float) -> float:
         """Lost motion at a wave angle."""

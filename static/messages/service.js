@@ -6,6 +6,7 @@ export default {
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
     "exclusive": "and {field} exclude each other",
     "finite_number": "must be a finite number",
+    "first_order_only": "must be of first order beside {field}: what satellites give is not known in exact geometry",
     "greater_than": "must be greater than {limit}",
     "greater_than_equal": "must be at least {limit}",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is infinitely long there",
@@ -22,6 +23,7 @@ export default {
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "sum_not_one": "must add up to 1, not to {sum}",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
@@ -300,6 +302,14 @@ export default {
       "Pin radius",
       "Radius of the pin, or of its sleeve."
     ],
+    "contact_law.kind": [
+      "Law of contact",
+      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
+    ],
+    "contact_law.stiffness_N_per_mm": [
+      "Contact stiffness",
+      "Stiffness of a pair, for the linear law."
+    ],
     "contact_length_mm": [
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
@@ -315,6 +325,10 @@ export default {
     "crank_spacing_deg": [
       "Crank spacing",
       "Angle between neighbouring cranks; 360°/K where not given."
+    ],
+    "crank_support.stiffness_N_per_mm": [
+      "Stiffness of a bearing",
+      "Radial stiffness of the bearing of one satellite; rigid where not given."
     ],
     "cylinder_length_mm": [
       "Cylinder length",
@@ -424,10 +438,6 @@ export default {
       "Input torque",
       "Torque on the crankshaft; T = T₁·u·η."
     ],
-    "kind": [
-      "Law of contact",
-      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
-    ],
     "length_mm": [
       "Length",
       ""
@@ -443,6 +453,10 @@ export default {
     "load.samples": [
       "Samples",
       "Number of points of each curve."
+    ],
+    "load.torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back; alternating: both are solved, and the worse is given."
     ],
     "lost_motion_arcmin": [
       "Limit of the lost motion",
@@ -580,6 +594,10 @@ export default {
       "Crank angles",
       "Crank angles of the positions; the curve of the lag is taken at the first."
     ],
+    "radial_clearance_mm": [
+      "Clearance of a bearing",
+      "Radial internal clearance, as catalogues give it: half of it to either side."
+    ],
     "ratio": [
       "Ratio",
       "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
@@ -648,6 +666,10 @@ export default {
       "Root radius",
       "Radius at the root of the satellite's teeth."
     ],
+    "satellite_coupling.kind": [
+      "Coupling of the satellites",
+      "Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a given share."
+    ],
     "satellite_positions_mm": [
       "Places of the satellites",
       "Distance of the middle of each satellite from the support."
@@ -676,6 +698,10 @@ export default {
       "Shaft sections",
       "Stretches of the shaft from C to the clamp, instead of one diameter; their lengths add up to a + b."
     ],
+    "shares": [
+      "Shares of the torque",
+      "Share of each satellite, together 1."
+    ],
     "shear_modulus_GPa": [
       "Shear modulus",
       "Shear modulus of the rollers, instead of Poisson's ratio."
@@ -696,9 +722,9 @@ export default {
       "Sphere width",
       "Width of a spherical part along the roller."
     ],
-    "stiffness_N_per_mm": [
-      "Contact stiffness",
-      "Stiffness of a pair, for the linear law."
+    "stiffness_Nm_per_arcmin": [
+      "Stiffness of a mesh",
+      "Torque of one satellite over what its mesh lets it turn, for elastic coupling."
     ],
     "stiffness_min_Nm_per_arcmin": [
       "Limit of the stiffness",
@@ -711,6 +737,10 @@ export default {
     "study.samples": [
       "Samples",
       "Pieces that are drawn; samples × pairs × crank angles are bounded."
+    ],
+    "study.torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back."
     ],
     "support": [
       "Support",
@@ -731,10 +761,6 @@ export default {
     "torque_Nm": [
       "Torque",
       "Torque on the central wheel; its sign chooses the loaded flanks."
-    ],
-    "torque_direction": [
-      "Direction of the torque",
-      "Driving: the satellites turn the pins; reverse: the load turns them back."
     ],
     "torque_sign": [
       "Sign of the torque",

@@ -16,6 +16,7 @@ SAYS = {
     "honesty": "\nhonest",
     "load": "stopped (SIGTERM)",
     "page": "a frame",
+    "peaks": "0 peaks missed",
     "service": "parts of a request",
     "soak": "most processes",
     "speed": "contact line",
