@@ -27,7 +27,7 @@ from app.model import (
 from app.problems import ErrorItem, Problem, invalid_input, wrong_fields
 from app.running import run
 from core.errors import CalculationError, InvalidInput
-from core.exploration.solve import TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
+from core.exploration.solve import SAMPLES, TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
 from core.fixes import PIN_SIZES
 from core.results import Accuracy
 
@@ -50,6 +50,9 @@ LINKED = ("/contact/pin_radius_mm", "/contact/eccentricity_mm")
 """Inputs that the hole follows: its clearance stays."""
 
 HOLE = "/contact/hole_radius_mm"
+
+LONG_SAMPLES = 17
+"""Places at which the range is looked at first where each takes long."""
 
 MAX_POINTER = 200
 
@@ -139,7 +142,7 @@ class SolveRequest(RequestModel):
                 return math.nan
 
         try:
-            adapter.validate_python(design)
+            long = adapter.validate_python(design).long
         except ValidationError as error:
             raise _within_input(wrong_fields(error)) from None
         sense, wanted = self.target.wanted
@@ -153,6 +156,7 @@ class SolveRequest(RequestModel):
                 want=self.want,
                 integer=self.variable.integer,
                 log=self.variable.log,
+                samples=LONG_SAMPLES if long else SAMPLES,
             )
         except InvalidInput as refusal:
             name = "to" if refusal.parameter == "high" else "from"

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from core.checks.check import Check, judged
 from core.checks.crank_design import CrankDesign
-from core.checks.real_forces import WAYS, RealForces
+from core.checks.real_forces import WAYS
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
@@ -48,17 +48,10 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
         limit,
         reserve=design.torque_factor(_force_factor(contact, design.contact_at, limit)),
         warning=warning,
-        error=(contact.conformal_error or 0.0) + _rounding(design, contact),
+        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=design.peak,
         **more,
     )
-
-
-def _rounding(design: CrankDesign, contact: HertzContact) -> float:
-    """Relative error of the pressure by number."""
-    force = design.judged_forces
-    off = force.turn.accuracy.relative_error if isinstance(force, RealForces) else 0.0
-    return float(8 * contact.accuracy.relative_error + off)
 
 
 def _force_factor(

@@ -1,7 +1,7 @@
 """Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, Self
 
@@ -110,9 +110,10 @@ class RealForces:
         -------
         HertzContact
         """
-        contact = self.real.contact(self.pair, self.force * factor)
+        contact, turn = self.real.contact(self.pair, self.force * factor), self.turn.accuracy
         assert contact is not None
-        return contact
+        error = contact.accuracy.relative_error + turn.relative_error
+        return replace(contact, accuracy=replace(turn, relative_error=error))
 
     def torque_factor(self, factor: float) -> float:
         """Factor on the torque under which the largest pressure is that of so many times the force.

@@ -9,12 +9,32 @@ import pytest
 
 from app.calculations.crank_planetary import CrankPlanetaryRequest
 from app.endpoint import LIGHT_POINTS, points
-from app.examples import DESIGN, REQUESTS
+from app.examples import REQUESTS
 
 pytestmark = pytest.mark.anyio
 
 PATH = "crank-planetary"
 IDEAL = REQUESTS[PATH]
+DESIGN = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+    "load": {
+        "output_torque_Nm": 200.0,
+        "pin_circle_radius_mm": 40.0,
+        "torque_direction": "alternating",
+    },
+    "contact": {
+        "contact_length_mm": 12.0,
+        "pin_radius_mm": 5.0,
+        "eccentricity_mm": 2.0,
+        "hole_clearance_mm": 0.03,
+        "hole_material": "steel_case_hardened",
+    },
+    "deviations": {"pin_tangential_mm": [-0.02, 0.0, 0.0, 0.0, 0.0, 0.0]},
+    "pin": {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34.0},
+    "requirements": {"max_backlash_arcmin": 8.0, "max_lost_motion_arcmin": 8.0},
+    "include": ["load_sharing", "hertz", "checks"],
+}
+"""A design as its parts are made, with what is asked of it."""
 
 
 def changed(body=DESIGN, /, **changes):

@@ -167,9 +167,13 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)
     mechanism = {key: value for key, value in body["mechanism"].items() if key != "revolutions"}
     if "contact_force" in answer:
-        force = answer["contact_force"]
-        await contact_force(mechanism | body["load"], force, ask)
-        if "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
+        force, load = answer["contact_force"], dict(body["load"])
+        if load.pop("torque_direction", "driving") == "reverse":  # what would brake drives
+            start = mechanism.get("initial_crank_angle_deg", 0.0)
+            mechanism["initial_crank_angle_deg"] = start + (180 if start < 0 else -180)
+        await contact_force(mechanism | load, force, ask)
+        ideal = "contact_law" not in body
+        if ideal and "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
             contact = {key: val for key, val in body["contact"].items() if key != "eccentricity_mm"}
             alone = await ask("hertz", contact | {"force_N": force["peak_force_N"]})
             expect(alone is not None, "Hertz alone is refused")

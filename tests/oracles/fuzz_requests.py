@@ -119,15 +119,21 @@ def range_shown(r: Draw, body: Body) -> Body:
 def load(r: Draw) -> Body:
     """Torque, lever, force exponent."""
     number = r.number
-    body: Body = {"pin_circle_radius_mm": number("LoadFields", "pin_circle_radius_mm")}
+    body: Body = {"pin_circle_radius_mm": number("DirectedLoadFields", "pin_circle_radius_mm")}
     if r.chance(0.7):
-        body["output_torque_Nm"] = number("LoadFields", "output_torque_Nm")
+        body["output_torque_Nm"] = number("DirectedLoadFields", "output_torque_Nm")
     else:
-        body["input_torque_Nm"] = number("LoadFields", "input_torque_Nm")
+        body["input_torque_Nm"] = number("DirectedLoadFields", "input_torque_Nm")
         body["efficiency"] = r.log_uniform(1e-3, 1)
     if r.chance(0.5):
         body["force_exponent"] = r.choice(
-            (0, 10 / 9, 1.5, number("LoadFields", "force_exponent", (0, 3)), r.uniform(0.9, 1.2))
+            (
+                0,
+                10 / 9,
+                1.5,
+                number("DirectedLoadFields", "force_exponent", (0, 3)),
+                r.uniform(0.9, 1.2),
+            )
         )
     wanted = ("curves", "equal_sharing", "approximation")
     body["include"] = [each for each in wanted if r.chance(0.3)]
@@ -177,9 +183,26 @@ def crank_planetary(r: Draw) -> Body:
     body: Body = {"mechanism": range_shown(r, mechanism(r)), "load": load(r), "contact": contact(r)}
     sections = ["cyclogram", "contact_force", "hertz", "geometry"]
     body["include"] = r.sample(sections, r.randint(1, 4))
+    if r.chance(0.1):
+        as_made(r, body)
     if r.chance(0.5):
         body["crank_angle_deg"] = r.uniform(-3600, 3600)
     return body
+
+
+def as_made(r: Draw, body: Body) -> None:
+    """Clearance, deviations and elasticity in a design; few pairs, as they take a turn."""
+    real = load_sharing(r)
+    if real["mechanism"]["pins"] > 4:
+        real["mechanism"] = {"pins": r.randint(1, 4), "ratio": 20.0}
+        real.pop("deviations", None)
+    body["mechanism"] = real["mechanism"]
+    body["contact"] |= real["contact"]
+    del body["contact"]["hole_radius_mm"]
+    body |= {name: real[name] for name in ("contact_law", "deviations") if name in real}
+    body["load"]["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
+    if r.chance(0.5):
+        body["include"].append("load_sharing")
 
 
 def output_efficiency(r: Draw) -> Body:
