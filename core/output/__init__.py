@@ -12,8 +12,8 @@ force_laws          the force of the best placed pair under each law of load sha
 peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
-sharing_pairs       constants of pairs with clearance and deviations
-sharing_kernel      loops over pairs with gaps: equilibrium of one position
+sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
+compiled            the same loops compiled, for turns and studies
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 loaded_position     its forces, lag, play and stiffness at one position

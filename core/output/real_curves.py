@@ -9,7 +9,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import wave_torque
+from core.output.sharing_kernel import input_torque
 from core.results import Accuracy
 
 
@@ -78,7 +78,7 @@ def real_curves(
     """
     direction = math.copysign(1.0, output_torque)
     there, back, room = real.setup(direction), real.setup(-direction), real.room()
-    ratio, torque = real.mechanism.ratio, abs(output_torque)
+    torque = abs(output_torque)
     forces, rows, unsure, steps = [], [], 0.0, 0
     for angle in crank_angle:
         psi = real.wave(float(angle))
@@ -87,7 +87,6 @@ def real_curves(
         least, most = sorted((direction * found.low, direction * found.high))
         if found.low > found.high:
             least = most = (least + most) / 2 if math.isfinite(least) else 0.0
-        on_wave = wave_torque(psi, found.lag, there, real.pairs, room)
         forces.append([*room.force])
         unsure, steps = max(unsure, found.force_error), steps + found.steps + reverse.steps
         rows.append(
@@ -97,7 +96,7 @@ def real_curves(
                 least + 0.0,
                 most + 0.0,
                 found.stiffness,
-                output_torque / ratio + (1 + 1 / ratio) * on_wave,
+                input_torque(psi, torque, found.lag, there, real.pairs, room),
             )
         )
     force = np.array(forces).T
