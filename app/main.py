@@ -18,7 +18,7 @@ from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
-from app import VERSION, about, batch, observability
+from app import VERSION, about, batch, compiled, observability
 from app.about import API
 from app.endpoint import JSON, RESPONSES, CalculationRoute, FigureOut, answering, drawing
 from app.examples import REQUESTS
@@ -31,7 +31,7 @@ from app.settings import Settings, current
 
 STATIC = Path(__file__).parent.parent / "static"
 
-PRELOAD = ("app.batch", "uvicorn")
+PRELOAD = ("app.batch", "app.loaded", "uvicorn")
 """What processes for calculations import ahead; uvicorn as they import the service's main module,
 `app.serve`, each anew."""
 
@@ -104,7 +104,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()
     gc.freeze()
-    async with app.state.jobs:
+    async with app.state.jobs, compiled.prepared():
         yield
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
+from app import compiled
 from app.calculations.contact_force import CurveFields
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
@@ -44,8 +45,9 @@ from core.results import Accuracy, Notice
 
 Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
 
-MAX_TURN_PAIRS = 100
-"""Most pairs over the turn: some thousand positions are solved, which takes seconds."""
+MAX_TURN_PAIRS = {"ready": 1000, "preparing": 100, "missing": 100}
+"""Most pairs over the turn, by the state of the compiled loops: thousands of positions are solved,
+which takes a second, or without these several."""
 
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
@@ -101,7 +103,7 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         super().refuse_beyond(settings)
         pairs = self.mechanism.pairs
         for section, limit in (
-            ("over_turn", MAX_TURN_PAIRS),
+            ("over_turn", MAX_TURN_PAIRS[compiled.state()]),
             ("positions", MAX_FORCES // len(self.crank_angle_deg)),
             ("stiffness_curve", MAX_FORCES // len(self.torques)),
             ("curves", MAX_FORCES // self.samples),
@@ -141,6 +143,7 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
 
         if "over_turn" in asked:
+            compiled.use()
             turn = over_turn(
                 real=real,
                 output_torque=self.torque,

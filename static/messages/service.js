@@ -67,6 +67,8 @@ export default {
     "approximation_range": "The approximation is stated for {field} from {low} to {high} only; here it is {value}.",
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
+    "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
+    "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",

@@ -6,7 +6,7 @@ import sys
 
 import core
 
-HEAVY = {"mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
+HEAVY = {"numba", "mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
 
 
 def test_importing_every_calculation_loads_no_plotting_no_web_and_no_mpmath() -> None:
