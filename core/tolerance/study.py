@@ -344,7 +344,7 @@ def _missed_peak(study: Study, pieces: Errors[FloatArray], values: FloatArray) -
     missed = []
     for i in order:
         rows = {name: table[i] for name, table in pieces._asdict().items()}
-        real = replace(study.real, deviations=deviations(rows, study.real.mechanism.pins))
+        real = replace(study.real, deviations=deviations(rows=rows, pins=study.real.mechanism.pins))
         turn = Turn(real, study.asked.output_torque)
         grid = turn.values(FORCE, _places(study.asked.positions))
         found = summits(grid=grid, narrow=turn.narrow(FORCE), most=3)

@@ -109,7 +109,7 @@ class Tolerances:
             if isinstance(given, Spread):
                 middle = (given.lower + given.upper) / 2
                 rows[source] = np.full(counts.get(source, satellites), middle)
-        return deviations(rows, pins)
+        return deviations(rows=rows, pins=pins)
 
     def without(self, source: str) -> "Tolerances":
         """The same with a source at the middle of its limits.
@@ -130,7 +130,7 @@ class Tolerances:
         return replace(self, **{source: None})
 
 
-def deviations(rows: Mapping[str, FloatArray], pins: int) -> Deviations:
+def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:
     """Deviations of one piece.
 
     Parameters

@@ -17,6 +17,7 @@ SAYS = {
     "load": "stopped (SIGTERM)",
     "page": "a frame",
     "service": "parts of a request",
+    "sharing": "compiling is not timed",
     "soak": "most processes",
     "speed": "contact line",
     "stability": "right to their stated error",

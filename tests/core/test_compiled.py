@@ -19,6 +19,8 @@ from core.tolerance.study import QUANTITIES, Evaluation, Study
 from core.tolerance.tolerances import Tolerances, deviations
 from tests.oracles.real_mechanisms import LAWS, STEEL, design
 
+pytestmark = pytest.mark.usefixtures("compiled_loops")
+
 KINDS = range(8)
 WIDE = Tolerances(
     pin_position=1e-5,
@@ -39,12 +41,6 @@ def pair_of_discs(**changes: object) -> RealMechanism:
         hole_material=STEEL,
         **changes,
     )
-
-
-@pytest.fixture(autouse=True)
-def as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever a test loads, the others find what they had."""
-    monkeypatch.setattr(compiled, "_at_hand", compiled.PLAIN)
 
 
 def both(calculate):
@@ -81,7 +77,7 @@ def test_both_give_the_same_bits(law, support, exact):
         plain, fast = both(lambda study=study, pieces=pieces: study.values(pieces))
         assert (plain[0].tobytes(), plain[1].tolist()) == (fast[0].tobytes(), fast[1].tolist())
         rows = {name: table[0] for name, table in pieces._asdict().items()}
-        piece = replace(study.real, deviations=deviations(rows, 5))
+        piece = replace(study.real, deviations=deviations(rows=rows, pins=5))
         plain, fast = both(lambda piece=piece, torque=torque: looked_at(piece, torque))
         assert plain == fast
 
@@ -101,7 +97,6 @@ def test_pieces_that_cannot_work_are_none_in_both() -> None:
 
 
 def test_any_split_gives_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
-    compiled.load()
     study = Study(pair_of_discs(), WIDE, Evaluation(QUANTITIES, 30.0, 6), samples=50)
     values = []
     for block, threads in ((64, 1), (64, 2), (7, 1), (7, 3), (1, 2)):
@@ -114,8 +109,8 @@ def test_any_split_gives_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("loaded", [False, True])
 def test_a_refusal_says_why_in_both(loaded: bool) -> None:
-    if loaded:
-        compiled.load()
+    if not loaded:
+        compiled._at_hand = compiled.PLAIN
     soft = replace(pair_of_discs(), law=replace(LAWS[0], stiffness=1e3))
     for calculate in (
         lambda: over_turn(real=soft, output_torque=30.0),
