@@ -19,7 +19,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Literal
 
-from core.output import compiled
+from core.output import compiled, sharing_kernel
 from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
@@ -41,21 +41,11 @@ def _mark() -> Path | None:
         numba = version("numba")
     except PackageNotFoundError:
         return None
-    source = Path(compiled.source.__file__)
+    source = Path(sharing_kernel.__file__)
     place = Path(os.environ.get("NUMBA_CACHE_DIR") or source.parent / "__pycache__")
-    made_of = (
-        source.read_bytes(),
-        *(
-            text.encode()
-            for text in (
-                numba,
-                sys.version,
-                platform.machine(),
-                os.environ.get("NUMBA_CPU_NAME", ""),
-            )
-        ),
-    )
-    digest = hashlib.blake2b(b"\0".join(made_of), digest_size=12).hexdigest()
+    names = numba, sys.version, platform.machine(), os.environ.get("NUMBA_CPU_NAME", "")
+    made_of = source.read_bytes() + "\0".join(names).encode()
+    digest = hashlib.blake2b(made_of, digest_size=12).hexdigest()
     return place / f"{source.stem}.{digest}.compiled"
 
 
