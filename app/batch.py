@@ -162,7 +162,7 @@ async def batch(request: Request) -> Response:
     done = _named(done, ids, numbered=by_lines)
     written = _as_lines(done) if by_lines else _as_object(done)
     headers = {"vary": "accept-encoding"}
-    if takes_gzip(request):
+    if takes_gzip(request.scope):
         headers["content-encoding"] = "gzip"
         written = _zipped(written)
     return StreamingResponse(written, headers=headers, media_type=LINES if by_lines else JSON)

@@ -46,6 +46,8 @@ holds the loop for some 10 ms; to hand it over costs half of one."""
 
 ROLLERS = ("rollers", "rollers_total")
 COUNTS = ("pins", "satellites", "satellites", "revolutions", *ROLLERS)
+SIZES = {*COUNTS, "include", "samples", "ratio", "ring_teeth", "satellite_teeth"}
+"""Fields on which the size of a request hangs."""
 
 ELEMENT_POINTS, DRAWN_POINTS = 20, 100
 """Points of a pair or a roller of which no curve is asked, and of one that is drawn."""
@@ -108,7 +110,7 @@ class CalculationRoute(APIRoute):
             sent = await received(request, record.settings.max_body_bytes)
             record.received = time.perf_counter()
             theme = _theme(request) if drawn else None
-            zipped = takes_gzip(request)
+            zipped = takes_gzip(request.scope)
             body = None
             if len(sent) <= LIGHT_BYTES:
                 body = read_body(CALCULATIONS[name], sent, record.settings)
@@ -148,7 +150,7 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     """
     stated = dict(_stated(body))
     asked = stated.get("include", ())
-    if body.LONG or "fixes" in asked:
+    if body.long or "fixes" in asked:
         return math.inf
     size = 1.0
     for name in COUNTS:
@@ -166,12 +168,26 @@ def points(body: RequestModel, *, drawn: bool) -> float:
 
 
 def _stated(body: BaseModel) -> Iterator[tuple[str, Any]]:
-    """What is given of a request and of the models within it; of lists just that they are there."""
-    for name, value in vars(body).items():
+    """What is given of `SIZES` in a request and in the models within it."""
+    for name in _sizing(type(body)):
+        value = getattr(body, name)
         if isinstance(value, BaseModel):
             yield from _stated(value)
         elif value is not None:
             yield name, value
+
+
+@cache
+def _sizing(model: type[BaseModel]) -> list[str]:
+    """Fields of a model that are among `SIZES`, or hold a model that may have some."""
+    fields = model.model_fields.items()
+    return [name for name, each in fields if name in SIZES or _holds_model(each.annotation)]
+
+
+def _holds_model(annotation: Any) -> bool:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return True
+    return any(map(_holds_model, get_args(annotation)))
 
 
 def _content(
@@ -318,9 +334,9 @@ class Answer(Response):
             kind.waiting_bytes -= size
 
 
-def takes_gzip(request: Request) -> bool:
+def takes_gzip(scope: Scope) -> bool:
     """Whether a client takes compressed answers."""
-    return any(n == b"accept-encoding" and b"gzip" in v for n, v in request.scope["headers"])
+    return any(n == b"accept-encoding" and b"gzip" in v for n, v in scope["headers"])
 
 
 def _json_response(content: bytes) -> Response:

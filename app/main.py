@@ -1,18 +1,22 @@
 """The service: settings, endpoints, errors, headers, pages."""
 
+import asyncio
 import gc
+import gzip
 import hashlib
 import os
+import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import cache
+from mimetypes import guess_type
 from pathlib import Path
 from typing import Any
 
 import orjson
 from fastapi import FastAPI, Request
 from fastapi.middleware.cors import CORSMiddleware
-from fastapi.responses import FileResponse, PlainTextResponse, Response
+from fastapi.responses import PlainTextResponse, Response
 from fastapi.staticfiles import StaticFiles
 from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
@@ -20,7 +24,15 @@ from starlette.types import Scope
 
 from app import VERSION, about, batch, compiled, observability
 from app.about import API
-from app.endpoint import JSON, RESPONSES, CalculationRoute, FigureOut, answering, drawing
+from app.endpoint import (
+    JSON,
+    RESPONSES,
+    CalculationRoute,
+    FigureOut,
+    answering,
+    drawing,
+    takes_gzip,
+)
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import CompressGet, Requests
@@ -34,6 +46,9 @@ STATIC = Path(__file__).parent.parent / "static"
 PRELOAD = ("app.batch", "app.loaded", "uvicorn")
 """What processes for calculations import ahead; uvicorn as they import the service's main module,
 `app.serve`, each anew."""
+
+DESCRIBED_S = 1.0
+"""How long after its start the service makes its description."""
 
 LICENSE = {"name": "MIT", "identifier": "MIT"}
 
@@ -64,25 +79,34 @@ def described(calculation: Calculation) -> dict[str, Any]:
     }
 
 
-def etag_of(content: bytes) -> str:
-    """Tag of what is served, the same wherever it is; compressed or not."""
-    return f'"{hashlib.blake2b(content, digest_size=12).hexdigest()}"'
+class Packed:
+    """What is served as it is: compressed and tagged once, as a page asks for some sixty files."""
+
+    def __init__(self, content: bytes, media_type: str) -> None:
+        self.plain = Response(content, media_type=media_type, headers={"vary": "accept-encoding"})
+        self.zipped = Response(
+            gzip.compress(content, mtime=0),
+            media_type=media_type,
+            headers={"vary": "accept-encoding", "content-encoding": "gzip"},
+        )
+        self.etag = f'"{hashlib.blake2b(content, digest_size=12).hexdigest()}"'
+        for each in (self.plain, self.zipped):
+            each.headers["etag"] = f"W/{self.etag}"
+
+    def response(self, scope: Scope) -> Response:
+        """The answer to a request, or that nothing has changed since."""
+        response = self.zipped if takes_gzip(scope) else self.plain
+        known = Headers(scope=scope).get("if-none-match", "")
+        if known.strip() == "*" or self.etag in [
+            each.strip().removeprefix("W/") for each in known.split(",")
+        ]:
+            return NotModifiedResponse(response.headers)
+        return response
 
 
 @cache
-def _etag_of_file(path: str, changed_ns: int) -> str:
-    return etag_of(Path(path).read_bytes())
-
-
-def tagged(response: Response, etag: str, scope: Scope) -> Response:
-    """An answer with its tag, or that nothing has changed since."""
-    response.headers["etag"] = f"W/{etag}"
-    known = Headers(scope=scope).get("if-none-match", "")
-    if known.strip() == "*" or etag in [
-        each.strip().removeprefix("W/") for each in known.split(",")
-    ]:
-        return NotModifiedResponse(response.headers)
-    return response
+def _packed_file(path: str, changed_ns: int) -> Packed:
+    return Packed(Path(path).read_bytes(), guess_type(path)[0] or "application/octet-stream")
 
 
 class Files(StaticFiles):
@@ -92,10 +116,7 @@ class Files(StaticFiles):
         self, full_path: Any, stat_result: os.stat_result, scope: Scope, status_code: int = 200
     ) -> Response:
         """Answer of a file."""
-        response = FileResponse(full_path, status_code, stat_result=stat_result)
-        del response.headers["last-modified"]
-        etag = _etag_of_file(str(full_path), stat_result.st_mtime_ns)
-        return tagged(response, etag, scope)
+        return _packed_file(str(full_path), stat_result.st_mtime_ns).response(scope)
 
 
 @asynccontextmanager
@@ -104,8 +125,12 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # What is there now stays: the collector need not look through it again and again.
     gc.collect()
     gc.freeze()
+    # The description, which takes half a second, is made before somebody opens the page.
+    describing = threading.Thread(target=app.openapi, daemon=True)
+    ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
     async with app.state.jobs, compiled.prepared():
         yield
+    ahead.cancel()
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -188,11 +213,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def metrics() -> Response:
         return observability.metrics()
 
+    @cache
+    def description() -> Packed:
+        return Packed(orjson.dumps(app.openapi()), JSON)
+
     @app.get("/openapi.json", include_in_schema=False)
     @app.get(f"{API}/openapi.json", include_in_schema=False)
     async def openapi(request: Request) -> Response:
-        content = orjson.dumps(app.openapi())
-        return tagged(Response(content, media_type=JSON), etag_of(content), request.scope)
+        return description().response(request.scope)
 
     app.mount("/static", files, name="static")
     return app

@@ -16,7 +16,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
-from app.units import core_name, in_units, shown_unit, to_si, unit_size
+from app.units import api_value, core_name, in_units, shown_unit, to_si, unit_size
 from core.results import METHODS, NOTICES, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -80,11 +80,11 @@ NAMING = ("field", "other")
 
 
 def api_params(params: dict[str, Any]) -> dict[str, Any]:
-    """Parameters of a core's refusal or notice with the API's names of fields."""
-    return {
-        name: _API_NAMES.get(value, value) if name in NAMING else value
+    """Parameters of a core's refusal or notice with the API's names of fields, in its units."""
+    return dict(
+        (name, _API_NAMES.get(value, value)) if name in NAMING else api_value(name, value)
         for name, value in params.items()
-    }
+    )
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
@@ -175,8 +175,10 @@ class RequestModel(BaseModel):
             if value is not None
         }
 
-    LONG: ClassVar[bool] = False
-    """Whether it takes long whatever its counts are."""
+    @property
+    def long(self) -> bool:
+        """Whether it takes long whatever its counts are."""
+        return False
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits.
@@ -248,7 +250,9 @@ def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any =
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
-    """Refusal by a model's validator that belongs to one field; see `app.problems.TEXTS`."""
+    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
+    `app.problems.TEXTS`.
+    """
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
 
 

@@ -39,14 +39,15 @@ TEXTS = (
     | {
         "bool_type": "must be true or false",
         "dict_type": "must be an object",
-        "different_sum": "must have lengths that add up to {field} and {other}",
+        "different_sum": "must have lengths that add up to {field} and {other}, "
+        "{needed_length_mm:.9g} mm, not {given_length_mm:.9g} mm",
         "dust": "must be 0 or at least {limit:g} in size",
         "extra_forbidden": "is not a known field",
         "float_type": "must be a number",
         "greater_than": "must be greater than {limit:.15g}",
         "greater_than_equal": "must be at least {limit:.15g}",
         "hole_disagrees": "must be pin radius + eccentricity + clearance, "
-        "{expected:.15g}, or left out",
+        "{expected_mm:.15g} mm, or left out",
         "int_type": "must be a whole number",
         "json_invalid": "is not valid JSON: {error}",
         "less_than": "must be less than {limit:.15g}",
@@ -58,7 +59,7 @@ TEXTS = (
         "needed": "is needed: this or {field}",
         "needed_beside": "is needed beside {field}",
         "needed_for": "is needed for {section}",
-        "no_class_of_size": "is known for diameters up to {limit:g} mm only",
+        "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
         "only_one": "excludes {field}: give one of them",
@@ -69,6 +70,8 @@ TEXTS = (
         "too_long": "must have at most {limit} entries",
         "too_nested": "must hold at most {limit} lists and objects",
         "too_short": "must have at least {limit} entries",
+        "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
+        "are solved then, not assumed",
         "with_rollers": "must be at most {limit}, with {rollers} rollers",
     }
 )
@@ -93,11 +96,13 @@ PHYSICAL = frozenset(
         "roller_without_arm",
         "service_limit",
         "smaller_than",
+        "sum_not_one",
         "to_be_drawn",
         "too_few",
         "too_many_pairs",
         "too_many_phases",
         "too_short_range",
+        "with_real_forces",
         "with_rollers",
     }
 )
@@ -360,7 +365,8 @@ def _item(error: ErrorDetails) -> ErrorItem:
     if kind == "json_invalid":
         return ErrorItem("", kind, {"error": context["error"]})
     if kind == "field_error":
-        return ErrorItem(pointer([*path, context["name"]]), context["code"], context["params"])
+        path += context["name"].split("/")
+        return ErrorItem(pointer(path), context["code"], context["params"])
     if kind.startswith("union_tag"):
         path.append("calculation")
     code = _CODES.get(kind, kind)

@@ -105,7 +105,7 @@ def rounded(values: np.ndarray, digits: int) -> np.ndarray:
     return np.round(values, digits - 1 - math.floor(math.log10(largest)))
 
 
-QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N"}
+QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N", "length": "mm"}
 """Units of quantities that only refusals name: last word of the core's name to its suffix."""
 
 

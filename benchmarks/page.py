@@ -1,7 +1,7 @@
 """How soon the page shows new numbers and figures after the last key, in a real Chromium.
 
-Run by `make bench-page`. Times include the pause that the page waits for more keys (120 ms) and are
-of this machine; the marks are 250 ms for numbers and 350 ms for figures. Beside them, when the
+Run by `make bench-page`. Times include the pause that the page waits for more keys (50 ms) and are
+of this machine; the marks are 150 ms for numbers and 300 ms for figures. Beside them, when the
 first figure is there after the page is opened for the first time (the mark is a second), and what a
 frame of the moving drawing takes; the mark is the time from one frame of a screen to the next.
 """
@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from benchmarks.load import service as running_service
 from benchmarks.options import options
 
-NUMBERS_MS, FIGURES_MS, FIRST_MS, FRAME_MS = 250, 350, 1000, 16.7
+NUMBERS_MS, FIGURES_MS, FIRST_MS, FRAME_MS = 150, 300, 1000, 16.7
 ROUNDS = 15
 CALCULATORS = {
     "crank-planetary": ("load.output_torque_Nm", "force"),

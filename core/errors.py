@@ -8,9 +8,12 @@ with other names; here it is worded in English, with the core's names and SI uni
 REFUSALS = {
     "at_most": "must be at most {field}",
     "different_length": "must have {expected} entries, has {actual}",
-    "different_sum": "must have lengths that add up to {field} and {other}",
+    "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
+    "not {given_length:g} m",
     "exclusive": "and {field} exclude each other",
     "finite_number": "must be a finite number",
+    "first_order_only": "must be of first order beside {field}: what satellites give is not known "
+    "in exact geometry",
     "greater_than": "must be larger than {limit:g}",
     "greater_than_equal": "must be at least {limit:g}",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
@@ -30,6 +33,7 @@ REFUSALS = {
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "sum_not_one": "must add up to 1, not to {sum:.15g}",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",

@@ -13,7 +13,8 @@ from typing import Any, Literal
 from core.checks.check import MARGIN, Check, Verdict
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
-from core.checks.pin_contact import CONTACT
+from core.checks.pin_contact import CONTACT, real_reserve
+from core.checks.play import PLAY
 from core.errors import CalculationError
 from core.exploration.solve import Solution, solve_for
 
@@ -58,6 +59,8 @@ VARIED: dict[str, tuple[str, ...]] = {
     "contact_conformity": _STRESS,
     "interference": ("hole_radius",),
     "clearance": ("hole_radius",),
+    "backlash": ("hole_radius",),
+    "lost_motion": ("hole_radius",),
     "wall_holes": ("pin_circle_radius", "pin_radius", "pins"),
     "pins_apart": ("pin_circle_radius", "pin_radius", "pins"),
     "holes_off_centre": ("pin_circle_radius", "pin_radius"),
@@ -74,8 +77,9 @@ VARIED: dict[str, tuple[str, ...]] = {
     "roller_spacing": ("hole_circle_radius", "sphere_diameter", "rollers"),
     "roller_room": ("hole_circle_radius", "sphere_diameter"),
     "roller_tilt": ("cylinder_length",),
-    "line_spacing": (),
-    "shaft_in_circle": ("shaft_diameter",),
+    "assembly": ("satellites",),
+    "line_spacing": ("roller_radius", "roller_circle_radius"),
+    "shaft_in_circle": ("shaft_diameter", "roller_radius", "roller_circle_radius"),
     "shaft_deflection": ("shaft_diameter", "overhang", "bearing_distance"),
     "shaft_slope": ("shaft_diameter", "overhang", "bearing_distance"),
 }
@@ -83,6 +87,18 @@ VARIED: dict[str, tuple[str, ...]] = {
 
 WHOLE = {"pins", "satellites", "rollers"}
 """Inputs that are whole numbers."""
+
+GROWTH = {
+    "contact_length": 1.0,
+    "pin_radius": 1.8,
+    "pin_circle_radius": 1.0,
+    "output_torque": -1.0,
+}
+"""With which power of an input the torque reserve of a pressure grows, about: where a search for a
+fix of the mechanism as it is made starts."""
+
+SEARCHED = 8
+"""Most steps of that search, and of the one for a clearance."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +120,7 @@ class SideEffect:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """One input changed so that a check passes; with clearance, that the pressure does not fail.
+    """One input changed so that a check passes.
 
     Attributes
     ----------
@@ -309,7 +325,11 @@ def vary(*, design: CrankDesign, variable: str, value: float) -> CrankDesign:
     changed: dict[str, float] = {variable: value}
     if variable in ("pin_radius", "eccentricity") and design.hole_radius is not None:
         changed["hole_radius"] = design.hole_radius + value - (getattr(design, variable) or 0.0)
-    return replace(design, **changed)  # type: ignore[arg-type]
+    made = replace(design, **changed)  # type: ignore[arg-type]
+    pin, former = design.pin, 2 * (design.pin_radius or 0.0)
+    if variable == "pin_radius" and pin and math.isclose(pin.diameter, former, rel_tol=1e-12):
+        made = replace(made, pin=replace(pin, diameter=2 * value))  # no sleeve
+    return made
 
 
 def crank_fixes(
@@ -337,19 +357,16 @@ def crank_fixes(
             before = getattr(design, variable)
             if code in ("interference", "clearance", "crank_balance"):
                 fix = _closed(design, code, variable, current)
+            elif code in PLAY:
+                fix = _less_clearance(design, code, current)
             elif before is None or (variable == "satellites" and not _even(design)):
                 continue
+            elif code in CONTACT and design.as_made:
+                fix = _as_made(design, code, variable, current)
             else:
-                # the forces that fail are those without clearance, whatever that is
-                base = replace(design, eccentricity=None) if code in CONTACT else design
 
-                def change(
-                    value: float,
-                    code: str = code,
-                    variable: str = variable,
-                    base: CrankDesign = base,
-                ) -> Check:
-                    return CRANK[code](vary(design=base, variable=variable, value=value))
+                def change(value: float, code: str = code, variable: str = variable) -> Check:
+                    return CRANK[code](vary(design=design, variable=variable, value=value))
 
                 def whole_list(value: float, variable: str = variable) -> Verdict:
                     return crank_checks(vary(design=design, variable=variable, value=value))
@@ -422,6 +439,84 @@ def plain_fixes(
 
 def _even(design: CrankDesign) -> bool:
     return design.crank_angles is None and design.crank_spacing is None
+
+
+def _as_made(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix of a pressure of the mechanism as it is made: the torque that brings it to its limit is
+    known without the forces under the torque, and a power of most inputs.
+    """
+    before, check = getattr(design, variable), current[code]
+    if variable not in GROWTH or check.limit is None or check.value is None:
+        return None
+    limit, value = check.limit, before
+    aim = 1.0 if check.warning else MARGIN
+    points: list[tuple[float, float]] = []
+    for _ in range(SEARCHED):
+        try:
+            changed = vary(design=design, variable=variable, value=value)
+            reserve = real_reserve(design=changed, limit=limit)
+        except (CalculationError, AssertionError):
+            return None
+        if not reserve > 0:
+            return None
+        points.append((math.log(value), math.log(reserve / aim)))
+        if 0 <= points[-1][1] <= 1e-6:
+            break
+        growth = GROWTH[variable]
+        if len(points) > 1 and points[-1][0] != points[-2][0]:
+            growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
+        if not abs(growth) > 0.1:
+            return None
+        # a trifle beyond, so that it is met from the safe side
+        value = math.exp(points[-1][0] - (points[-1][1] - 5e-7) / growth)
+        if not before / RANGE <= value <= before * RANGE:
+            return None
+    return _checked(design, code, variable, value, current)
+
+
+def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | None:
+    """Fix of backlash or lost motion, which grow with the clearance almost straight."""
+    check, clearance, hole = current[code], design.clearance, design.hole_radius
+    if check.value is None or check.limit is None or hole is None or not clearance:
+        return None
+    backlash = CRANK["backlash"](design).value
+    if not backlash:
+        return None
+    value, slope = check.value, backlash / clearance
+    place = clearance
+    for _ in range(SEARCHED):
+        if value <= check.limit:
+            break
+        before, former = place, value
+        place = math.floor((place - (value - check.limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
+        if place < 0:
+            return None
+        found = CRANK[code](
+            vary(design=design, variable="hole_radius", value=hole + place - clearance)
+        )
+        if found.value is None or found.value >= former:
+            return None
+        value, slope = found.value, (former - found.value) / (before - place)
+    return _checked(design, code, "hole_radius", hole + place - clearance, current)
+
+
+def _checked(design: CrankDesign, code: str, variable: str, exact: float, current: Verdict) -> Fix:
+    """A fix that was found, with all checks made again."""
+    before = float(getattr(design, variable))
+    ends = (exact, exact * RANGE) if exact >= before else (exact / RANGE, exact)
+    if variable == "hole_radius":
+        ends = (exact, exact)
+    found = Solution("solved", exact, None, (ends,), None, True, 1)
+    verdicts: list[Verdict] = []
+
+    def whole_list(value: float) -> Verdict:
+        verdicts.append(crank_checks(vary(design=design, variable=variable, value=value)))
+        return verdicts[-1]
+
+    made = _made(code, variable, before, exact, found, "solved", whole_list, current)
+    if verdicts[-1][code].status in ("fail", "not_checked"):
+        return replace(made, status="not_enough")
+    return made
 
 
 def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:

@@ -1,10 +1,10 @@
-/** Asking the service for results: 120 ms after the last key or at once, the newest request only. */
+/** Asking the service for results: 50 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/form_state.js";
 import { judgedOf } from "./lib/checks.js";
 import { answered, asked, compared, failed, mended } from "./store.js";
 
-const DEBOUNCE_MS = 120;
+const DEBOUNCE_MS = 50;
 const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
 
 /** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */

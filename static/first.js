@@ -8,7 +8,7 @@
     // Without storage the system's theme holds.
   }
   const own = {
-    "crank-planetary": ["index", "drawing", "mechanism", "sentences", "worked"],
+    "crank-planetary": ["index", "drawing", "mechanism", "sentences", "wanted", "worked"],
     rollers: ["index", "drawing", "sentences", "worked"],
     precession: ["index", "drawing", "sentences", "worked"],
   };

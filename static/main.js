@@ -25,6 +25,8 @@ import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
+const UNWRITTEN = "khv-calc.address";
+const ADDRESS_MS = 300; // after the last change of the address
 const AGAIN_MS = 4000; // until the page tries again to start
 const client = createClient();
 let service = null;
@@ -39,7 +41,9 @@ function described() {
   return service;
 }
 
-const linked = new URLSearchParams(location.search);
+// An address that was left before it was written: where it was to stand, and what.
+const [place, unwritten] = parsed(session.getItem(UNWRITTEN), []);
+const linked = new URLSearchParams(place === location.search ? unwritten : location.search);
 const languages = [linked.get("lang"), lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
 const language = languages.find((id) => id in LANGUAGES) ?? "en";
 const units = [linked.get("units"), lasting.getItem("units")].find((id) => SYSTEMS.includes(id)) ?? SYSTEMS[0];
@@ -62,6 +66,25 @@ let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius";
 let quiet = false; // the browser itself has moved in its history
 let leaving = false; // another design is to come: Back leads to this one
 
+/** Writes the address: not while somebody types, as browsers take some ten milliseconds for it. */
+const addressing = {
+  query: null,
+  timer: 0,
+  soon(query) {
+    clearTimeout(this.timer);
+    this.query = query;
+    session.setItem(UNWRITTEN, JSON.stringify([location.search, query]));
+    this.timer = setTimeout(() => this.now(), ADDRESS_MS);
+  },
+  now(write = "replaceState") {
+    clearTimeout(this.timer);
+    if (this.query === null) return;
+    history[write](null, "", `?${this.query}`);
+    this.query = null;
+    session.setItem(UNWRITTEN, "[]");
+  },
+};
+
 function say(text) {
   live.textContent = text;
 }
@@ -73,6 +96,7 @@ async function partsOf(id) {
     calculator,
     modelOf: () => formModel(openapi, {
       ...calculator, path: client.base + calculator.path, words: fieldWords,
+      wanted: calculator.wanted?.map((group) => ({ ...group, paths: group.paths.map((path) => client.base + path) })),
       diameters: lengths === "diameter" ? message("diameter") : null,
     }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
@@ -100,10 +124,13 @@ function build(id, { modelOf, ...parts }) {
       address(query) {
         kept[id] = query;
         session.setItem(KEPT, JSON.stringify(kept));
-        if (!quiet) history[leaving ? "pushState" : "replaceState"](null, "", `?${query}`);
+        if (quiet) return;
+        addressing.soon(query);
+        if (leaving) addressing.now("pushState");
         leaving = false;
       },
       left() {
+        addressing.now();
         leaving = true;
       },
       lengths(chosen) {
@@ -123,6 +150,7 @@ function build(id, { modelOf, ...parts }) {
 function close() {
   bench?.close();
   bench = null;
+  addressing.now();
 }
 
 async function open(id) {
@@ -201,6 +229,7 @@ document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
   const id = CALCULATORS.find((one) => one === there.get("calculator")) ?? CALCULATORS[0];
+  addressing.query = null;
   quiet = true;
   close();
   quiet = false;

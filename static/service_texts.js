@@ -16,6 +16,7 @@ function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titles.get(value) ?? value);
   if (name === "names") return value.split(", ").map((one) => titles.get(one) ?? one).join("; ");
   if (typeof value !== "number") return String(value);
+  if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
 }
 
@@ -32,14 +33,16 @@ export function ofTitle(title, words) {
   return message("verdict.field", { title, words: words.charAt(0).toLowerCase() + words.slice(1) });
 }
 
-/** What the service says of a box: its words, and the cell of a list of records they are about. */
+/** What the service says of a box: its words, and the cell, or the column, of a list of records they are about. */
 function atBox(field, pointer, words) {
-  const [row, column] = keysOf(pointer).slice(-2);
-  const about = field.kind === "records" && field.columns.find(({ name }) => name === column);
+  const keys = keysOf(pointer);
+  const about = field.kind === "records" && field.columns.findLast(({ name }) => keys.includes(name));
   if (!about) return { words };
+  if (field.covers) return { words: ofTitle(about.title, words) };
+  const [row] = keys.slice(-2);
   return {
     words: message("rows.problem", { row: Number(row) + 1, title: about.title, words }),
-    place: { row: Number(row), column },
+    place: { row: Number(row), column: about.name },
   };
 }
 

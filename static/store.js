@@ -15,12 +15,14 @@
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
  * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
  * `claim`    what the link or the store said of the design that was opened: `{ typed, unknown?, older?, verdict? }`
+ * `besides`  what groups that are wanted have, by their ids: `{ typed, request, body?, answer?, of?, phase, progress?, refusal? }`,
+ *            asked with `request` where `typed` stood; `answer` is that of the request `of`; besides.js asks
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
 import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
 import { formatNumber } from "./lib/format.js";
 import { begun, paused, recorded, redone, undone } from "./lib/history.js";
-import { readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
+import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
@@ -36,7 +38,7 @@ export function readingText(reading) {
 }
 
 /** Paths of the boxes that cannot be read: those that are `wrong`, and those that nobody has filled in yet. */
-export function unread({ reading: { wrong, readings }, touched, insisted }) {
+export function unread({ reading: { wrong: own, readings }, touched, insisted }, wrong = own) {
   const asks = (path) => readings[path].problem === "required" && !insisted && !touched.has(path);
   return { wrong: wrong.filter((path) => !asks(path)), missing: wrong.filter(asks) };
 }
@@ -63,7 +65,7 @@ export function opened(about, design, theme, claim = {}) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
-    kept: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
+    kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
   }, begun(typed));
   return { ...state, pending: state.reading.filled };
@@ -77,6 +79,19 @@ export function typedIn(state, path, text, time) {
     { ...state, touched: new Set(touched).add(path), refusal: refusal && { ...refusal, at } },
     recorded(state.history, { ...typed, texts: { ...typed.texts, [path]: text } }, path, time),
   );
+}
+
+/** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
+export function switched(state, id, on, time) {
+  const { typed, about: { model: { fields }, calculator }, reading: { filled } } = state;
+  const { starts = () => ({}) } = calculator.wanted.find((group) => group.id === id);
+  const values = Object.entries(starts(filled));
+  const empty = values.every(([path]) => typed.texts[path] === "");
+  const texts = {
+    ...typed.texts, [`${id}.on`]: on ? "on" : "",
+    ...(on && empty && Object.fromEntries(values.map(([path, value]) => [path, textIn(fields.get(path), value)]))),
+  };
+  return read({ ...state, refusal: null }, recorded(state.history, { ...typed, texts }, undefined, time));
 }
 
 /** An option chosen; its fields start from the same design, where it can be said so. */
@@ -216,6 +231,34 @@ export function applied(state, sets, time) {
   const next = withLinks(model, { ...typed, texts: { ...typed.texts, ...Object.fromEntries(texts) } });
   return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
 }
+
+/** What a wanted group has now. */
+export function besided(state, id, part) {
+  return { ...state, besides: { ...state.besides, [id]: { ...state.besides[id], ...part } } };
+}
+
+/** A wanted group was refused: at its boxes, and in words. */
+export function refusedBesides(state, id, problem) {
+  const { about: { model, titles }, besides: { [id]: { typed } } } = state;
+  if (problem.status !== 422) return besided(state, id, { phase: "offline", refusal: { at: {}, text: problemText(problem, titles) } });
+  const { at, elsewhere } = refusalTexts(problem, shownFields(model, typed), titles);
+  const atBoxes = Object.entries(at).map(([path, { words }]) => ofTitle(model.fields.get(path).title, words));
+  return besided(state, id, { phase: "refused", refusal: { at, text: [...elsewhere, ...atBoxes].join("; ") } });
+}
+
+/** What stands in the way of a wanted group: boxes of its own that cannot be read, in words. */
+export function hinderedBesides(state, id) {
+  const { reading: { besides, readings }, about: { model: { fields } } } = state;
+  return besides[id].map((path) => ofTitle(fields.get(path).title, readingText(readings[path]))).join("; ");
+}
+
+/** What a box is told by the group that it belongs to; it stands until something is typed. */
+export function refusedAt({ typed, refusal, besides }, path) {
+  return refusal?.at[path] ?? Object.values(besides).find((one) => one.typed === typed && one.refusal?.at[path])?.refusal.at[path];
+}
+
+/** Whether a group is switched on. */
+export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
 
 /** The service could not be asked. */
 export function failed(state, problem) {

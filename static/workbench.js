@@ -29,6 +29,7 @@ import { createResults } from "./views/results.js";
 import { currentTheme } from "./views/settings.js";
 import { createSizing } from "./views/sizing.js";
 import { createNumbers, createVerdict } from "./views/verdict.js";
+import { createWanted } from "./views/wanted.js";
 import { createWorked } from "./views/worked.js";
 
 /** A field lights its dimension in the drawing, and a dimension its field. */
@@ -49,9 +50,9 @@ function lightEachOther(form, drawing) {
  * and `on.say(text)` tell the page around it.
  */
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, claim, lengths, on }) {
+  const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
-    ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]),
-    ...[...model.fields.values()].map(({ name, title }) => [name, title]),
+    ...named(true), ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]), ...named(false),
   ]);
   const materialOf = (path, given) => (typeof given === "string"
     ? catalogues[path].find(({ name }) => name === given) : given);
@@ -114,6 +115,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
+      switched: (group, on) => changeAtOnce(next.switched, group, on),
       apply() {
         store.apply(next.insisted);
         asking.now();
@@ -203,6 +205,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const measured = all.filter((figure) => figure.measured);
   const figures = all.filter((figure) => !figure.measured);
+  const wanted = createWanted({ calculator, store, client, titles, figures });
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
   const column = (name, ...views) => {
     const part = element(html`<div class="${name}"></div>`);
@@ -214,9 +217,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     column("answer", numbers, checks, explanation),
     column("shown", drawing, ...figures.filter(({ side }) => !side)),
     column("beside", ...figures.filter(({ side }) => side)),
+    wanted.root,
     column("rest", compare, results, worked, accuracy),
   );
-  const cards = [verdict, numbers, checks, explanation, drawing, ...all, compare, results, worked, accuracy];
+  const cards = [verdict, numbers, checks, explanation, drawing, ...all, wanted, compare, results, worked, accuracy];
   host.replaceChildren(inputs, outputs);
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
@@ -286,6 +290,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       drawing.close();
       sizing.close();
       report.close();
+      wanted.close();
       for (const figure of all) figure.close();
       on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));
     },

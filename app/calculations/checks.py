@@ -48,6 +48,27 @@ class RequirementsFields(RequestModel):
         step=0.5,
         help="Least wall between holes, to the rim and to the bore.",
     )
+    max_backlash_arcmin: Maybe[float] = quantity(
+        "Largest backlash",
+        symbol="Δφ_b",
+        group="requirements",
+        default=None,
+        ge=1e-12,
+        le=1e12,
+        step=0.5,
+        help="Largest play of the unloaded output mechanism over the turn.",
+    )
+    max_lost_motion_arcmin: Maybe[float] = quantity(
+        "Largest lost motion",
+        symbol="Δφ_l",
+        group="requirements",
+        default=None,
+        ge=1e-12,
+        le=1e12,
+        step=0.5,
+        help="Largest rotation of the output mechanism between 3 % of the torque in both "
+        "directions.",
+    )
     max_deflection_mm: Maybe[float] = quantity(
         "Largest deflection",
         symbol="Δ_max",
@@ -266,9 +287,14 @@ def fix_values(fix: Fix, body: BaseModel) -> Values:
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
     sets = {pointer(path): to}
-    hole = path_of(body, "hole_radius")
-    if fix.variable == "pin_radius" and hole is not None:
+    hole, clearance = (path_of(body, each) for each in ("hole_radius", "hole_clearance"))
+    if fix.variable == "pin_radius" and hole is not None and _value(body, hole) is not None:
         sets[pointer(hole)] = round(float(_value(body, hole)) + to - before, 9)
+    loose = _value(body, clearance) if clearance is not None else None
+    if fix.variable == "hole_radius" and loose is not None:
+        sets[pointer(clearance)] = round(float(loose) + to - before, 9)  # type: ignore[arg-type]
+        if _value(body, path) is None:  # the hole follows the clearance
+            del sets[pointer(path)]
     parent: Any = body
     for part in path[:-1]:
         parent = getattr(parent, str(part))

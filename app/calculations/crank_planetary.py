@@ -3,6 +3,7 @@
 from functools import cached_property
 from typing import Any, Literal, Self, get_args
 
+import numpy as np
 from pydantic import ConfigDict, Field, model_validator
 
 from app.calculations.checks import (
@@ -14,8 +15,16 @@ from app.calculations.checks import (
 )
 from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.hertz import ContactFields, HertzResponse, eccentricity, material_of
+from app.calculations.hertz import HertzResponse, material_of
+from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import Angle
+from app.calculations.pin_contact import PinContactFields
+from app.calculations.real_mechanism import (
+    BentPinFields,
+    ContactLawFields,
+    DeviationsFields,
+    torque_direction,
+)
 from app.model import (
     SIZE,
     AccuracyOut,
@@ -37,21 +46,33 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import CrankDesign
+from core.checks.crank_design import MOST_REAL_PAIRS, CrankDesign
 from core.checks.crank_planetary import crank_checks
+from core.checks.real_forces import WAYS, Direction, RealForces
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.fixes import crank_fixes
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
+from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import PinFit, PinGeometry, pin_fit, pin_geometry
+from core.output.pin_geometry import (
+    FIT_TOLERANCE,
+    PinFit,
+    PinGeometry,
+    pin_fit,
+    pin_geometry,
+)
 
-Section = Literal["cyclogram", "contact_force", "hertz", "geometry", "checks", "fixes"]
+Section = Literal[
+    "cyclogram", "contact_force", "load_sharing", "hertz", "geometry", "checks", "fixes"
+]
 
 SECTIONS: tuple[Section, ...] = get_args(Section)
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
     "contact_force": ("load",),
+    "load_sharing": ("load", "contact"),
     "hertz": ("load", "contact"),
     "geometry": ("load", "contact"),
     "checks": (),
@@ -76,19 +97,10 @@ def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
-class PinContactFields(ContactFields):
-    """Pin, hole and crank."""
+class DirectedLoadFields(LoadFields):
+    """Load with the direction of its torque."""
 
-    eccentricity_mm: Maybe[float] = eccentricity(default=None)
-
-    def sizes(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
-        """Sizes of pins and holes on their circle in SI units, None for what is not given."""
-        return {
-            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
-            "hole_radius": to_si("hole_radius_mm", self.hole_radius_mm),
-            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
-            "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
-        }
+    torque_direction: Direction = torque_direction()
 
 
 class SatelliteBodyFields(RequestModel):
@@ -124,11 +136,18 @@ class SatelliteBodyFields(RequestModel):
 
 
 class CrankPlanetaryRequest(RequestModel):
-    """Mechanism, load and contact, and which sections of the answer are wanted."""
+    """Mechanism, load and contact, and which sections of the answer are wanted.
+
+    Where clearance, deviations, a contact law or bending pins are given, the forces that are judged
+    are those of the mechanism as it is made, as by `/load-sharing`.
+    """
 
     mechanism: CyclogramRequest
-    load: Maybe[LoadFields] = None
+    load: Maybe[DirectedLoadFields] = None
     contact: Maybe[PinContactFields] = None
+    contact_law: Maybe[ContactLawFields] = None
+    deviations: Maybe[DeviationsFields] = None
+    pin: Maybe[BentPinFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
     crank_angle_deg: Angle = quantity(
@@ -145,7 +164,9 @@ class CrankPlanetaryRequest(RequestModel):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: cyclogram, contact_force and hertz, as far as their input is given.",
+        "absent: cyclogram, contact_force and hertz, as far as their input is given, and "
+        "load_sharing where clearance, deviations, a contact law or bending pins are. load_sharing "
+        "and hertz with these are left out then where the forces cannot be solved.",
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -161,20 +182,53 @@ class CrankPlanetaryRequest(RequestModel):
                     raise field_error(part, "needed_for", section=section)
         return self
 
+    @model_validator(mode="after")
+    def _no_assumed_sharing(self) -> Self:
+        if self.as_made and self.contact and self.contact.distribution_factor > 1:
+            raise field_error("contact/distribution_factor", "with_real_forces")
+        return self
+
+    @cached_property
+    def as_made(self) -> bool:
+        """Whether clearance, deviations or elasticity are given."""
+        loose = self.contact is not None and (
+            self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
+        )
+        sections = (self.contact_law, self.deviations, self.pin)
+        return loose or any(each is not None for each in sections)
+
     @property
+    def long(self) -> bool:
+        """Whether the forces of the mechanism as it is made are solved."""
+        if self.load is None or self.contact is None:
+            return False
+        asked = self.include is not None and "load_sharing" in self.include
+        lost_motion = self.requirements.max_lost_motion_arcmin is not None
+        return self.as_made or asked or lost_motion
+
+    @cached_property
     def sections(self) -> list[Section]:
         """Sections of the answer."""
         if self.include is not None:
             return self.include
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz")
         given = [name for name in ("load", "contact") if getattr(self, name) is not None]
-        return [each for each in usual if {*_NEEDS[each]} <= {*given}]
+        allowed = [each for each in usual if {*_NEEDS[each]} <= {*given}]
+        if not self.as_made or "hertz" not in allowed:
+            return allowed
+        if self.design.judged_forces is None:
+            return [each for each in allowed if each != "hertz"]
+        return [*allowed, "load_sharing"]
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits in mechanism or load."""
+        """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
+        that do not fit the mechanism.
+        """
         self.mechanism.refuse_beyond(settings)
         if self.load is not None:
             self.load.refuse_beyond(settings)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 
     @cached_property
     def built(self) -> Mechanism:
@@ -187,19 +241,43 @@ class CrankPlanetaryRequest(RequestModel):
         load = self.load
         if "contact_force" not in self.sections:
             load = load.model_copy(update={"include": []})
-        return load.solve_for(self.built)
+        return load.solve_for(self.design.driven)
 
-    def solve_hertz(self, force: ContactForce) -> HertzContact:
-        """Contact under the peak force."""
+    def solve_hertz(self, force: ContactForce | None) -> HertzContact:
+        """Contact under the ideal peak force, or under those of the mechanism as it is made."""
         assert self.contact is not None
-        return self.contact.solve_for(force.peak_force)
+        if force is not None:
+            return self.contact.solve_for(force.peak_force)
+        return self._known(self.design.loading).contact_at(1.0)
+
+    def solve_sharing(self) -> RealForces:
+        """Forces of the mechanism as it is made, under the torque itself."""
+        return self._known(self.design.real_forces)
+
+    def _known(self, forces: RealForces | ImpossibleMechanism | None) -> RealForces:
+        """Forces, or why there are none.
+
+        Raises
+        ------
+        ImpossibleMechanism, InvalidInput
+            If there are none.
+        """
+        if isinstance(forces, ImpossibleMechanism):
+            raise forces
+        if forces is None and self.mechanism.pairs > MOST_REAL_PAIRS:
+            limit = self.mechanism.most_pins(MOST_REAL_PAIRS)
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+        if forces is None:
+            field = {"field": "pin_circle_radius"}
+            raise InvalidInput("eccentricity", None, "smaller_than", **field)
+        return forces
 
     def solve_fit(self) -> PinFit | None:
         """How pins and holes fit, as far as their sizes are given."""
         if self.contact is None:
             return None
         radius = None if self.load is None else self.load.pin_circle_radius_mm
-        return pin_fit(pins=self.mechanism.pins, **self.contact.sizes(radius))
+        return pin_fit(pins=self.mechanism.pins, **self.contact.fit(radius))
 
     @cached_property
     def design(self) -> CrankDesign:
@@ -215,16 +293,22 @@ class CrankPlanetaryRequest(RequestModel):
             "satellite_teeth": own.satellite_teeth,
             "pitting_safety": self.requirements.pitting_safety,
             "min_wall": to_si("min_wall_mm", self.requirements.min_wall_mm),
+            "max_backlash": to_si("x_arcmin", self.requirements.max_backlash_arcmin),
+            "max_lost_motion": to_si("x_arcmin", self.requirements.max_lost_motion_arcmin),
+            "law": self.contact_law and self.contact_law.law(),
+            "deviations": self.deviations and self.deviations.deviations(),
+            "pin": self.pin and self.contact and self.pin.held(self.contact),
         }
         if load is not None:
             given |= {
                 "output_torque": load.torque(self.built),
                 "pin_circle_radius": to_si("radius_mm", load.pin_circle_radius_mm),
                 "force_exponent": load.force_exponent,
+                "torque_direction": load.torque_direction,
             }
         if contact is not None:
             materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
-            given |= contact.sizes(given.get("pin_circle_radius") and load.pin_circle_radius_mm)  # type: ignore[union-attr]
+            given |= contact.fit(given.get("pin_circle_radius") and load.pin_circle_radius_mm)  # type: ignore[union-attr]
             given |= {name: material_of(each) for name, each in materials.items()}
             given |= {
                 "contact_length": to_si("length_mm", contact.contact_length_mm),
@@ -258,10 +342,16 @@ class CrankPlanetaryRequest(RequestModel):
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
         crank_angle = to_si("crank_angle_deg", self.crank_angle_deg)
-        forces = self.load.forces_at(self.built, crank_angle)
-        sizes = self.contact.sizes(self.load.pin_circle_radius_mm)
+        sizes = self.contact.fit(self.load.pin_circle_radius_mm)
         sizes["eccentricity"] = pin_fit(pins=self.mechanism.pins, **sizes).eccentricity
         geometry = pin_geometry(mechanism=self.built, crank_angle=crank_angle, **sizes)
+        if not self.as_made:
+            forces = self.load.forces_at(self.design.driven, crank_angle)
+        else:
+            solved = self._known(self.design.real_forces)
+            torque = solved.way * solved.torque
+            found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
+            forces = np.array(found.force)
         return geometry, forces
 
 
@@ -319,7 +409,7 @@ class GeometryOut(ResponseModel):
         holes = from_si("hole_centre_mm", geometry.hole_centres).tolist()
         contacts = from_si("contact_point_mm", geometry.contact_points).tolist()
         angles = from_si("pressure_angle_deg", geometry.pressure_angles).tolist()
-        driving = geometry.driving.tolist()
+        driving = (forces > 0).tolist()
         return super().values(
             geometry,
             run_time_us,
@@ -341,6 +431,25 @@ class GeometryOut(ResponseModel):
         )
 
 
+class LoadSharingOut(OverTurnOut):
+    """The mechanism as it is made, over the turn, under the torque without the dynamic factor."""
+
+    torque_direction: Literal["driving", "reverse"] = result(
+        "Direction of the torque: of both the one with the larger pressure."
+    )
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+    @classmethod
+    def values(
+        cls, result: RealForces, run_time_us: float | None = None, **given: object
+    ) -> Values:
+        """Values of the forces over the turn."""
+        direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
+        own = {"torque_direction": direction, "pressure_MPa": None}
+        return super().values(result.turn, run_time_us, **own, **given)
+
+
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
@@ -348,8 +457,13 @@ class CrankPlanetaryResponse(JudgedResponse):
     contact_force: Maybe[ContactForceResponse] = result(
         "As `/contact-force` answers.", default=None
     )
+    load_sharing: Maybe[LoadSharingOut] = result(
+        "As `/load-sharing` answers over the turn.", default=None
+    )
     hertz: Maybe[HertzResponse] = result(
-        "As `/hertz` answers, under the peak of the contact force.", default=None
+        "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or "
+        "elasticity of the pair and under the force with the largest pressure.",
+        default=None,
     )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
     warnings: Maybe[list[WarningOut]] = Field(
@@ -397,21 +511,25 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
 
 
 def solve(body: CrankPlanetaryRequest) -> Values:
-    """Cyclogram, contact force, Hertz stress and geometry: the sections that are asked.
+    """Cyclogram, contact force, load sharing, Hertz stress, geometry: the sections that are asked.
 
     Verdict and warnings are there whichever sections are asked.
     """
+    asked, _ = run(body, lambda: body.sections)
     sections: Values = {}
-    if "cyclogram" in body.sections:
+    if "cyclogram" in asked:
         sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
-    if not {"contact_force", "hertz"}.isdisjoint(body.sections):
+    force = None
+    if "contact_force" in asked or ("hertz" in asked and not body.as_made):
         force, force_us = run(body, body.solve_force)
-        if "contact_force" in body.sections:
+        if "contact_force" in asked:
             sections["contact_force"] = ContactForceResponse.values(force, force_us)
-        if "hertz" in body.sections:
-            contact, hertz_us = run(body, lambda: body.solve_hertz(force))
-            sections["hertz"] = HertzResponse.values(contact, hertz_us)
-    if "geometry" in body.sections:
+    if "load_sharing" in asked:
+        sections["load_sharing"] = LoadSharingOut.values(*run(body, body.solve_sharing))
+    if "hertz" in asked:
+        contact, hertz_us = run(body, lambda: body.solve_hertz(None if body.as_made else force))
+        sections["hertz"] = HertzResponse.values(contact, hertz_us)
+    if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     fit, _ = run(body, body.solve_fit)
     notices = (() if fit is None else fit.notices) + (
@@ -430,7 +548,7 @@ def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     if body.load is None:
         return pattern
     load = body.load
-    (force, switching), force_us = run(body, lambda: load.solve_for_drawing(body.built))
+    (force, switching), force_us = run(body, lambda: load.solve_for_drawing(body.design.driven))
     return over_one_axis(
         pattern,
         contact_force_figure(

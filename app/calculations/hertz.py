@@ -187,6 +187,10 @@ class ContactFields(PinFields):
         help="Factor of uneven load sharing between the pairs.",
     )
 
+    def hole_mm(self) -> float:
+        """Radius of the hole."""
+        return self.hole_radius_mm
+
     def limits(self) -> list[tuple[str, float]]:
         """Body and limit of its pressure, Pa, of each body whose limit is known."""
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
@@ -204,7 +208,7 @@ class ContactFields(PinFields):
             force=force,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
-            hole_radius=to_si("hole_radius_mm", self.hole_radius_mm),
+            hole_radius=to_si("hole_radius_mm", self.hole_mm()),
             pin_material=material_of(self.pin_material),
             hole_material=material_of(self.hole_material),
             dynamic_factor=self.dynamic_factor,

@@ -35,10 +35,11 @@ from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.errors import InvalidInput
+from core.output.alternating import worse_curves, worse_position, worse_turn
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
-from core.output.loaded_position import loaded_position
-from core.output.over_turn import over_turn
+from core.output.loaded_position import LoadedPosition, loaded_position
+from core.output.over_turn import OverTurn, over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
@@ -57,6 +58,8 @@ MAX_FORCES = 100_000
 
 SHARES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Shares of the torque at which the curve of the lag is drawn, and is sent where none are given."""
+
+DIRECTIONS = "driving", "reverse"
 
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's curves."""
@@ -102,11 +105,14 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         pairs = self.mechanism.pairs
+        self.refuse_other_shares()
+        times = self.times_as_long * (2 if self.alternating else 1)
+        forces = MAX_FORCES // times
         for section, limit in (
-            ("over_turn", MAX_TURN_PAIRS[compiled.state()]),
-            ("positions", MAX_FORCES // len(self.crank_angle_deg)),
-            ("stiffness_curve", MAX_FORCES // len(self.torques)),
-            ("curves", MAX_FORCES // self.samples),
+            ("over_turn", MAX_TURN_PAIRS[self.loops] // times),
+            ("positions", forces // len(self.crank_angle_deg)),
+            ("stiffness_curve", forces // len(self.torques)),
+            ("curves", forces // self.samples),
         ):
             if section in self.include and pairs > limit:
                 self._refuse_pairs(limit)
@@ -130,6 +136,11 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         angles: list[float] = to_si("crank_angle_deg", self.crank_angle_deg)
         return angles
 
+    @property
+    def alternating(self) -> bool:
+        """Whether both directions of the torque are asked."""
+        return self.load.torque_direction == "alternating"
+
     def real(self) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
         return self.made(Deviations() if self.deviations is None else self.deviations.deviations())
@@ -144,24 +155,27 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
 
         if "over_turn" in asked:
             compiled.use()
-            turn = over_turn(
-                real=real,
-                output_torque=self.torque,
-                lost_motion_share=self.lost_motion_torque_share,
-            )
+            turn, direction = self.turn(real)
             solved.take(turn.accuracy, turn.notices)
             each_pair = pressures(turn.pair_force)
-            solved.values["over_turn"] = OverTurnOut.values(turn, pressure_MPa=each_pair)
+            solved.values["over_turn"] = OverTurnOut.values(
+                turn, pressure_MPa=each_pair, torque_direction=direction
+            )
         if "positions" in asked or (pressed and "over_turn" not in asked):
             solved.values["positions"] = positions = []
             for angle in self.crank_angles:
-                found = loaded_position(real=real, crank_angle=angle, output_torque=self.torque)
+                found, direction = self.position(real, angle)
                 solved.take(found.accuracy, found.notices)
-                positions.append(PositionOut.values(found, pressure_MPa=pressures(found.force)))
+                values = PositionOut.values(
+                    found, pressure_MPa=pressures(found.force), torque_direction=direction
+                )
+                positions.append(values)
         if "curves" in asked:
-            curves = self.curves(real, 2 * math.pi, self.samples)
+            curves, direction = self.curves(real, 2 * math.pi, self.samples)
             solved.take(curves.accuracy)
-            solved.values["curves"] = RealCurvesOut.values(curves, pairs=self.pairs_of_curves())
+            solved.values["curves"] = RealCurvesOut.values(
+                curves, pairs=self.pairs_of_curves(), torque_direction=direction
+            )
         if "stiffness_curve" in asked:
             lag = self.lag_curve(real)
             solved.take(lag.accuracy)
@@ -184,10 +198,37 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
             for n in range(own.pins)
         ]
 
-    def curves(self, real: RealMechanism, end: float, samples: int) -> RealCurves:
+    def position(self, real: RealMechanism, angle: float) -> tuple[LoadedPosition, str | None]:
+        """A position; where the torque alternates the worse, and its direction."""
+        asked: dict[str, Any] = {"real": real, "crank_angle": angle, "output_torque": self.torque}
+        if not self.alternating:
+            return loaded_position(**asked), None
+        found, reverse = worse_position(**asked)
+        return found, DIRECTIONS[reverse]
+
+    def turn(self, real: RealMechanism) -> tuple[OverTurn, str | None]:
+        """The turn; where the torque alternates the worse, and the direction of its peak."""
+        share = self.lost_motion_torque_share
+        asked: dict[str, Any] = {
+            "real": real,
+            "output_torque": self.torque,
+            "lost_motion_share": share,
+        }
+        if not self.alternating:
+            return over_turn(**asked), None
+        turn, reverse = worse_turn(**asked)
+        return turn, DIRECTIONS[reverse]
+
+    def curves(
+        self, real: RealMechanism, end: float, samples: int
+    ) -> tuple[RealCurves, str | None]:
         """Forces and lags at evenly spaced crank angles up to an end, rad."""
         angles = np.linspace(0.0, end, samples)
-        return real_curves(real=real, crank_angle=angles, output_torque=self.torque)
+        asked: dict[str, Any] = {"real": real, "crank_angle": angles, "output_torque": self.torque}
+        if not self.alternating:
+            return real_curves(**asked), None
+        curves, reverse = worse_curves(**asked)
+        return curves, DIRECTIONS[reverse]
 
     def lag_curve(self, real: RealMechanism) -> StiffnessCurve:
         """Lag over torque at the first crank angle."""
@@ -197,9 +238,10 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         """All that the figure shows."""
         real = self.real()
         angles, _ = drawing_angles(mechanism=self.built)
-        curves = self.curves(real, float(angles[-1]), DRAWN_SAMPLES)
+        curves, direction = self.curves(real, float(angles[-1]), DRAWN_SAMPLES)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]
-        turned = 0.0 if self.torque > 0 else math.pi  # what drives is what the other way brakes
+        # What drives is what the other way brakes.
+        turned = math.pi if self.torque < 0 or direction == "reverse" else 0.0
         start = self.built.initial_crank_angle + turned
         ideal = force_curves(
             mechanism=replace(self.built, initial_crank_angle=start),

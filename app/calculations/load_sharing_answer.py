@@ -1,7 +1,11 @@
 """Answer of the load sharing with clearance and errors."""
 
+from typing import Literal
+
 from app.calculations.contact_force import PairOut
 from app.model import AccuracyOut, Maybe, ResponseModel, WarningOut, result
+
+Direction = Literal["driving", "reverse"]
 
 
 class PositionOut(ResponseModel):
@@ -17,6 +21,15 @@ class PositionOut(ResponseModel):
     )
     satellite_torque_Nm: list[float] = result(
         "What each satellite adds to the torque; negative where others drag it.", symbol="T_j"
+    )
+    satellite_rotation_arcmin: Maybe[list[float]] = result(
+        "Lag of the output behind each satellite, where these turn against each other.",
+        default=None,
+        symbol="θ_j",
+    )
+    torque_direction: Maybe[Direction] = result(
+        "Where the torque alternates: the direction with the larger force, which is given.",
+        default=None,
     )
     loaded_pairs: int = result("Number of pairs with a force.")
     play_arcmin: Maybe[list[float]] = result(
@@ -50,6 +63,11 @@ class OverTurnOut(ResponseModel):
     peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")
     peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
     peak_pair: PairOut = result("The pair that carries it there.")
+    torque_direction: Maybe[Direction] = result(
+        "Where the torque alternates: the direction of the peak; every other number is the worse "
+        "of both.",
+        default=None,
+    )
     backlash_max_arcmin: float = result(
         "Largest play of the unloaded output, 0 where pairs press; of uniform clearance and an "
         "even number of pins 2c/(R·cos(π/N)) in first order.",
@@ -94,6 +112,10 @@ class RealCurvesOut(ResponseModel):
 
     crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
     force_N: list[list[float]] = result("Forces, a list for each pair.", symbol="F_jn")
+    torque_direction: Maybe[Direction] = result(
+        "Where the torque alternates: the direction with the larger force, which is given.",
+        default=None,
+    )
     pairs: list[PairOut] = result("The pairs, in the order of the forces.")
     rotation_arcmin: list[float] = result("Lag under the torque.", symbol="θ")
     reverse_rotation_arcmin: list[float] = result("Lag under the torque the other way.", symbol="θ")

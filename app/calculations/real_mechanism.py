@@ -1,17 +1,20 @@
 """The output mechanism as it is made, as a request gives it."""
 
+import math
 from collections.abc import Iterator
-from decimal import Decimal
-from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+from functools import partial
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import ConfigDict, Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
-from app.calculations.hertz import ContactFields, Material, material_of
+from app.calculations.hertz import Material, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.calculations.pin_contact import Deviation, PinContactFields
+from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
 from app.units import to_si
+from core.checks.real_forces import Direction
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
     MAX_EXPONENT,
@@ -25,6 +28,7 @@ from core.output.contact_law import (
     Support,
 )
 from core.output.real_mechanism import Deviations
+from core.output.satellite_support import SUM_ERROR, CrankSupport, ElasticMesh, Shares
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
 
@@ -38,61 +42,51 @@ BY_KIND: dict[Kind, tuple[str, ...]] = {
 
 ONLY_HERTZ = "reference_depth_mm"
 
-Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
 MAX_LISTED_PINS = 1000
 """Most pins whose deviations are listed one by one."""
 
 
+torque_direction = partial(
+    quantity,
+    "Direction of the torque",
+    symbol="",
+    group="load",
+    default="driving",
+    help="Driving: the satellites turn the pins; reverse: the load turns them back; "
+    "alternating: both are solved, and the worse is given.",
+)
+
+
 class RealLoadFields(TorqueFields):
     """Torque, its direction, and its lever; the force exponent is that of the contact law."""
 
-    torque_direction: Literal["driving", "reverse"] = quantity(
-        "Direction of the torque",
-        symbol="",
-        group="load",
-        default="driving",
-        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
-    )
+    torque_direction: Direction = torque_direction()
 
     def signed_torque(self, torque: float) -> float:
         """A torque with the sign of its direction, N*m."""
         return -torque if self.torque_direction == "reverse" else torque
 
 
-class RealContactFields(ContactFields):
+class OneWayLoadFields(RealLoadFields):
+    """Torque in one direction."""
+
+    torque_direction: Literal["driving", "reverse"] = quantity(
+        "Direction of the torque",
+        symbol="",
+        group="study",
+        default="driving",
+        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+    )
+
+
+class RealContactFields(PinContactFields):
     """Pin, hole, crank and clearance. Forces and pressures are those at the torque: the dynamic
     factor is for checks.
     """
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-
-    hole_radius_mm: Maybe[float] = quantity(  # type: ignore[assignment]
-        "Hole radius",
-        symbol="r_out",
-        group="contact",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Radius of the hole in the satellite: pin radius + eccentricity.",
-    )
-    eccentricity_mm: float = quantity(
-        "Eccentricity",
-        symbol="e",
-        group="contact",
-        **SIZE,
-        step=0.5,
-        help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
-    )
-    hole_clearance_mm: Maybe[Deviation] = quantity(
-        "Clearance",
-        symbol="c",
-        group="contact",
-        default=None,
-        step=0.005,
-        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
-    )
+    eccentricity_mm: float = eccentricity()
     distribution_factor: float = quantity(
         "Distribution factor",
         symbol="K_α",
@@ -104,27 +98,7 @@ class RealContactFields(ContactFields):
         help="Factor of uneven load sharing between the pairs.",
     )
 
-    @model_validator(mode="after")
-    def _radii_agree(self) -> Self:
-        hole, clearance = self.hole_radius_mm, self.hole_clearance_mm
-        if hole is None or clearance is None:
-            return self
-        off = self._difference(hole) - Decimal(repr(clearance))
-        if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
-            expected = float(Decimal(repr(hole)) - off)
-            raise field_error("hole_radius_mm", "hole_disagrees", expected=expected)
-        return self
-
-    def _difference(self, hole: float) -> Decimal:
-        """Clearance by the radii, in decimals as they were typed: no digit is lost."""
-        pin, eccentricity = self.pin_radius_mm, self.eccentricity_mm
-        return Decimal(repr(hole)) - Decimal(repr(pin)) - Decimal(repr(eccentricity))
-
-    def clearance_mm(self) -> float:
-        """Radial clearance: given, or by the radii; none where neither is given."""
-        if self.hole_clearance_mm is not None:
-            return self.hole_clearance_mm
-        return 0.0 if self.hole_radius_mm is None else float(self._difference(self.hole_radius_mm))
+    model_config = ConfigDict(json_schema_extra=request_schema)
 
     def sizes(self) -> dict[str, Any]:
         """Sizes and materials in SI units, as the core's arguments."""
@@ -294,7 +268,7 @@ class BentPinFields(RequestModel):
             raise field_error("span_mm", "needed_beside", field="support")
         return self
 
-    def held(self, contact: RealContactFields) -> PinSupport:
+    def held(self, contact: PinContactFields) -> PinSupport:
         """The pin in SI units."""
         own = self.to_core()
         diameter = own.get("diameter", 2 * to_si("radius_mm", contact.pin_radius_mm))
@@ -306,6 +280,108 @@ class BentPinFields(RequestModel):
             material=given,
             span=own.get("span"),
         )
+
+
+class CrankSupportFields(RequestModel):
+    """Bearings of the satellites on their cranks. The gear's force on them is left out."""
+
+    stiffness_N_per_mm: Maybe[float] = quantity(
+        "Stiffness of a bearing",
+        symbol="k_b",
+        group="crank_support",
+        default=None,
+        **SIZE,
+        step=10_000,
+        help="Radial stiffness of the bearing of one satellite; rigid where not given.",
+    )
+    radial_clearance_mm: float = quantity(
+        "Clearance of a bearing",
+        symbol="G",
+        group="crank_support",
+        default=0.0,
+        ge=0,
+        le=SIZE["le"],
+        step=0.005,
+        help="Radial internal clearance, as catalogues give it: half of it to either side.",
+    )
+
+    def support(self) -> CrankSupport:
+        """The bearings in SI units."""
+        return CrankSupport(**self.to_core())
+
+
+CouplingKind = Literal["rigid", "elastic", "shares"]
+
+COUPLED_BY: dict[CouplingKind, str] = {
+    "elastic": "stiffness_Nm_per_arcmin",
+    "shares": "shares",
+}
+"""What a kind of coupling needs, and only that kind takes."""
+
+
+def _coupling_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What each kind of coupling needs, and that it takes nothing of the others."""
+    request_schema(schema, model)
+    schema["allOf"] = [
+        {
+            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
+            "then": {"required": [name]},
+            "else": {"not": {"required": [name]}},
+        }
+        for kind, name in COUPLED_BY.items()
+    ]
+
+
+class SatelliteCouplingFields(RequestModel):
+    """How the satellites share the torque."""
+
+    kind: CouplingKind = quantity(
+        "Coupling of the satellites",
+        symbol="",
+        group="satellite_coupling",
+        default="rigid",
+        help="Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each "
+        "carries a given share.",
+    )
+    stiffness_Nm_per_arcmin: Maybe[float] = quantity(
+        "Stiffness of a mesh",
+        symbol="k_D",
+        group="satellite_coupling",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Torque of one satellite over what its mesh lets it turn, for elastic coupling.",
+    )
+    shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
+        "Shares of the torque",
+        symbol="w_j",
+        group="satellite_coupling",
+        default=None,
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        help="Share of each satellite, together 1.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_coupling_schema)
+
+    @model_validator(mode="after")
+    def _fields_of_the_kind(self) -> Self:
+        for kind, name in COUPLED_BY.items():
+            given = getattr(self, name) is not None
+            if kind == self.kind and not given:
+                raise field_error(name, "needed_beside", field="kind")
+            if kind != self.kind and given:
+                raise field_error(name, "of_another_kind", kind=self.kind)
+        total = math.fsum(self.shares or [1.0])
+        if abs(total - 1) > SUM_ERROR:
+            raise field_error("shares", "sum_not_one", sum=total)
+        return self
+
+    def support(self) -> ElasticMesh | Shares | None:
+        """The coupling in SI units; none where it is rigid."""
+        if self.stiffness_Nm_per_arcmin is not None:
+            return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
+        return None if self.shares is None else Shares(tuple(self.shares))
 
 
 def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:

@@ -287,6 +287,9 @@ class RollerStrengthResponse(JudgedResponse):
         "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"
     )
     bending_stress_MPa: float = result("Bending stress there.", symbol="σ", equation="2019, eq. 12")
+    relative_stress: float = result(
+        "That stress over the modulus.", symbol="σ/E", equation="2019, fig. 6"
+    )
     loaded_rollers: int = result("Rollers that carry.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -38,6 +38,10 @@ class ShaftSectionFields(RequestModel):
     diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
 
 
+_GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
+"""What a fix may change of the gear."""
+
+
 class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
     """A mesh, its torque and the shaft that carries it."""
 
@@ -118,11 +122,14 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         def checks(changed: dict[str, Any], result: ShaftDeflection | None = None) -> Verdict:
             fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
             body = self.model_copy(update=fields)
+            if result is None:
+                same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
+                result = body.solve_shaft(load if same_gear else body.solve_load())
             return shaft_checks(
-                result=body.solve_shaft(load) if result is None else result,
+                result=result,
                 positions=positions,
-                roller_circle_radius=to_si("radius_mm", self.roller_circle_radius_mm),
-                roller_radius=to_si("radius_mm", self.roller_radius_mm),
+                roller_circle_radius=to_si("radius_mm", body.roller_circle_radius_mm),
+                roller_radius=to_si("radius_mm", body.roller_radius_mm),
                 diameters=[each.diameter for each in body.sections()],
                 max_deflection=required.get("max_deflection"),
                 max_slope=required.get("max_slope"),
@@ -139,10 +146,10 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         )
 
     def _varied(self) -> tuple[str, ...]:
-        """What a fix may change: with steps in the shaft nothing, as their lengths add up."""
+        """What a fix may change: nothing of a shaft with steps, as their lengths add up."""
         if self.shaft_diameter_mm is None:
-            return ()
-        return "shaft_diameter_mm", "overhang_mm", "bearing_distance_mm"
+            return _GEAR
+        return (*_GEAR, "shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
 
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
         """Reactions and deflection, and the course of loads and deflection along the shaft."""

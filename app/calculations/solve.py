@@ -92,7 +92,10 @@ class TargetFields(RequestModel):
 class SolveRequest(RequestModel):
     """A calculation with its input, the field that may change, and the result that is wanted."""
 
-    LONG = True
+    @property
+    def long(self) -> bool:
+        """Whether it takes long whatever its counts are."""
+        return True
 
     calculation: Literal[
         "hertz",

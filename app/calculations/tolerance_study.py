@@ -11,6 +11,7 @@ from pydantic import Field
 
 from app import compiled
 from app.calculations.real_design import RealDesignFields
+from app.calculations.real_mechanism import OneWayLoadFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import TolerancesFields
@@ -86,6 +87,7 @@ class LimitsFields(RequestModel):
 class ToleranceStudyRequest(RealDesignFields):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
 
+    load: OneWayLoadFields
     tolerances: TolerancesFields
     samples: Whole = quantity(
         "Samples",
@@ -149,7 +151,8 @@ class ToleranceStudyRequest(RealDesignFields):
         """
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        now = compiled.state()
+        self.refuse_other_shares()
+        now = self.loops
         budget = int(POSITIONS_PER_SECOND[now] * settings.max_seconds)
         most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
         if most < FEWEST:
@@ -168,7 +171,7 @@ class ToleranceStudyRequest(RealDesignFields):
         if "contributions" in self.include:
             sources = [name for name, given in self.tolerances if given is not None]
             each += (2 * len(sources) + 2) * self._solves(self.names[:1])
-        return each * self.crank_angles
+        return each * self.crank_angles * self.times_as_long
 
     @staticmethod
     def _solves(names: list[str]) -> int:
@@ -230,7 +233,7 @@ class ToleranceStudyRequest(RealDesignFields):
             "cannot_work": int(np.isnan(found.values[:, 0]).sum()),
             "accuracy": {"sampling_error": sampling, "angle_grid_error": grid},
         }
-        if now != "ready":
+        if now != "ready" and self.support is None:
             values["warnings"] = [warning(Notice(f"compiled_{now}"))]
         return values, Accuracy("monte_carlo", sampling + grid, pieces * self.crank_angles)
 

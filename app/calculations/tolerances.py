@@ -6,7 +6,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
-from app.calculations.real_mechanism import Deviation, Phase, RealContactFields
+from app.calculations.pin_contact import Deviation
+from app.calculations.real_mechanism import Phase, RealContactFields
 from app.model import (
     SIZE,
     UNION_TAGS,
@@ -263,5 +264,5 @@ def _of_diameter(name: str, given: _DiameterFields | None, diameter: float) -> S
     try:
         return given.spread(diameter)
     except InvalidInput as error:
-        place, limit = f"/tolerances/{name}/class", {"limit": float(SIZES[-1])}
+        place, limit = f"/tolerances/{name}/class", {"limit_mm": float(SIZES[-1])}
         raise invalid_input([ErrorItem(place, "no_class_of_size", limit)]) from error

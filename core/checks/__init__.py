@@ -8,8 +8,10 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 kinds               every check by code: title, formula, reasons, sources, what is left out
 check               a value judged against its limit, and the verdict of all checks
+real_forces         forces with clearance, deviations and elasticity, in each direction
 crank_design        a crank-planetary reducer, as far as it is given
 pin_contact         pressure, shakedown and yield where pin and hole touch
+play                backlash and lost motion of the output
 crank_planetary     cranks, pins, holes and satellite; all checks of the reducer
 rollers             swinging rollers
 shaft               the precessional gear and its shaft

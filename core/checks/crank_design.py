@@ -1,20 +1,35 @@
 """A crank-planetary reducer as its checks look at it."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
+from core.checks.real_forces import Direction, RealForces
 from core.errors import ImpossibleMechanism
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.contact_force import ContactForce, contact_force
+from core.output.contact_law import ContactLaw, HertzLaw, PinSupport
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import FIT_TOLERANCE
+from core.output.real_mechanism import Deviations, RealMechanism
+
+MOST_REAL_PAIRS = 100
+"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
+
+UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
+"""Why forces are not known, as the reason of a check, where there is one of its own."""
+
+Forces = RealForces | ContactForce | ImpossibleMechanism | None
+"""Forces, or why there are none; None where they are not asked, or of too many pairs."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class CrankDesign:
     """A crank-planetary reducer, as far as it is given; SI units.
+
+    Where clearance, deviations or elasticity are stated, its forces are those of the mechanism as
+    it is made; else those of the ideal one.
 
     Attributes
     ----------
@@ -50,6 +65,16 @@ class CrankDesign:
         Least wall that is asked, m.
     own_limits : tuple of str
         Which materials (`pin_material`, `hole_material`) are given by values.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Direction of the torque; of both the worse is judged.
+    law : ContactLaw or None
+        How a pair gives; None where that is not stated: by Hertz.
+    pin : PinSupport or None
+        How the pins are held; rigid where that is not stated.
+    deviations : Deviations or None
+        Of this piece, where they are stated.
+    max_backlash, max_lost_motion : float or None
+        Largest backlash and lost motion that are asked, rad.
     """
 
     pins: int
@@ -77,6 +102,12 @@ class CrankDesign:
     pitting_safety: float = 1.2
     min_wall: float | None = None
     own_limits: tuple[str, ...] = ()
+    torque_direction: Direction = "driving"
+    law: ContactLaw | None = None
+    pin: PinSupport | None = None
+    deviations: Deviations | None = None
+    max_backlash: float | None = None
+    max_lost_motion: float | None = None
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -107,13 +138,23 @@ class CrankDesign:
         return self.pin_radius is not None
 
     @cached_property
+    def driven(self) -> Mechanism:
+        """The ideal mechanism whose pairs drive where those of this one carry: in reverse they do
+        where they would brake.
+        """
+        if self.torque_direction != "reverse":
+            return self.mechanism
+        start = self.mechanism.initial_crank_angle + math.pi
+        return replace(self.mechanism, initial_crank_angle=start)
+
+    @cached_property
     def force(self) -> ContactForce | ImpossibleMechanism | None:
-        """The contact force; why there is none at a dead centre; None without a load."""
+        """The ideal contact force; why there is none at a dead centre; None without a load."""
         if self.output_torque is None or self.pin_circle_radius is None:
             return None
         try:
             return contact_force(
-                mechanism=self.mechanism,
+                mechanism=self.driven,
                 output_torque=self.output_torque,
                 pin_circle_radius=self.pin_circle_radius,
                 force_exponent=self.force_exponent,
@@ -122,18 +163,129 @@ class CrankDesign:
             return refusal
 
     @cached_property
+    def as_made(self) -> bool:
+        """Whether clearance, deviations or elasticity are stated."""
+        stated = (self.law, self.pin, self.deviations)
+        return (self.clearance or 0.0) > 0 or any(each is not None for each in stated)
+
+    @cached_property
+    def real(self) -> RealMechanism | None:
+        """The mechanism as it is made; None where too little of it is given, or the forces cannot
+        be solved: of more than `MOST_REAL_PAIRS`, or of holes around the centre.
+        """
+        if not (self.loaded and self.touching) or self.pins * self.satellites > MOST_REAL_PAIRS:
+            return None
+        assert self.pin_circle_radius is not None and self.contact_length is not None
+        assert self.pin_radius is not None and self.hole_radius is not None
+        eccentricity = self.eccentricity
+        if eccentricity is None:
+            eccentricity = self.hole_radius - self.pin_radius
+        if eccentricity >= self.pin_circle_radius:
+            return None
+        return RealMechanism(
+            mechanism=self.mechanism,
+            pin_circle_radius=self.pin_circle_radius,
+            pin_radius=self.pin_radius,
+            eccentricity=eccentricity,
+            contact_length=self.contact_length,
+            law=self.law or HertzLaw(),
+            clearance=self.clearance or 0.0,
+            pin_material=self.pin_material,
+            hole_material=self.hole_material,
+            pin=self.pin,
+            deviations=self.deviations or Deviations(),
+        )
+
+    def real_forces_at(self, factor: float) -> RealForces:
+        """Forces of the mechanism as it is made under so many times the torque.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the torque, > 0.
+
+        Returns
+        -------
+        RealForces
+
+        Raises
+        ------
+        ImpossibleMechanism
+            See `core.output.real_mechanism.RealMechanism.solved`.
+        """
+        assert self.real is not None and self.output_torque is not None
+        return RealForces.solved(
+            real=self.real,
+            torque=self.output_torque * factor,
+            direction=self.torque_direction,
+        )
+
+    @cached_property
+    def real_forces(self) -> RealForces | ImpossibleMechanism | None:
+        """Those forces under the torque; why there are none; None where the mechanism is not known
+        or has too many pairs.
+        """
+        if self.real is None:
+            return None
+        try:
+            return self.real_forces_at(1.0)
+        except ImpossibleMechanism as refusal:
+            return refusal
+
+    @cached_property
+    def loading(self) -> RealForces | ImpossibleMechanism | None:
+        """The same under the dynamic load: the forces that are judged."""
+        if self.real is None or self.dynamic_factor == 1:
+            return self.real_forces
+        try:
+            return self.real_forces_at(self.dynamic_factor)
+        except ImpossibleMechanism as refusal:
+            return refusal
+
+    @cached_property
+    def judged_forces(self) -> RealForces | ContactForce | None:
+        """The forces that are judged, where they are known."""
+        force = self.loading if self.as_made else self.force
+        return None if isinstance(force, ImpossibleMechanism) else force
+
+    def why_unknown(self, forces: Forces) -> str:
+        """Why forces are not known, as the reason of a check.
+
+        Parameters
+        ----------
+        forces : ImpossibleMechanism or None
+            What there is instead of them.
+
+        Returns
+        -------
+        str
+        """
+        if isinstance(forces, ImpossibleMechanism):
+            return UNSOLVED.get(forces.code, "no_balance")
+        many = self.pins * self.satellites > MOST_REAL_PAIRS
+        return "too_many_pairs" if many else "no_balance"
+
+    @property
+    def unsolved(self) -> str:
+        """Why the forces that are judged are not known."""
+        return self.why_unknown(self.loading if self.as_made else self.force)
+
+    @cached_property
     def contact(self) -> HertzContact | None:
-        """The contact under the peak force, where that is known."""
-        return self.contact_at(1.0) if isinstance(self.force, ContactForce) else None
+        """The contact with the largest pressure, where the forces are known."""
+        return None if self.judged_forces is None else self.contact_at(1.0)
 
     def contact_at(self, factor: float) -> HertzContact:
-        """The contact under so many times the torque."""
-        assert isinstance(self.force, ContactForce)
+        """The contact under so many times its force."""
+        force = self.judged_forces
+        if isinstance(force, RealForces):
+            return force.contact_at(factor)
+        assert force is not None
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
         assert self.pin_material is not None and self.hole_material is not None
         return hertz(
-            force=self.force.peak_force * factor,
+            force=force.peak_force * factor,
             contact_length=self.contact_length,
             pin_radius=self.pin_radius,
             hole_radius=self.hole_radius,
@@ -143,19 +295,26 @@ class CrankDesign:
             distribution_factor=self.distribution_factor,
         )
 
-    @property
+    def torque_factor(self, factor: float) -> float:
+        """Factor on the torque under which that contact carries so many times its force."""
+        force = self.judged_forces
+        return force.torque_factor(factor) if isinstance(force, RealForces) else factor
+
+    @cached_property
     def peak(self) -> dict[str, float]:
-        """Where the contact force peaks."""
-        if not isinstance(self.force, ContactForce):
+        """Where the largest pressure is reached."""
+        force = self.judged_forces
+        if isinstance(force, RealForces):
+            return force.place
+        if force is None:
             return {}
-        pair = self.force.peak_pair
         return {
-            "satellite": pair.satellite,
-            "pin": pair.pin,
-            "crank_angle": self.force.peak_crank_angle,
+            "satellite": force.peak_pair.satellite,
+            "pin": force.peak_pair.pin,
+            "crank_angle": force.peak_crank_angle,
         }
 
-    @property
+    @cached_property
     def clearance(self) -> float | None:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
         `FIT_TOLERANCE`; None where they are not all given.

@@ -1,4 +1,4 @@
-"""Checks of a crank-planetary reducer: cranks, contact, fit of pin and hole, walls."""
+"""Checks of a crank-planetary reducer: cranks, contact, fit of pin and hole, play, walls."""
 
 import cmath
 from collections.abc import Callable
@@ -6,11 +6,13 @@ from collections.abc import Callable
 from core.checks.check import Check, Verdict, judged, verdict, wall
 from core.checks.crank_design import CrankDesign
 from core.checks.pin_contact import CONTACT
+from core.checks.play import PLAY, no_eccentricity
+from core.checks.real_forces import RealForces
 from core.output.mechanism import assembly_angles
 
 
 def _dead_centre(design: CrankDesign) -> Check:
-    zones, code = design.mechanism.phases.dead_zones(), "dead_centre"
+    zones, code = design.driven.phases.dead_zones(), "dead_centre"
     if not zones:
         return Check(code=code, status="pass", value=0.0, limit=0.0)
     start = zones[0][0] * design.mechanism.crank_angle_per_wave
@@ -31,16 +33,15 @@ def _assembly(design: CrankDesign) -> Check:
     return judged("assembly", float(different), 0.0, warning="different_parts")
 
 
-def _no_eccentricity(code: str) -> Check:
-    missing = ("eccentricity",)
-    return Check(code=code, status="not_checked", reason="eccentricity_missing", missing=missing)
-
-
 def _interference(design: CrankDesign) -> Check:
     code, clearance = "interference", design.clearance
     if clearance is None:
-        return _no_eccentricity(code)
+        return no_eccentricity(code)
     assert design.hole_radius is not None
+    forces = design.judged_forces if design.deviations and design.loaded else None
+    if clearance >= 0 and isinstance(forces, RealForces) and forces.turn.pressed_without_load:
+        reason = "pressed_without_load"
+        return Check(code=code, status="fail", value=design.hole_radius, reason=reason)
     needed = design.hole_radius - clearance
     return judged(code, design.hole_radius, needed, keep="above", impossible=clearance < 0)
 
@@ -48,7 +49,10 @@ def _interference(design: CrankDesign) -> Check:
 def _clearance(design: CrankDesign) -> Check:
     code, clearance = "clearance", design.clearance
     if clearance is None:
-        return _no_eccentricity(code)
+        return no_eccentricity(code)
+    if clearance > 0 and isinstance(design.judged_forces, RealForces):
+        why = "real_forces"
+        return Check(code=code, status="not_applicable", value=clearance, reason=why)
     return judged(code, max(clearance, 0.0), 0.0, warning="force_law")
 
 
@@ -107,7 +111,7 @@ PLACE: Table = {
     "holes_off_centre": _holes_off_centre,
 }
 SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore}
-CRANK = MECHANISM | CONTACT | FIT | PLACE | SATELLITE
+CRANK = MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE
 """Checks of a crank-planetary reducer, by code."""
 
 
@@ -128,7 +132,7 @@ def crank_tables(design: CrankDesign) -> Table:
     if design.touching:
         tables |= FIT
     if design.touching and design.loaded:
-        tables |= CONTACT | PLACE
+        tables |= CONTACT | PLAY | PLACE
         if design.has_body:
             tables |= SATELLITE
     return tables
@@ -146,10 +150,15 @@ def crank_checks(design: CrankDesign) -> Verdict:
     -------
     Verdict
     """
-    missing = {"load": not design.loaded, "contact": not design.touching}
-    missing |= {"satellite_body": not design.has_body}
-    later = ("clearance", "pin", "friction", "gear", "bearing", "crankshaft")
+    real = design.loaded and design.touching and isinstance(design.judged_forces, RealForces)
+    absent = {
+        "load": not design.loaded,
+        "contact": not design.touching,
+        "satellite_body": not design.has_body,
+        "clearance": not real,
+    }
+    later = ("pin", "friction", "gear", "bearing", "crankshaft")
     return verdict(
         [check(design) for check in crank_tables(design).values()],
-        (*[name for name, absent in missing.items() if absent], *later),
+        (*[name for name, so in absent.items() if so], *later),
     )

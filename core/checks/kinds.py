@@ -38,6 +38,7 @@ GROUPS = {
     "mechanism": "Mechanism",
     "contact": "Contact of pin and hole",
     "geometry": "Pins and holes",
+    "play": "Play of the output",
     "body": "Satellite",
     "rollers": "Rollers",
     "shaft": "Bending of the shaft",
@@ -52,6 +53,8 @@ CHECK_SOURCES = {
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
     "p = 2.31*Re (Mises)",
+    "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by "
+    "load sharing",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
@@ -71,16 +74,21 @@ REASONS = {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
+    "soft for the load, or the clearance is too large",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
+    "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
     "to the axis",
+    "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "yield_unknown": "No yield strength is known: enter one",
@@ -107,7 +115,9 @@ NOT_CONSIDERED = {
 """What a verdict does not consider, in English, by code."""
 
 _FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
-_CONTACT = (*_FORCE, "contact_length", "pin_radius", "hole_radius", "dynamic_factor")
+_HOLE = ("pin_radius", "hole_radius", "hole_clearance")
+_CONTACT = (*_FORCE, "contact_length", *_HOLE, "dynamic_factor")
+_PLAY = ("pins", "satellites", "pin_circle_radius", *_HOLE, "eccentricity")
 _ROLLER = (
     "output_torque",
     "hole_circle_radius",
@@ -169,12 +179,22 @@ CHECKS = {
     "interference": Kind(
         "Interference of pin and hole", "geometry", "mm", "r_out ≥ r_in + e",
         "Otherwise pin and satellite cannot be assembled.",
-        ("pin_radius", "hole_radius", "eccentricity"), "yanchevskiy_2021",
+        (*_HOLE, "eccentricity"), "yanchevskiy_2021",
     ),
     "clearance": Kind(
         "Clearance of pin and hole", "geometry", "mm", "r_out − r_in − e = 0",
         "Otherwise fewer pairs carry, each more, and the output has lost motion.",
-        ("pin_radius", "hole_radius", "eccentricity"), "yanchevskiy_2021",
+        (*_HOLE, "eccentricity"), "yanchevskiy_2021",
+    ),
+    "backlash": Kind(
+        "Backlash", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
+        "Otherwise the unloaded output turns by more than is asked.",
+        (*_PLAY, "max_backlash"), "load_sharing",
+    ),
+    "lost_motion": Kind(
+        "Lost motion", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+        "Otherwise the output gives way by more than is asked when the torque turns.",
+        (*_PLAY, "output_torque", "max_lost_motion"), "load_sharing",
     ),
     "wall_holes": Kind(
         "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",

@@ -2,15 +2,16 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
 from core.checks.check import Check, judged
 from core.checks.crank_design import CrankDesign
+from core.checks.real_forces import WAYS, RealForces
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
+from core.output.limit_torque import limit_torque
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""
@@ -39,55 +40,84 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
     contact = design.contact
     pressure = None if contact is None else contact.governing_pressure
     if contact is None or pressure is None:
-        reason = "dead_centre" if contact is None else "no_pressure"
+        reason = design.unsolved if contact is None else "no_pressure"
         return Check(code=code, status="not_checked", limit=limit, reason=reason, **more)
-    found = judged(
+    return judged(
         code,
         pressure,
         limit,
-        reserve=_reserve(design, contact, pressure, limit),
+        reserve=design.torque_factor(_force_factor(contact, design.contact_at, limit)),
         warning=warning,
-        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+        error=(contact.conformal_error or 0.0) + _rounding(design, contact),
         at=design.peak,
         **more,
     )
-    return _unless_clearance(design, found)
 
 
-def _unless_clearance(design: CrankDesign, found: Check) -> Check:
-    """A check under the forces without clearance: with it fewer pairs carry, each more, so that
-    only what fails is known, and not by how much.
-    """
-    if not (design.clearance or 0.0) > 0:
-        return found
-    if found.status == "fail":
-        return replace(found, torque_reserve=None)
-    unknown: dict[str, Any] = dict.fromkeys(("value", "utilisation", "torque_reserve"))
-    return replace(found, status="not_checked", reason="force_law", at={}, **unknown)
+def _rounding(design: CrankDesign, contact: HertzContact) -> float:
+    """Relative error of the pressure by number."""
+    force = design.judged_forces
+    off = force.turn.accuracy.relative_error if isinstance(force, RealForces) else 0.0
+    return float(8 * contact.accuracy.relative_error + off)
 
 
-def _reserve(design: CrankDesign, contact: HertzContact, pressure: float, limit: float) -> float:
-    """Factor on the torque at which the governing pressure is at a limit, Pa.
+def _force_factor(
+    contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
+) -> float:
+    """Factor on the force at which the governing pressure of a contact is at a limit, Pa.
 
-    Hertz's pressure grows with the root of the torque, Persson's faster, up to the torque itself;
+    Hertz's pressure grows with the root of the force, Persson's faster, up to the force itself;
     where Persson's takes over, the governing pressure jumps by a per cent.
     """
     by_hertz = float((limit / contact.max_pressure) ** 2)
-    if design.contact_at(by_hertz).conformal_pressure is None:
+    if contact_at(by_hertz).conformal_pressure is None:
         # where no theory holds any more, that is the end
         return min(by_hertz, float(contact.half_width_ratio**-2))
 
     def left(factor: float) -> float:
-        there = design.contact_at(factor).governing_pressure
+        there = contact_at(factor).governing_pressure
         return math.nan if there is None else float(limit - there)
 
-    ratio = limit / pressure
+    assert contact.governing_pressure is not None
+    ratio = float(limit / contact.governing_pressure)
     met, _ = edge(
         inside=0.97 * min(ratio, ratio * ratio),
         outside=1.03 * max(ratio, ratio * ratio),
         excess=left,
     )
     return met
+
+
+def real_reserve(*, design: CrankDesign, limit: float) -> float:
+    """Factor on the torque at which the pressure of the mechanism as it is made is at a limit,
+    without its forces under the torque.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        A design whose `real` is known.
+    limit : float
+        The limit, Pa.
+
+    Returns
+    -------
+    float
+    """
+    real, torque = design.real, design.output_torque
+    assert real is not None and torque is not None
+
+    def contact(force: float) -> HertzContact:
+        found = real.contact(0, force)
+        assert found is not None
+        return found
+
+    start = float((limit / contact(1.0).max_pressure) ** 2)  # N
+    force = start * _force_factor(contact(start), lambda factor: contact(start * factor), limit)
+    torques = [
+        limit_torque(real=real, direction=way, pair=0, force=force)
+        for way in WAYS[design.torque_direction]
+    ]
+    return min(torques) / (torque * design.dynamic_factor)
 
 
 def _pressure(design: CrankDesign, body: Body) -> Check:
@@ -138,13 +168,13 @@ def _yield(design: CrankDesign, body: Body) -> Check:
 def _conformity(design: CrankDesign) -> Check:
     contact, code = design.contact, "contact_conformity"
     if contact is None:
-        return Check(code=code, status="not_checked", reason="dead_centre")
+        return Check(code=code, status="not_checked", reason=design.unsolved)
     ratio, limit = float(contact.half_width_ratio), HALF_WIDTH_RATIO_LIMIT
     if contact.conformal_pressure is not None:
         why = "conformal_solution"
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
-    found = judged(code, ratio, limit, reserve=(limit / ratio) ** 2, warning="rough_guide")
-    return _unless_clearance(design, found)
+    reserve = design.torque_factor((limit / ratio) ** 2)
+    return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
 
 
 CONTACT: dict[str, Callable[[CrankDesign], Check]] = {

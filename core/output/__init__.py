@@ -14,6 +14,7 @@ contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
+satellite_support   one position of satellites that give: crank bearings, mesh, given shares
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 loaded_position     its forces, lag, play and stiffness at one position
@@ -21,4 +22,6 @@ real_curves         curves of these over the turn, and of the lag over the torqu
 summits             summits of a function over the turn
 turn                positions over the turn
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
+limit_torque        the torque that brings a pair to a given pressure
+alternating         both directions of the torque, and the worse
 """

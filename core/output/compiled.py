@@ -7,6 +7,7 @@ as they are and give the same bits.
 import functools
 import os
 import types
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
@@ -14,7 +15,37 @@ import numpy as np
 
 from core.output import sharing_kernel as source
 
-PLAIN = types.SimpleNamespace(**vars(source), row=list, table=np.ndarray.tolist, threads=1)
+
+def _copies(made: Callable[[Any], Any], others: dict[str, Any]) -> dict[str, Any]:
+    """The source's functions, made anew: they see each other and the others, not the plain ones."""
+    names = vars(source) | others
+    for name, plain in vars(source).items():
+        own = isinstance(plain, types.FunctionType) and plain.__module__ == source.__name__
+        if own and name not in others:
+            copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
+            copy.__module__, copy.__qualname__ = plain.__module__, plain.__qualname__
+            names[name] = made(copy)
+    return names
+
+
+def in_place_of(**others: Callable[..., Any]) -> Any:
+    """The loops, interpreted, with other functions in the place of some.
+
+    Parameters
+    ----------
+    **others : callable
+        By the names of those that they stand for.
+
+    Returns
+    -------
+    namespace
+        As `at_hand` gives it.
+    """
+    names = _copies(lambda copy: copy, others)
+    return types.SimpleNamespace(**names, row=list, table=np.ndarray.tolist, threads=1)
+
+
+PLAIN = in_place_of()
 
 _at_hand: types.SimpleNamespace = PLAIN
 
@@ -53,12 +84,7 @@ def _compiled() -> types.SimpleNamespace:
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
 
-    names = vars(source).copy()  # they see each other, not the plain ones
-    for name, plain in vars(source).items():
-        if isinstance(plain, types.FunctionType) and plain.__module__ == source.__name__:
-            copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
-            copy.__module__, copy.__qualname__ = plain.__module__, plain.__qualname__
-            names[name] = numba.njit(cache=True, nogil=True, error_model="numpy")(copy)
+    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), {})
     return types.SimpleNamespace(
         **names,
         row=functools.partial(np.array, dtype=float),

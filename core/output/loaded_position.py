@@ -10,6 +10,7 @@ from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
 from core.output.real_mechanism import RealMechanism
+from core.output.satellite_support import ElasticMesh, Shares
 from core.output.sharing_kernel import at, interference
 from core.results import Accuracy, Notice, poorly_known
 
@@ -34,6 +35,8 @@ class LoadedPosition:
         Force of each pair, N.
     satellite_torque : tuple of float, K
         Share of each satellite in the torque, N*m; negative where others drag it.
+    satellite_rotation : tuple of float, K, or None
+        Lag of the output behind each satellite, rad, where these turn against each other.
     loaded_pairs : int
         Number of pairs with a force.
     play : (float, float) or None
@@ -58,6 +61,7 @@ class LoadedPosition:
     rotation: float
     force: tuple[tuple[float, ...], ...]
     satellite_torque: tuple[float, ...]
+    satellite_rotation: tuple[float, ...] | None
     loaded_pairs: int
     play: tuple[float, float] | None
     interference: float | None
@@ -134,12 +138,16 @@ def loaded_position(
         direction * math.fsum(room.force[k] * room.lever[k] for k in range(i, i + pins))
         for i in rows
     ]
+    own_lags = None
+    if isinstance(real.support, (ElasticMesh, Shares)):
+        own_lags = tuple(direction * lag for lag in room.own_lag[: setup.satellites])
     accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
         rotation=direction * found.lag,
         force=real.rows(room.force),
         satellite_torque=tuple(torques),
+        satellite_rotation=own_lags,
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
         interference=least_interference(real=real, psi=psi) if pressed else None,

@@ -9,7 +9,6 @@ import numpy as np
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import input_torque
 from core.results import Accuracy
 
 
@@ -96,7 +95,7 @@ def real_curves(
                 least + 0.0,
                 most + 0.0,
                 found.stiffness,
-                input_torque(psi, torque, found.lag, there, real.pairs, room),
+                real.loops.input_torque(psi, torque, found.lag, there, real.pairs, room),
             )
         )
     force = np.array(forces).T

@@ -9,11 +9,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from core.arrays import check_finite, check_positive
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
+from core.output.compiled import PLAIN, in_place_of
 from core.output.contact_law import (
     ContactLaw,
     PinSupport,
@@ -23,6 +25,7 @@ from core.output.contact_law import (
     pin_compliance,
 )
 from core.output.mechanism import Mechanism
+from core.output.satellite_support import HeldSatellites, SatelliteSupport, check_support, loosen
 from core.output.sharing_kernel import (
     LOST,
     NO_DRIVE,
@@ -38,7 +41,6 @@ from core.output.sharing_kernel import (
     Setup,
     judged,
     prepare,
-    solve,
     too_wide,
 )
 
@@ -148,6 +150,8 @@ class RealMechanism:
         Of this piece.
     exact : bool
         Exact geometry; else first order in lag and deviations, with fixed lines of action.
+    support : SatelliteSupport, optional
+        What the satellites' bearings or mesh give, in first order; rigid where not given.
     """
 
     mechanism: Mechanism
@@ -162,6 +166,7 @@ class RealMechanism:
     pin: PinSupport | None = None
     deviations: Deviations = field(default_factory=Deviations)
     exact: bool = True
+    support: SatelliteSupport | None = None
 
     def __post_init__(self) -> None:
         sizes = {
@@ -175,6 +180,7 @@ class RealMechanism:
                 "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
             )
         check_law(self.law)
+        check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
 
     def setup(self, direction: float) -> Setup:
         """The design as the kernel takes it.
@@ -242,6 +248,7 @@ class RealMechanism:
         if none >= 0:
             j, n = divmod(none, pins)
             raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
+        loosen(support=self.support, pairs=pairs)
         return pairs, [self.pin_radius + error for error in errors.pin_radius] * satellites
 
     @property
@@ -296,7 +303,7 @@ class RealMechanism:
             If no pair can drive, forces would not balance or not be stable, the output would lag by
             more than the eccentricity, or a contact would be as wide as its pin.
         """
-        position = solve(psi, torque, setup, self.pairs, room)
+        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
         status = judged(position, setup, self.pairs, room)
         if status in REFUSALS:
             params = {}
@@ -307,6 +314,20 @@ class RealMechanism:
             angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
             raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
         return position
+
+    @cached_property
+    def loops(self) -> Any:
+        """The functions of `core.output.sharing_kernel`, interpreted; of satellites that give with
+        what differs.
+        """
+        if self.support is None:
+            return PLAIN
+        held = HeldSatellites(self.support, self.pairs)
+        return in_place_of(
+            solve=lambda psi, torque, setup, pairs, room: held.solve(psi, torque, setup, room),
+            played=lambda psi, setup, pairs, room: held.played(psi, setup, room),
+            wave_torque=lambda psi, lag, setup, pairs, room: held.wave_torque(psi, setup, room),
+        )
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.
@@ -369,9 +390,24 @@ class RealMechanism:
         pressures = [contact.max_pressure for contact in contacts if contact is not None]
         return self.rows(pressures) if pressures else None
 
-    def hardest(self, force: Sequence[float]) -> HertzContact | None:
-        """Contact of the pair with the largest pressure, which grows with the force times the
+    def hardest_pair(self, force: Sequence[float]) -> int:
+        """Index of the pair with the largest pressure, which grows with the force times the
         difference of the curvatures.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        int
+        """
+        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
+        return curved.index(max(curved))
+
+    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+        """Contact of the pair with the largest pressure.
 
         Parameters
         ----------
@@ -382,6 +418,5 @@ class RealMechanism:
         -------
         HertzContact or None
         """
-        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
-        pair = curved.index(max(curved))
+        pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])

@@ -115,6 +115,7 @@ class Room(NamedTuple):
     lever: Row
     stiffness: Row  # of the contact
     most: Row  # largest force so far
+    own_lag: Row  # [K] of the satellites, where they give
 
 
 class Poses(NamedTuple):
@@ -272,6 +273,13 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
     if setup.exact:
         low, high = 2 * math.atan(low), 2 * math.atan(high)
     return low, high, behind, onset
+
+
+def played(psi: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
+    """Limits of the play at a wave angle; the first is larger where pairs press."""
+    at(psi, setup, pairs, room)
+    low, high, _, _ = play(setup, room)
+    return low, high
 
 
 def touch_error(lag: float, pair: int, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
@@ -669,8 +677,7 @@ class Load(NamedTuple):
 def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[float, bool]:
     """A quantity at a wave angle, and whether the position can be."""
     if kind in (PLAY_END, BACKLASH):
-        at(psi, load.setup, pairs, room)
-        low, high, _, _ = play(load.setup, room)
+        low, high = played(psi, load.setup, pairs, room)
         return high if kind == PLAY_END else max(high - low, 0.0), True
     both, can = 0.0, True
     for back in range(2 if kind == LOST_MOTION else 1):
@@ -770,6 +777,14 @@ def piece(
     return True
 
 
+def none(sample: int, results: Pieces) -> None:
+    """A piece that cannot work."""
+    results.peak_force[sample] = results.max_pressure[sample] = math.nan
+    results.transmission_error[sample] = results.backlash_max[sample] = math.nan
+    results.lost_motion[sample] = results.stiffness_min[sample] = math.nan
+    results.fits[sample] = 0.0
+
+
 def pieces(
     errors: Errors[Sequence[Row]],
     positions: int,
@@ -797,7 +812,4 @@ def pieces(
         )
         can = prepare(load.setup, law, own, phase, compliance, pairs) < 0
         if not (can and piece(sample, positions, lost, load, pairs, room, results)):
-            results.peak_force[sample] = results.max_pressure[sample] = math.nan
-            results.transmission_error[sample] = results.backlash_max[sample] = math.nan
-            results.lost_motion[sample] = results.stiffness_min[sample] = math.nan
-            results.fits[sample] = 0.0
+            none(sample, results)

@@ -153,6 +153,8 @@ def shaft_stretches(
             "different_sum",
             field="bearing_distance",
             other="overhang",
+            needed_length=length,
+            given_length=total,
         )
     return list(shaft_sections)
 

@@ -55,6 +55,8 @@ class RollerStrength:
         Bending moment of the most loaded roller beside its middle sphere, N*m.
     bending_stress : float or array
         Stress there, Pa.
+    relative_stress : float or array
+        ``sigma/E``, dimensionless, as the source's fig. 6 shows it.
     loaded_rollers : int or array of int
         Number of rollers that carry a force.
     length_ratio, sphere_ratio : float or array
@@ -80,6 +82,7 @@ class RollerStrength:
     displacement: Number
     bending_moment: Number
     bending_stress: Number
+    relative_stress: Number
     loaded_rollers: int | IntArray
     length_ratio: Number
     sphere_ratio: Number
@@ -223,6 +226,7 @@ def roller_strength(
         delta = stiffness * spread / (4 * max(rollers - 1, 1)) / mean_force
     arm = cylinder_length + sphere_width / 2 + friction_coefficient * sphere_diameter / 2
     moment = arm * sharing.largest_force
+    stress = stress_concentration * 32 / math.pi * (moment / diameter**2 / diameter)
     return RollerStrength(
         stiffness=stiffness,
         relative_stiffness=relative,
@@ -234,7 +238,8 @@ def roller_strength(
         forces=sharing.forces,
         displacement=sharing.displacement,
         bending_moment=moment,
-        bending_stress=stress_concentration * 32 / math.pi * (moment / diameter**2 / diameter),
+        bending_stress=stress,
+        relative_stress=stress / youngs_modulus,
         loaded_rollers=sharing.loaded,
         length_ratio=cylinder_length / diameter,
         sphere_ratio=sphere_diameter / diameter,

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.errors import InvalidInput
-from core.output.compiled import at_hand
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.compiled import PLAIN, at_hand
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
 from core.output.summits import summits
@@ -215,6 +215,8 @@ class Study:
             Which can be assembled without force.
         """
         kernel, count = at_hand(), len(pieces.pin_radial)
+        if self.real.support is not None:
+            kernel = PLAIN
         blocks = [range(count)[first : first + BLOCK] for first in range(0, count, BLOCK)]
 
         def block(samples: range) -> Pieces:
@@ -244,19 +246,50 @@ class Study:
             return kind(*[kernel.row([0.0] * length) for _ in kind._fields])
 
         results: Pieces = rows(Pieces, len(pieces.pin_radial))
-        kernel.pieces(
-            Errors(*map(kernel.table, pieces)),
-            asked.positions,
-            "lost_motion" in asked.quantities,
-            real.law_constants,
-            Load(abs(asked.output_torque), asked.lost_motion_share, *sizes),
-            kernel.row(real.mechanism.crank_angles),
-            kernel.row(real.compliance),
-            rows(Pairs, count),
-            rows(Room, count),
-            results,
-        )
+        load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
+        lost = "lost_motion" in asked.quantities
+        if real.support is None:
+            kernel.pieces(
+                Errors(*map(kernel.table, pieces)),
+                asked.positions,
+                lost,
+                real.law_constants,
+                load,
+                kernel.row(real.mechanism.crank_angles),
+                kernel.row(real.compliance),
+                rows(Pairs, count),
+                rows(Room, count),
+                results,
+            )
+            return results
+        for i in range(len(pieces.pin_radial)):
+            own = self.piece(pieces, i)
+            try:
+                pairs, loops = own.pairs, own.loops
+            except ImpossibleMechanism:
+                kernel.none(i, results)
+                continue
+            if not loops.piece(i, asked.positions, lost, load, pairs, own.room(), results):
+                kernel.none(i, results)
         return results
+
+    def piece(self, pieces: Errors[FloatArray], index: int) -> RealMechanism:
+        """The mechanism of one piece.
+
+        Parameters
+        ----------
+        pieces : Errors
+            The pieces.
+        index : int
+            Which.
+
+        Returns
+        -------
+        RealMechanism
+        """
+        rows = {name: table[index] for name, table in pieces._asdict().items()}
+        own = deviations(rows=rows, pins=self.real.mechanism.pins)
+        return replace(self.real, deviations=own)
 
     @property
     def _square_pressure(self) -> float:
@@ -343,9 +376,7 @@ def _missed_peak(study: Study, pieces: Errors[FloatArray], values: FloatArray) -
     order = order[: min(WORST, math.ceil(len(peaks) / 10))]
     missed = []
     for i in order:
-        rows = {name: table[i] for name, table in pieces._asdict().items()}
-        real = replace(study.real, deviations=deviations(rows=rows, pins=study.real.mechanism.pins))
-        turn = Turn(real, study.asked.output_torque)
+        turn = Turn(study.piece(pieces, i), study.asked.output_torque)
         grid = turn.values(FORCE, _places(study.asked.positions))
         found = summits(grid=grid, narrow=turn.narrow(FORCE), most=3)
         highest = max(summit.height for summit in found)

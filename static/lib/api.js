@@ -1,5 +1,7 @@
 /** The REST service as promises. The only module that calls `fetch`. No DOM. */
 
+const LINES = "application/x-ndjson";
+
 /** What the service (or the way to it) refused: RFC 9457, with the pointers of the wrong fields. */
 export class Problem extends Error {
   constructor({ status = 0, kind = "", title = "", detail = "", errors = [], where = {} }) {
@@ -14,26 +16,51 @@ export class Problem extends Error {
   }
 }
 
-async function problemOf(response) {
-  const kind = response.headers.get("content-type") ?? "";
-  const body = kind.includes("json") ? await response.json().catch(() => ({})) : {};
+function problemFrom(body, status, title) {
   return new Problem({
-    status: response.status,
+    status,
     kind: String(body.type ?? "").split("/").pop(),
-    title: body.title ?? response.statusText,
+    title: body.title ?? title,
     detail: body.detail ?? "",
     errors: Array.isArray(body.errors) ? body.errors : [],
     where: body.where,
   });
 }
 
-/** `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page. */
+async function problemOf(response) {
+  const kind = response.headers.get("content-type") ?? "";
+  const body = kind.includes("json") ? await response.json().catch(() => ({})) : {};
+  return problemFrom(body, response.status, response.statusText);
+}
+
+/** What a stream of lines ends with: the answer, or the problem thrown; `progressed(share)` is told on the way. */
+async function lastOf(body, progressed) {
+  const reader = body.pipeThrough(new TextDecoderStream()).getReader();
+  for (let rest = ""; ;) {
+    const { value, done } = await reader.read();
+    const lines = (rest + (value ?? "")).split("\n");
+    rest = done ? "" : lines.pop();
+    for (const line of lines.filter((one) => one.trim() !== "")) {
+      const { progress, result, problem } = JSON.parse(line);
+      if (problem) throw problemFrom(problem, problem.status, "");
+      if (result) return result;
+      if (progress !== undefined) progressed(progress);
+    }
+    if (done) throw new Problem({ title: "unreachable" }); // it ended before its end
+  }
+}
+
+/**
+ * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share)`
+ * the answer may come as lines that say how far it is.
+ */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
-  async function ask(path, options) {
+  async function ask(path, options, progressed) {
     try {
       const response = await fetch(`.${base}${path}`, options);
       if (!response.ok) throw await problemOf(response);
-      return await response.json();
+      const lines = (response.headers?.get("content-type") ?? "").includes(LINES);
+      return await (lines ? lastOf(response.body, progressed) : response.json());
     } catch (error) {
       if (error instanceof Problem || error.name === "AbortError") throw error;
       throw new Problem({ title: "unreachable" });
@@ -42,13 +69,13 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}
   return {
     base,
     get: (path) => ask(path), // without headers: so it takes what the page's head has asked for
-    post: (path, body, { signal, query } = {}) =>
+    post: (path, body, { signal, query, progressed } = {}) =>
       ask(query ? `${path}?${new URLSearchParams(query)}` : path, {
         method: "POST",
         signal,
-        headers: { accept: "application/json", "content-type": "application/json" },
+        headers: { accept: progressed ? `${LINES}, application/json` : "application/json", "content-type": "application/json" },
         body: JSON.stringify(body),
-      }),
+      }, progressed),
   };
 }
 

@@ -97,10 +97,9 @@ export function fixRow(fix, titleAt, checks) {
   };
 }
 
-/** The check that decides: what is not known as long as nothing fails, else the one that governs. */
+/** The check that decides: the first that is not known where the verdict is incomplete, else the one that governs. */
 export function decisive({ verdict, governing, checks = [] }) {
-  const unknown = verdict === "incomplete" && checks.find(({ status }) => status === "not_checked");
-  return unknown || checks.find(({ code }) => code === governing);
+  return checks.find(({ code, status }) => (verdict === "incomplete" ? status === "not_checked" : code === governing));
 }
 
 /** The verdict in a sentence. */

@@ -12,6 +12,9 @@ function valueAt(input, path) {
   return path.split(".").reduce((part, key) => part?.[key], input);
 }
 
+/** Where a field stands in an input: those of wanted groups apart, so that nothing else has to leave them out. */
+const placeOf = ({ wanted, path }) => (wanted ? `besides.${path}` : path);
+
 function put(input, path, value) {
   const keys = path.split(".");
   const last = keys.pop();
@@ -70,7 +73,7 @@ export function textOfLink(field, text) {
 export function stateFromInput(model, input) {
   const texts = {};
   for (const field of model.fields.values()) {
-    const value = valueAt(input, field.path);
+    const value = valueAt(input, placeOf(field));
     const given = typeof value === "object" && !Array.isArray(value) ? undefined : value;
     texts[field.path] = textIn(field, given ?? field.default);
   }
@@ -86,11 +89,19 @@ export function stateFromInput(model, input) {
   return { texts, chosen };
 }
 
-/** The fields on the screen: all outside choices, and those of the chosen options. */
+/** The fields on the screen: all outside choices, those of the chosen options, and of wanted groups those that are. */
 export function shownFields(model, state) {
   return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
     ? [item]
-    : item.options.find((option) => option.id === state.chosen[item.id]).fields));
+    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter((field) => isWanted(field, state.texts));
+}
+
+/** Whether a group of that id is switched on. */
+export const isOn = (id, texts) => texts[`${id}.on`] === "on";
+
+function isWanted({ wanted, kind, when }, texts) {
+  if (!wanted || kind === "switch") return true;
+  return isOn(wanted, texts) && (!when || when.slice(1).includes(texts[when[0]]));
 }
 
 const TINY = 1e-9; // a lowest value so small means: more than nothing
@@ -125,7 +136,8 @@ function readRecords(field, typed) {
 export function readField(field, text) {
   const typed = text.trim();
   if (typed === "") return field.required ? { problem: "required" } : {};
-  if (field.kind === "name" || field.kind === "option") return { value: typed };
+  if (["name", "option", "switch"].includes(field.kind)) return { value: typed };
+  if (field.kind === "names") return { value: typed.split(/;\s*/) };
   if (field.kind === "records") return readRecords(field, typed);
   if (field.kind === "numbers") {
     const { values, problem } = parseNumbers(typed);
@@ -151,8 +163,8 @@ export function readField(field, text) {
 }
 
 /**
- * The request body that the shown boxes say: `{ input, filled, readings: {path: reading}, wrong: [path] }`.
- * Boxes that cannot be read are left out of `input`; `filled` has the schema's defaults too.
+ * The request body that the shown boxes say: `{ input, filled, readings: {path: reading}, wrong: [path] }`, and
+ * `besides`, the wrong ones of groups that are wanted, by group: these keep nobody else from an answer. Boxes that cannot be read are left out of `input`; `filled` has the schema's defaults too.
  */
 export function readState(model, state) {
   const [input, filled] = [{}, {}];
@@ -160,9 +172,9 @@ export function readState(model, state) {
   for (const field of shownFields(model, state)) {
     const reading = readField(field, state.texts[field.path]);
     readings[field.path] = reading;
-    if (reading.value !== undefined) put(input, field.path, reading.value);
+    if (reading.value !== undefined) put(input, placeOf(field), reading.value);
     const value = reading.problem ? undefined : reading.value ?? field.default;
-    if (value !== undefined) put(filled, field.path, value);
+    if (value !== undefined) put(filled, placeOf(field), value);
   }
   for (const [path, { value, needs }] of model.linked) {
     if (readings[path]?.problem !== "required") continue;
@@ -175,8 +187,11 @@ export function readState(model, state) {
       readings[needs] = readings[needs]?.problem ? readings[needs] : { problem: "required" };
     }
   }
-  const wrong = Object.keys(readings).filter((path) => readings[path].problem);
-  return { input, filled, readings, wrong };
+  const all = Object.keys(readings).filter((path) => readings[path].problem);
+  const wantedOf = (path) => model.fields.get(path).wanted;
+  const besides = Object.fromEntries(model.groups.filter(({ wanted }) => wanted)
+    .map(({ id }) => [id, all.filter((path) => wantedOf(path) === id)]));
+  return { input, filled, readings, wrong: all.filter((path) => !wantedOf(path)), besides };
 }
 
 /** A state in which the boxes that say what their link gives are empty: they follow the others. */
@@ -198,7 +213,7 @@ export function listedInputs(model, state) {
     id,
     entries: items.flatMap(fieldsOf)
       .filter((field) => shown.has(field))
-      .map((field) => ({ field, value: valueAt(filled, field.path) }))
+      .map((field) => ({ field, value: valueAt(filled, placeOf(field)) }))
       .filter(({ value }) => value !== undefined),
   })).filter(({ entries }) => entries.length > 0);
 }
@@ -212,7 +227,7 @@ export function keysOf(pointer) {
 export function fieldAtPointer(shown, pointer) {
   const path = keysOf(pointer).join(".");
   return shown.find((field) => field.path === path)
-    ?? shown.find((field) => path.startsWith(`${field.path}.`))
+    ?? shown.find((field) => path.startsWith(`${field.path}.`) || field.covers?.some((own) => `${path}.`.startsWith(`${own}.`)))
     ?? null;
 }
 

@@ -143,7 +143,7 @@ export function quantityParts(value, unit, digits = 6) {
 export function formatQuantity(value, unit, digits = 6) {
   const shown = quantityParts(value, unit, digits);
   if (!unit) return shown.value;
-  return unit === "°" ? `${shown.value}°` : `${shown.value}\u00a0${shown.unit}`;
+  return unit === "°" || unit === "′" ? shown.value + unit : `${shown.value}\u00a0${shown.unit}`;
 }
 
 /** A run time in the unit that suits it. */
@@ -163,7 +163,7 @@ function superscript(exponent) {
 }
 
 const UNITS = {
-  _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
+  _Nm_per_arcmin: "N·m/′", _arcmin: "′", _N_per_mm: "N/mm", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
 };
 
 /** The unit that ends an API field name, "" for a plain number. */

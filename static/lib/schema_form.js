@@ -4,7 +4,9 @@
  * A *field* is one box: `{ path, name, title, help, kind, symbol, unit, step, lowest, highest, ...}`
  * with the dotted path of its value in the request body; `kind` is "number", "integer", "numbers"
  * (a list), "records" (a list of objects, whose boxes are `columns`), "name" (a text chosen from a
- * list that the service gives) or "option" (an enumeration).
+ * list that the service gives), "option" (an enumeration), "names" (some of an enumeration) or "switch".
+ * A *group* that is `wanted` is off until its first field, a switch, is "on"; a field of it is shown
+ * only where another one says one of some words, its `when`.
  * A *choice* is a set of options, each with its own fields, of which one option is shown.
  * What is typed into the form and what it says is in form_state.js.
  */
@@ -150,12 +152,12 @@ function groupsByField(schema, { groups, inline, hidden, resolve }) {
  * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
  * page decides for the user; `arranged` puts them in groups of the page's own; `suggestions` says which
  * boxes follow others while they are empty (`linked`); `diameters` has title and help, by name, of
- * radii that are shown as diameters; `words(name, group)` gives title and help of a field, or null for
+ * radii that are shown as diameters; `wanted` are groups that are off until wanted; `words(name, group)` gives title and help of a field, or null for
  * those of the schema.
  */
 export function formModel(openapi, {
   path, groups, inline, choices = {}, optional = [], hidden = [], arranged = null, suggestions = {}, diameters = null,
-  words = () => null,
+  wanted = [], words = () => null,
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
   const plain = inline
@@ -166,9 +168,63 @@ export function formModel(openapi, {
     items: withChoices(part.items, choices, optional).map((item) => (diameters ? asDiameter(item, diameters) : item)),
   }));
   const items = parts.flatMap((part) => part.items);
-  const fields = new Map(items.flatMap(fieldsOf).map((field) => [field.path, field]));
+  const besides = wanted.map((group) => wantedGroup(openapi, group, words));
+  const fields = new Map([...items, ...besides.flatMap((group) => group.items)].flatMap(fieldsOf).map((field) => [field.path, field]));
   const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
-  return { groups: arranged ? inOrder(items, arranged) : parts, choices: items.filter((item) => !item.path), fields, linked };
+  return {
+    groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: items.filter((item) => !item.path), fields, linked,
+  };
+}
+
+/** The schema of a part of a body, by its dotted path; of what may be a number or more, the number. */
+function partAt(schema, at, resolve) {
+  const found = at.split(".").reduce((part, key) => part && resolve(part).properties?.[key], schema);
+  if (!found) return null;
+  const { anyOf, oneOf, ...about } = resolve(found);
+  const number = (anyOf ?? oneOf ?? []).map(resolve).find(({ type }) => type === "number");
+  return number ? { ...number, ...about } : resolve(found);
+}
+
+/** What a pattern such as `^(f|g)(5|6)$` allows. */
+function allowedBy(pattern) {
+  return pattern.match(/\(([^)]*)\)/g).map((part) => part.slice(1, -1).split("|"))
+    .reduce((all, next) => all.flatMap((start) => next.map((end) => start + end)), [""]);
+}
+
+/**
+ * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
+ * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
+ * of the schema, `rows` and `columns` of a list of records that the body has as lists.
+ */
+function wantedGroup(openapi, { id, paths, fields }, words) {
+  const bodies = paths.map((path) => bodySchema(openapi, path, words));
+  const [{ resolve }] = bodies;
+  const made = (at, { words: [name, group] = [], like = at, ...own }) => {
+    let part = bodies.map(({ schema }) => partAt(schema, like, resolve)).find(Boolean) ?? {};
+    while (part.type === "array" && own.leaf) part = { ...part, ...resolve(part.items) };
+    const { default: preset = part.default, required = false, options = [], ...rest } = own;
+    const field = fieldOf({ ...part, default: preset, "x-group": group ?? part["x-group"] }, at, required, resolve);
+    const named = name && words(name, group);
+    return {
+      ...field,
+      ...(named && { title: named[0], help: named[1] }),
+      ...(part.enum && { options: [...options, ...part.enum] }),
+      ...(part.pattern && { kind: "option", options: [...options, ...allowedBy(part.pattern)] }),
+      ...(!part.type && options.length > 0 && { kind: "option", options }),
+      ...(part.type === "array" && part.items.enum && { kind: "names", options: part.items.enum }),
+      ...rest,
+    };
+  };
+  const items = Object.entries({ [`${id}.on`]: { kind: "switch", words: ["on", id] }, ...fields }).map(([at, { columns, ...own }]) => ({
+    ...made(at, own),
+    wanted: id,
+    ...(columns && {
+      kind: "records",
+      columns: columns.map((column) => made(column, { leaf: true, path: `${at}.${column.split(".").pop()}` })),
+      covers: columns,
+    }),
+  }));
+  return { id, wanted: true, items };
 }
 
 /** The items in groups of the page's own, `{ group: [path or choice] }`; the last takes what is not named. */

@@ -22,7 +22,7 @@ export function targetsOf(calculator, answer, path) {
 }
 
 /** The request: the value is looked for about the one at hand, within the field's own limits. */
-export function solveBody(calculator, field, { input, filled }, target, amount, want) {
+export function solveBody(calculator, field, { input: { besides, ...input }, filled }, target, amount, want) {
   const value = field.path.split(".").reduce((part, key) => part?.[key], filled);
   const counted = field.kind === "integer";
   const within = (number) => Math.min(Math.max(number, field.lowest ?? -Infinity), field.highest ?? Infinity);

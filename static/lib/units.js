@@ -17,6 +17,7 @@ const SHOWN = {
     mm: ["in", INCH],
     N: ["lbf", LBF],
     "N·m": ["lbf·in", (LBF * INCH) / 1000],
+    "N·m/′": ["lbf·in/′", (LBF * INCH) / 1000],
     "N/mm": ["lbf/in", LBF / INCH],
     "mm/N": ["in/lbf", INCH / LBF],
     MPa: ["psi", PSI],

@@ -57,7 +57,7 @@ export function decodeState(model, parameters, calculator = parameters.get("calc
     const given = choice.options.find((o) => o.fields.some((field) => parameters.has(field.path)));
     chosen[choice.id] = (given ?? choice.options[0]).id;
   }
-  const shown = new Set(shownFields(model, { chosen }).map(({ path }) => path));
+  const shown = new Set(shownFields(model, { texts, chosen }).map(({ path }) => path));
   const version = parameters.get("v") ?? VERSION;
   const unknown = [
     ...(another ? [`calculator=${parameters.get("calculator")}`] : []),

@@ -43,6 +43,6 @@ export function said(kind, code, values = {}) {
 
 /** Title and help of a field by its name, or by group and name where groups differ; null for one that this page does not know. */
 export function fieldWords(name, group) {
-  const { fields } = texts.service;
-  return fields[`${group}.${name}`] ?? fields[name] ?? null;
+  const { own, service: { fields } } = texts;
+  return fields[`${group}.${name}`] ?? own[`${group}.${name}`] ?? fields[name] ?? null;
 }

@@ -3,9 +3,10 @@ export default {
   "refusals": {
     "at_most": "must be at most {field}",
     "different_length": "must have {expected} entries, has {actual}",
-    "different_sum": "must have lengths that add up to {field} and {other}",
+    "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
     "exclusive": "and {field} exclude each other",
     "finite_number": "must be a finite number",
+    "first_order_only": "must be of first order beside {field}: what satellites give is not known in exact geometry",
     "greater_than": "must be greater than {limit}",
     "greater_than_equal": "must be at least {limit}",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is infinitely long there",
@@ -22,6 +23,7 @@ export default {
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its contact has no arm",
     "smaller_than": "must be smaller than {field}",
+    "sum_not_one": "must add up to 1, not to {sum}",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
@@ -41,7 +43,7 @@ export default {
     "dust": "must be 0 or at least {limit} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
-    "hole_disagrees": "must be pin radius + eccentricity + clearance, {expected}, or left out",
+    "hole_disagrees": "must be pin radius + eccentricity + clearance, {expected_mm}, or left out",
     "int_type": "must be a whole number",
     "json_invalid": "is not valid JSON: {error}",
     "list_type": "must be a list",
@@ -50,7 +52,7 @@ export default {
     "multiple_of": "must be a multiple of {limit}",
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
-    "no_class_of_size": "is known for diameters up to {limit} mm only",
+    "no_class_of_size": "is known for diameters up to {limit_mm} only",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
@@ -60,6 +62,7 @@ export default {
     "to_be_drawn": "must be at most {limit} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
+    "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers"
   },
   "notices": {
@@ -301,6 +304,14 @@ export default {
       "Pin radius",
       "Radius of the pin, or of its sleeve."
     ],
+    "contact_law.kind": [
+      "Law of contact",
+      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
+    ],
+    "contact_law.stiffness_N_per_mm": [
+      "Contact stiffness",
+      "Stiffness of a pair, for the linear law."
+    ],
     "contact_length_mm": [
       "Contact length",
       "Length of the contact along the pin: the width of the satellite."
@@ -316,6 +327,10 @@ export default {
     "crank_spacing_deg": [
       "Crank spacing",
       "Angle between neighbouring cranks; 360°/K where not given."
+    ],
+    "crank_support.stiffness_N_per_mm": [
+      "Stiffness of a bearing",
+      "Radial stiffness of the bearing of one satellite; rigid where not given."
     ],
     "cylinder_length_mm": [
       "Cylinder length",
@@ -425,10 +440,6 @@ export default {
       "Input torque",
       "Torque on the crankshaft; T = T₁·u·η."
     ],
-    "kind": [
-      "Law of contact",
-      "Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."
-    ],
     "length_mm": [
       "Length",
       ""
@@ -444,6 +455,10 @@ export default {
     "load.samples": [
       "Samples",
       "Number of points of each curve."
+    ],
+    "load.torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back; alternating: both are solved, and the worse is given."
     ],
     "lost_motion_arcmin": [
       "Limit of the lost motion",
@@ -465,9 +480,17 @@ export default {
       "Material of the pin",
       "A name of the table of materials, or values; that of the contact where not given."
     ],
+    "max_backlash_arcmin": [
+      "Largest backlash",
+      "Largest play of the unloaded output mechanism over the turn."
+    ],
     "max_deflection_mm": [
       "Largest deflection",
       "Largest deflection of the shaft at its bearings."
+    ],
+    "max_lost_motion_arcmin": [
+      "Largest lost motion",
+      "Largest rotation of the output mechanism between 3 % of the torque in both directions."
     ],
     "max_pressure_MPa": [
       "Limit of the pressure",
@@ -573,6 +596,10 @@ export default {
       "Crank angles",
       "Crank angles of the positions; the curve of the lag is taken at the first."
     ],
+    "radial_clearance_mm": [
+      "Clearance of a bearing",
+      "Radial internal clearance, as catalogues give it: half of it to either side."
+    ],
     "ratio": [
       "Ratio",
       "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
@@ -641,6 +668,10 @@ export default {
       "Root radius",
       "Radius at the root of the satellite's teeth."
     ],
+    "satellite_coupling.kind": [
+      "Coupling of the satellites",
+      "Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a given share."
+    ],
     "satellite_positions_mm": [
       "Places of the satellites",
       "Distance of the middle of each satellite from the support."
@@ -669,6 +700,10 @@ export default {
       "Shaft sections",
       "Stretches of the shaft from C to the clamp, instead of one diameter; their lengths add up to a + b."
     ],
+    "shares": [
+      "Shares of the torque",
+      "Share of each satellite, together 1."
+    ],
     "shear_modulus_GPa": [
       "Shear modulus",
       "Shear modulus of the rollers, instead of Poisson's ratio."
@@ -689,9 +724,9 @@ export default {
       "Sphere width",
       "Width of a spherical part along the roller."
     ],
-    "stiffness_N_per_mm": [
-      "Contact stiffness",
-      "Stiffness of a pair, for the linear law."
+    "stiffness_Nm_per_arcmin": [
+      "Stiffness of a mesh",
+      "Torque of one satellite over what its mesh lets it turn, for elastic coupling."
     ],
     "stiffness_min_Nm_per_arcmin": [
       "Limit of the stiffness",
@@ -704,6 +739,10 @@ export default {
     "study.samples": [
       "Samples",
       "Pieces that are drawn; samples × pairs × crank angles are bounded."
+    ],
+    "study.torque_direction": [
+      "Direction of the torque",
+      "Driving: the satellites turn the pins; reverse: the load turns them back."
     ],
     "support": [
       "Support",
@@ -724,10 +763,6 @@ export default {
     "torque_Nm": [
       "Torque",
       "Torque on the central wheel; its sign chooses the loaded flanks."
-    ],
-    "torque_direction": [
-      "Direction of the torque",
-      "Driving: the satellites turn the pins; reverse: the load turns them back."
     ],
     "torque_sign": [
       "Sign of the torque",
@@ -858,6 +893,14 @@ export default {
       "Clearance of pin and hole",
       "Otherwise fewer pairs carry, each more, and the output has lost motion."
     ],
+    "backlash": [
+      "Backlash",
+      "Otherwise the unloaded output turns by more than is asked."
+    ],
+    "lost_motion": [
+      "Lost motion",
+      "Otherwise the output gives way by more than is asked when the torque turns."
+    ],
     "wall_holes": [
       "Wall between holes",
       "Otherwise the holes overlap, or the satellite is weak between them."
@@ -919,6 +962,7 @@ export default {
     "mechanism": "Mechanism",
     "contact": "Contact of pin and hole",
     "geometry": "Pins and holes",
+    "play": "Play of the output",
     "body": "Satellite",
     "rollers": "Rollers",
     "shaft": "Bending of the shaft",
@@ -931,14 +975,18 @@ export default {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
+    "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
+    "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "yield_unknown": "No yield strength is known: enter one"
@@ -949,6 +997,7 @@ export default {
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: p = 2.31*Re (Mises)",
+    "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by load sharing",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "user": "the limit that was asked",

@@ -46,6 +46,7 @@ function fixMarkup({ applies, text, standard, then, level, effects }, i) {
 export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
+      <p class="note waiting">${message("checks.waiting")}</p>
       <ul class="rows"></ul><div class="fixes"></div>
       <details class="more" hidden><summary></summary><ul class="rows"></ul></details></section>`);
   const [first, rest] = root.querySelectorAll(".rows");
@@ -65,6 +66,7 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
     update: following(({ shown, fixes: found }) => [shown, found], ({ shown, fixes: found }) => {
       const judged = judgedOf(calculator, shown?.answer);
       root.style.visibility = shown && !judged?.checks ? "hidden" : "";
+      root.querySelector(".waiting").hidden = Boolean(judged?.checks);
       if (!judged?.checks) return;
       const rows = judged.checks.map((check) => checkRow(check, titles))
         .map((row) => ({ ...row, missing: row.missing.map(askedAt) }));

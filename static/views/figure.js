@@ -82,7 +82,7 @@ export function createFigure({ figure: about, client, titles, on }) {
 
   function post({ input, answer }, theme, signal) {
     const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer);
-    return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage);
+    return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
   /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */

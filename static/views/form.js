@@ -3,10 +3,11 @@ import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { judgedOf, pathOf } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
-import { textIn } from "../lib/form_state.js";
-import { following, readingText, unread } from "../store.js";
+import { shownFields, textIn } from "../lib/form_state.js";
+import { following, readingText, refusedAt, unread, wants } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
+import { createGrid, createNames, createSwitch } from "./wanted_fields.js";
 
 const FOLDED = ["requirements", "satellite_body", "more"]; // groups that are opened when wanted
 
@@ -61,7 +62,7 @@ function createChoice({ id, title, options }, { on }) {
 
 /**
  * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
- * `on.apply()`, `on.lengths(option)`, `on.size(path)`.
+ * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`.
  */
 export function createForm({ model, calculator, catalogues, lengths, on }) {
   const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
@@ -85,12 +86,14 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   const choices = new Map();
   let suggested = {};
 
+  const creates = (field) => ({ records: field.rows ? createGrid : createRows, names: createNames, switch: createSwitch })[field.kind] ?? createField;
+
   function addField(field, host) {
-    const create = field.kind === "records" ? createRows : createField;
-    const view = create(field, {
+    const view = creates(field)(field, {
       suggestion: suggestions[field.path],
-      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
+      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path] && !field.wanted,
       on: {
+        switched: (chosen) => on.switched(field.wanted, chosen),
         size: () => on.size(field.path),
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
@@ -113,9 +116,29 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     part.append(view.root);
   }
 
+  /** A group that is off until wanted: its switch, and once that is on its fields. */
+  function addWanted({ id, items: [gate, ...items] }) {
+    const part = element(html`<fieldset class="group card wanted" data-group="${id}"><legend class="unseen">${gate.title}</legend></fieldset>`);
+    addField(gate, part);
+    root.append(part);
+    return (state) => {
+      if (fields.has(items[0].path) || !wants(state, id)) return;
+      const host = element(html`<div class="wanted-fields"></div>`);
+      const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
+      for (const item of items) addField(item, item.advanced ? more : host);
+      host.append(more);
+      part.append(host);
+    };
+  }
+
   const isRadius = ({ name = "" }) => name.endsWith("_radius_mm");
   const firstRadius = model.groups.find(({ items }) => items.some(isRadius));
+  const wanted = [];
   for (const group of model.groups) {
+    if (group.wanted) {
+      wanted.push(addWanted(group));
+      continue;
+    }
     const part = element(html`
       <fieldset class="group card" data-group="${group.id}"><legend>${message(`group.${group.id}`)}</legend></fieldset>`);
     if (group === firstRadius) addLengths(part);
@@ -152,17 +175,26 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
 
   /** Texts, choices and messages. A field that nobody has touched asks: it is not called wrong. */
   function show(state) {
-    const { typed: { texts, chosen }, reading: { readings, filled }, refusal } = state;
-    const { missing } = unread(state);
+    const { typed: { texts, chosen }, reading: { readings, filled, besides } } = state;
+    const missing = [...unread(state).missing, ...unread(state, Object.values(besides).flat()).missing];
+    const shown = new Set(shownFields(model, state.typed));
+    for (const add of wanted) add(state);
     for (const [id, view] of choices) view.setChosen(chosen[id]);
     for (const [path, field] of model.fields) {
       const view = fields.get(path);
+      if (field.wanted) {
+        const group = view?.root.closest(".wanted-fields");
+        if (group) group.hidden = !wants(state, field.wanted);
+        if (view && field.kind !== "switch") view.root.hidden = !shown.has(field);
+        if (!view || !shown.has(field)) continue;
+      }
       const reading = missing.includes(path) ? {} : readings[path];
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
-      const names = catalogues[path] ?? field.options?.map((name) => ({ name }));
-      if (names) view.setNames(names, texts[path]);
+      const names = catalogues[path] ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
+      if (names) view.setNames?.(names, texts[path]);
       view.setText(texts[path]);
-      const refused = refusal?.at[path];
+      view.setRows?.(field.rows(filled));
+      const refused = refusedAt(state, path);
       view.setMessage({
         error: readingText(reading) || (refused?.words ?? ""),
         note: noteOf(field, reading, texts[path], filled),
@@ -193,9 +225,9 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   const sizes = following(({ shown }) => [shown], ({ shown }) => {
     const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
     const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
-    for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
+    for (const [path, view] of fields) if (!model.fields.get(path).wanted) view.setSizable?.(inputs.has(path));
   });
-  const boxes = following(({ typed, refusal, touched, insisted }) => [typed, refusal, touched, insisted], (state) => {
+  const boxes = following(({ typed, refusal, besides, touched, insisted }) => [typed, refusal, besides, touched, insisted], (state) => {
     show(state);
     suggest(state.reading.filled, state.typed.texts);
   });

@@ -66,14 +66,23 @@ export function createPlot({ label, follows, picked, clicked }) {
     cursor.style.height = `${size.h}px`;
   }
 
-  /** Pale what is not of the pair selected. */
-  function emphasise() {
+  /** How strong the traces are, so that what is not of the pair selected is paler. */
+  function emphasis(data) {
     const weight = (name) => (turn.pair === null || name === turn.pair ? 1 : 0.25);
-    const bars = root.data.map((trace) => (trace.type === "bar" ? trace.y.map(weight) : 1));
-    const chosen = root.data.map((trace) => pairsOf(trace).includes(turn.pair));
-    const lines = root.data.map((trace, i) => (pairsOf(trace).length > 0 ? (chosen[i] ? 1 : 0.6) : trace.opacity ?? 1));
-    const widths = root.data.map((trace, i) => (chosen[i] ? 3 : trace.line?.width ?? 2));
-    Plotly.restyle(root, { "marker.opacity": bars, opacity: lines, "line.width": widths });
+    const chosen = data.map((trace) => pairsOf(trace).includes(turn.pair));
+    return {
+      "marker.opacity": data.map((trace) => (trace.type === "bar" ? trace.y.map(weight) : 1)),
+      opacity: data.map((trace, i) => (pairsOf(trace).length > 0 ? (chosen[i] ? 1 : 0.6) : trace.opacity ?? 1)),
+      "line.width": data.map((trace, i) => (chosen[i] ? 3 : trace.line?.width ?? 2)),
+    };
+  }
+
+  /** The traces as strong as they are to be: to restyle them once drawn would draw them again. */
+  function emphasised(data) {
+    const { opacity, "marker.opacity": markers, "line.width": widths } = emphasis(data);
+    return data.map((trace, i) => ({
+      ...trace, opacity: opacity[i], marker: { ...trace.marker, opacity: markers[i] }, line: { ...trace.line, width: widths[i] },
+    }));
   }
 
   function listen() {
@@ -87,7 +96,6 @@ export function createPlot({ label, follows, picked, clicked }) {
     if (!follows) return;
     root.removeAllListeners("plotly_relayout");
     root.on("plotly_relayout", moveCursor);
-    emphasise();
     moveCursor();
   }
 
@@ -102,7 +110,7 @@ export function createPlot({ label, follows, picked, clicked }) {
       // Half as many labels where they would not fit side by side.
       if (layout.xaxis?.dtick && root.clientWidth < NARROW_PX) layout.xaxis = { ...layout.xaxis, dtick: layout.xaxis.dtick * 2 };
       const locales = { page: { dictionary: message("plotly"), format: {} } };
-      await Plotly.react(root, data, { ...layout, autosize: true, separators: separators() }, { ...CONFIG, locale: "page", locales });
+      await Plotly.react(root, follows ? emphasised(data) : data, { ...layout, autosize: true, separators: separators() }, { ...CONFIG, locale: "page", locales });
       listen();
     },
     /** Follow the drawing: its crank angle, the pair selected. */
@@ -111,7 +119,7 @@ export function createPlot({ label, follows, picked, clicked }) {
       turn = next;
       if (!follows || !drawn() || root.hidden) return;
       moveCursor();
-      if (other) emphasise();
+      if (other) Plotly.restyle(root, emphasis(root.data));
     },
     /** Fit what is drawn to paper, at once; null undoes it. */
     fit(size) {

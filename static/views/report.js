@@ -14,7 +14,8 @@ const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say,
 
 /** A value as the form shows it: a number, a list, a name with its title. */
 function valueText(field, value, catalogue) {
-  if (typeof value === "string") return said("materials", value) ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
+  if (typeof value === "string") return said("materials", value) ?? message("option")[value] ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
+  if (field.kind === "names") return value.map((name) => message(`quantity.${name}`)[0]).join("; ");
   if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
   return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
 }
@@ -35,7 +36,7 @@ function recordsTable({ field, value }) {
 
 function inputsMarkup(groups, catalogues) {
   return groups.map(({ id, entries }) => {
-    const flat = entries.filter(({ field }) => field.kind !== "records");
+    const flat = entries.filter(({ field }) => !["records", "switch"].includes(field.kind));
     return html`<section class="given"><h3>${message(`group.${id}`)}</h3>
       ${flat.length > 0 && html`<table class="quantities"><tbody>${flat.map((entry) => inputRow(entry, catalogues))}</tbody></table>`}
       ${entries.filter(({ field }) => field.kind === "records").map(recordsTable)}</section>`;

@@ -127,6 +127,9 @@ async def test_nothing_given_is_no_clearance(api):
     assert (await api.post(PATH, json=body)).json()["positions"][0]["play_arcmin"] == [0, 0]
 
 
+FIRST = {"geometry": "first_order", "crank_angle_deg": [37.0]}
+BEARINGS = {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.02}
+MESH = {"kind": "elastic", "stiffness_Nm_per_arcmin": 30.0}
 BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34.0}
 
 
@@ -154,6 +157,21 @@ BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34
          "different_length"),
         (changed(pin=BEND | {"satellite_positions_mm": [9, 40]}),
          "/pin/satellite_positions_mm/1", "smaller_than"),
+        (changed(crank_support=BEARINGS), "/geometry", "first_order_only"),
+        (changed(satellite_coupling={"kind": "shares", "shares": [0.5, 0.5]}), "/geometry",
+         "first_order_only"),
+        (changed(crank_support=BEARINGS, satellite_coupling=MESH, **FIRST), "/satellite_coupling",
+         "only_one"),
+        (changed(satellite_coupling={"kind": "elastic"}, **FIRST),
+         "/satellite_coupling/stiffness_Nm_per_arcmin", "needed_beside"),
+        (changed(satellite_coupling=MESH | {"shares": [0.5, 0.5]}, **FIRST),
+         "/satellite_coupling/shares", "of_another_kind"),
+        (changed(satellite_coupling={"kind": "shares", "shares": [1.0]}, **FIRST),
+         "/satellite_coupling/shares", "different_length"),
+        (changed(satellite_coupling={"kind": "shares", "shares": [0.5, 0.4]}, **FIRST),
+         "/satellite_coupling/shares", "sum_not_one"),
+        (changed(crank_support={"radial_clearance_mm": -0.01}, **FIRST),
+         "/crank_support/radial_clearance_mm", "greater_than_equal"),
         (changed(torques_Nm=[1, 0], include=["stiffness_curve"]), "/torques_Nm/1", "not_zero"),
         (changed(contact={"hole_clearance_mm": 2.5}), "", "lost_in_space"),
         (changed(contact={"hole_clearance_mm": -2}), "", "no_room_in_hole"),
@@ -215,6 +233,83 @@ async def test_warnings_are_said_once(api):
     codes = [each["code"] for each in answer["warnings"]]
     assert len(codes) == len({*codes}) and {"pressed_without_load", "reference_depth"} <= {*codes}
     assert all("play_arcmin" not in each for each in answer["positions"])
+
+
+async def test_satellites_that_give(api):
+    """Two discs, one ahead by 0.02 degrees: numbers made apart from this program."""
+    linear = {"kind": "linear", "stiffness_N_per_mm": 1e5}
+    body = changed(contact_law=linear, **FIRST)
+    body["deviations"] = {"disc_phase_deg": [0.0, 0.02]}
+    rigid = (await api.post(PATH, json=body)).json()["positions"][0]
+    assert rigid["rotation_arcmin"] == pytest.approx(3.992063361476, rel=1e-12)
+    assert "satellite_rotation_arcmin" not in rigid
+
+    async def position(**sections):
+        return (await api.post(PATH, json=body | sections)).json()["positions"][0]
+
+    arcmin = math.pi / 10800
+    mesh = {"kind": "elastic", "stiffness_Nm_per_arcmin": 1e5 * arcmin}
+    found = await position(satellite_coupling=mesh)
+    assert found["satellite_torque_Nm"] == pytest.approx([88.01503654, 111.9849635], rel=1e-9)
+    assert found["rotation_arcmin"] == pytest.approx(7.446788891, rel=1e-9)
+    discs = zip(found["satellite_torque_Nm"], found["satellite_rotation_arcmin"], strict=True)
+    for torque, own in discs:
+        assert own == pytest.approx(found["rotation_arcmin"] - torque / 1e5 / arcmin, rel=1e-12)
+    shared = await position(satellite_coupling={"kind": "shares", "shares": [0.55, 0.45]})
+    assert shared["satellite_torque_Nm"] == pytest.approx([110, 90], rel=1e-12)
+    own = shared["satellite_rotation_arcmin"]
+    assert shared["rotation_arcmin"] == pytest.approx(0.55 * own[0] + 0.45 * own[1], rel=1e-12)
+    held = await position(crank_support=BEARINGS)
+    assert held["rotation_arcmin"] > rigid["rotation_arcmin"] + 1.5
+    assert await position(satellite_coupling={"kind": "rigid"}) == rigid
+    nothing = await position(crank_support={})
+    assert nothing["rotation_arcmin"] == pytest.approx(rigid["rotation_arcmin"], rel=1e-12)
+
+
+async def test_every_section_of_satellites_that_give(api):
+    named = ["positions", "over_turn", "curves", "stiffness_curve", "ideal"]
+    body = changed(include=named, samples=5, crank_support=BEARINGS, **FIRST)
+    answer = (await api.post(PATH, json=body)).json()
+    position, turn, curves = answer["positions"][0], answer["over_turn"], answer["curves"]
+    assert max(map(max, position["force_N"])) <= turn["peak_force_N"]
+    assert turn["backlash_min_arcmin"] <= position["play_arcmin"][1] - position["play_arcmin"][0]
+    assert max(map(max, curves["force_N"])) <= turn["peak_force_N"]
+    lags = answer["stiffness_curve"]["rotation_arcmin"]
+    assert lags[-1] == position["rotation_arcmin"]
+    assert (await api.post(f"{PATH}/chart", json=body)).status_code == 200
+
+
+@pytest.mark.parametrize("support", [{}, {"crank_support": BEARINGS}])
+async def test_where_the_torque_alternates_the_worse_is_given(api, support):
+    named = ["positions", "over_turn", "curves", "pressure"]
+    angles = [0.0, 80.0, 200.0]
+    kept = FIRST | {"include": named, "samples": 37, "crank_angle_deg": angles} | support
+    driving, reverse, both = [
+        (await api.post(PATH, json=changed(load={"torque_direction": way}, **kept))).json()
+        for way in ("driving", "reverse", "alternating")
+    ]
+    assert "torque_direction" not in driving["over_turn"]
+    one_way = {"driving": driving, "reverse": reverse}
+    for one, two, found in zip(*[each["positions"] for each in (driving, reverse, both)],
+                               strict=True):  # fmt: skip
+        way = found.pop("torque_direction")
+        assert found == {"driving": one, "reverse": two}[way]
+        highest = [max(map(max, each["force_N"])) for each in (one, two, found)]
+        assert highest[2] >= max(highest) * (1 - 1e-8)
+    turn = both["over_turn"]
+    worse = one_way[turn["torque_direction"]]["over_turn"]
+    turns = [driving["over_turn"], reverse["over_turn"]]
+    for name in ("peak_force_N", "peak_crank_angle_deg", "peak_pair"):
+        assert turn[name] == worse[name]
+    for name in ("peak_force_N", "max_pressure_MPa", "transmission_error_arcmin",
+                 "input_torque_ripple_Nm", "stiffness_max_Nm_per_arcmin"):  # fmt: skip
+        assert turn[name] == max(each[name] for each in turns)
+    least = min(each["stiffness_min_Nm_per_arcmin"] for each in turns)
+    assert turn["stiffness_min_Nm_per_arcmin"] == least
+    way = both["curves"].pop("torque_direction")
+    assert both["curves"] == one_way[way]["curves"]
+    error = max(each["accuracy"]["relative_error"] for each in (driving, reverse))
+    assert both["accuracy"]["relative_error"] == error
 
 
 async def test_a_batch_takes_it(api):

@@ -173,7 +173,65 @@ async def test_a_dead_centre_fails_where_only_the_cyclogram_is_asked(api):
 
 CASES = {
     "REF": (design(), "pass", "contact_pressure_hole"),
-    "clearance": (design(contact__hole_radius_mm=10.03), "incomplete", "clearance"),
+    # 5343.0 N instead of 3333.3: 494.1 of 484.9 MPa; under 400 N*m 454.3 MPa, reserve 1.20
+    "clearance": (design(contact__hole_radius_mm=10.03), "fail", "contact_pressure_hole"),
+    "clearance and less torque": (
+        design(contact__hole_radius_mm=10.03, load__output_torque_Nm=400.0),
+        "pass",
+        "contact_pressure_hole",
+    ),
+    "clearance and hardly less torque": (
+        design(contact__hole_radius_mm=10.03, load__output_torque_Nm=460.0),
+        "marginal",
+        "contact_pressure_hole",
+    ),
+    "clearance without a limit": (
+        design(
+            contact__hole_clearance_mm=0.02,
+            contact__hole_radius_mm=None,
+            contact__hole_material="iron_grey",
+        ),
+        "incomplete",
+        "contact_pressure_pin",
+    ),
+    "interference as a clearance": (
+        design(contact__hole_clearance_mm=-0.02, contact__hole_radius_mm=None),
+        "fail",
+        "interference",
+    ),
+    "more clearance than the load can close": (
+        design(contact__hole_clearance_mm=2.1, contact__hole_radius_mm=None),
+        "incomplete",
+        "clearance",
+    ),
+    "too much backlash": (  # 4.75'
+        design(
+            contact__hole_radius_mm=10.03,
+            load__output_torque_Nm=100.0,
+            requirements={"max_backlash_arcmin": 4.5},
+        ),
+        "fail",
+        "backlash",
+    ),
+    "backlash and lost motion as asked": (
+        design(
+            contact__hole_radius_mm=10.03,
+            load__output_torque_Nm=100.0,
+            requirements={"max_backlash_arcmin": 5, "max_lost_motion_arcmin": 5},
+        ),
+        "pass",
+        "contact_pressure_hole",
+    ),
+    "pins that press by their errors": (
+        design(deviations={"pin_radial_mm": [0.002, 0, 0, 0.002, 0, 0]}),
+        "fail",
+        "interference",
+    ),
+    "bending pins, the far satellite hardly loaded": (
+        design(pin={"support": "cantilever", "satellite_positions_mm": [15, 40]}),
+        "fail",
+        "contact_pressure_hole",
+    ),
     "clearance and too much torque": (
         design(contact__hole_radius_mm=10.03, load__output_torque_Nm=1500.0),
         "fail",
@@ -230,34 +288,36 @@ async def test_verdicts_by_hand(api, name):
     assert absent == {"load", "contact", "satellite_body"} & {*answer["not_considered"]}
 
 
-@pytest.mark.parametrize("hole", [10.0, 10.0 + 5e-9, 10.0 + 2e-8, 10.03, 10.5])
-async def test_with_clearance_no_contact_is_said_to_hold(api, hole):
-    """The forces are those without: a peak of 1667 N may be 3452 N in an ordinary design."""
-    answer, checks = await asked(api, "crank-planetary", design(contact__hole_radius_mm=hole))
+@pytest.mark.parametrize("hole", [10.0 + 5e-9, 10.0 + 2e-8, 10.03])
+async def test_with_clearance_the_real_forces_are_judged(api, hole):
+    """A peak of 1667 N without clearance may be 3452 N in an ordinary design."""
+    body = design(contact__hole_radius_mm=hole, load__output_torque_Nm=300.0)
+    answer, checks = await asked(api, "crank-planetary", body)
     loose = hole > 10.0 + 1e-8
-    reserve = {"torque_reserve", "largest_torque_Nm"}
-    assert answer["verdict"] == ("incomplete" if loose else "pass")
-    assert not (reserve & {*answer}) if loose else reserve <= {*answer}
-    held = [each for each in checks.values() if each["group"] == "contact"]
-    held = [each for each in held if each["status"] != "not_applicable"]
-    assert len(held) == 5
-    for each in held:
-        assert each["status"] == ("not_checked" if loose else "pass"), each
-        assert not loose or each["reason"]["code"] == "force_law"
-        promises = {"value", "utilisation", "torque_reserve", "margin"} & {*each}
-        assert not promises if loose else promises
+    assert answer["verdict"] == "pass" and "largest_torque_Nm" in answer
+    assert ("clearance" in answer["not_considered"]) != loose
+    assert checks["clearance"]["status"] == ("not_applicable" if loose else "pass")
+    if loose:
+        sharing = {name: body[name] for name in ("mechanism", "load", "contact")}
+        response = await api.post("load-sharing", json=sharing | {"include": ["over_turn"]})
+        turn = response.json()["over_turn"]
+        highest, place = turn["max_pressure_MPa"], turn["peak_crank_angle_deg"]
+    else:
+        highest = pressure(*map(MATERIALS.get, ("steel_bearing", "steel_through_hardened")), 2e3)
+    for each in (each for each in checks.values() if each["group"] == "contact"):
+        if each["status"] != "not_applicable" and each["code"] != "contact_conformity":
+            assert each["value"] == pytest.approx(highest, rel=1e-9)
+            assert not loose or each["at"]["crank_angle_deg"] == pytest.approx(place)
 
 
-async def test_with_clearance_what_fails_fails(api):
-    """It fails under the smaller forces already; the torque that it could carry is not known."""
-    body = design(contact__hole_radius_mm=10.03, load__output_torque_Nm=1500.0)
+async def test_fixes_of_real_forces(api):
+    body = design(contact__hole_radius_mm=10.03, load__output_torque_Nm=600.0)
     answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks", "fixes"]})
-    assert answer["verdict"] == "fail" and "largest_torque_Nm" not in answer
-    assert checks["contact_pressure_hole"]["status"] == "fail"
-    assert "torque_reserve" not in checks["contact_pressure_hole"]
-    assert checks["contact_pressure_pin"]["status"] == "not_checked"
-    # what mends it makes it unknown, not safe
-    assert {each["verdict"] for each in answer["fixes"]} == {"incomplete"}
+    assert answer["verdict"] == "fail" and checks["contact_pressure_pin"]["status"] == "pass"
+    # less torque than that is passed: it is known what the design carries
+    assert answer["largest_torque_Nm"] == pytest.approx(480.85, abs=0.01)
+    assert len(answer["fixes"]) == 4
+    assert {each["verdict"] for each in answer["fixes"]} == {"pass"}
 
 
 @pytest.mark.parametrize("kind", ["none", "allowable", "both"])
@@ -390,31 +450,53 @@ async def test_the_shaft_by_hand(api):
         assert governing is None or answer["governing"] == governing
 
 
-async def test_every_fix_makes_its_check_pass(api):
+REDUCERS = [
+    {"load__output_torque_Nm": 1500.0},
+    {"contact__hole_radius_mm": 9.9},
+    {"mechanism__pins": 18},
+    {"mechanism__crank_spacing_deg": 90.0},
+    {"mechanism": {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}},
+    {"satellite_body": {"outer_radius_mm": 59.0}},
+    {"contact__hole_radius_mm": 10.05},
+]
+SHAFT = REQUESTS["precession/shaft-deflection"]
+
+
+@pytest.mark.parametrize(
+    ("path", "body"),
+    [("crank-planetary", design(**changes)) for changes in REDUCERS]
+    + [
+        ("precession/shaft-deflection", SHAFT | {"roller_radius_mm": 12.95}),
+        ("precession/shaft-deflection", SHAFT | {"shaft_diameter_mm": 92.0}),
+    ],
+)
+async def test_every_fix_makes_its_check_pass(api, path, body):
     """Each fix, applied as it says, gives the verdict that it promises."""
-    for changes in (
-        {"load__output_torque_Nm": 1500.0},
-        {"contact__hole_radius_mm": 9.9},
-        {"mechanism__pins": 18},
-        {"mechanism__crank_spacing_deg": 90.0},
-        {"satellite_body": {"outer_radius_mm": 59.0}},
-        {"contact__hole_radius_mm": 10.05},
-    ):
-        body = design(**changes) | {"include": ["checks", "fixes"]}
-        answer, _ = await asked(api, "crank-planetary", body)
-        assert answer["fixes"], changes
-        for fix in answer["fixes"]:
-            fixed = deepcopy(body) | {"include": ["checks"]}
-            for pointer, value in fix["sets"].items():
-                *path, last = pointer.split("/")[1:]
-                inner = fixed
-                for part in path:
-                    inner = inner[part]
-                inner[last] = value
-            after, checks = await asked(api, "crank-planetary", fixed)
-            assert after["verdict"] == fix["verdict"], fix
-            if fix["status"] == "solved":
-                assert checks[fix["code"]]["status"] == "pass", fix
+    body = body | {"include": ["checks", "fixes"]}
+    answer, _ = await asked(api, path, body)
+    assert answer["fixes"]
+    for fix in answer["fixes"]:
+        fixed = deepcopy(body) | {"include": ["checks"]}
+        for pointer, value in fix["sets"].items():
+            *parts, last = pointer.split("/")[1:]
+            inner = fixed
+            for part in parts:
+                inner = inner[part]
+            inner[last] = value
+        after, checks = await asked(api, path, fixed)
+        assert after["verdict"] == fix["verdict"], fix
+        if fix["status"] == "solved":
+            assert checks[fix["code"]]["status"] == "pass", fix
+
+
+async def test_satellites_that_are_alike(api):
+    """Three satellites of 21 teeth in a ring of 22 are three different parts, two are alike."""
+    teeth = {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}
+    answer, _ = await asked(
+        api, "crank-planetary", design(mechanism=teeth) | {"include": ["fixes"]}
+    )
+    (fix,) = [each for each in answer["fixes"] if each["code"] == "assembly"]
+    assert (fix["from"], fix["to"], fix["status"]) == (3, 2, "solved")
 
 
 async def test_a_pin_is_fixed_to_a_standard_size(api):

@@ -16,6 +16,7 @@ SAYS = {
     "honesty": "\nhonest",
     "load": "stopped (SIGTERM)",
     "page": "a frame",
+    "peaks": "0 peaks missed",
     "service": "parts of a request",
     "sharing": "compiling is not timed",
     "soak": "most processes",

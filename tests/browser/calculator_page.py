@@ -16,13 +16,19 @@ def show(page: Page, service: str, calculator: str, **fields: str) -> None:
     settled(page)
 
 
+def address(page: Page) -> str:
+    """The page's address, which is written when typing rests."""
+    page.wait_for_function("() => sessionStorage.getItem('khv-calc.address') === '[]'")
+    return page.url
+
+
 def reopen(page: Page) -> None:
     """Open the page's address as a stranger would."""
-    address = page.url
+    link = address(page)
     page.goto("about:blank")
-    page.goto(address)
+    page.goto(link)
     settled(page)
-    assert page.url == address
+    assert address(page) == link
 
 
 def settled(page: Page, state: str = "fresh") -> None:

@@ -10,6 +10,8 @@ import httpx
 import pytest
 from playwright.sync_api import Error, Locator, Page, Route, expect
 
+from tests.browser.calculator_page import address
+
 ZYL = {
     "mechanism.pins": "6",
     "mechanism.satellites": "1",
@@ -297,11 +299,11 @@ def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None
 
 def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     show(page, service)
-    address = page.url
-    assert address.endswith("&verdict=pass")
+    link = address(page)
+    assert link.endswith("&verdict=pass")
     notice = page.locator(".notice")
     expect(notice).to_be_hidden()
-    page.goto(address.replace("verdict=pass", "verdict=fail"))
+    page.goto(link.replace("verdict=pass", "verdict=fail"))
     expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Works”")
     page.get_by_role("button", name="Keep this design").click()
     page.evaluate(
@@ -309,13 +311,13 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
         " kept[0].verdict = 'fail';"
         " localStorage['khv-calc.designs'] = JSON.stringify(kept); }"
     )
-    page.goto(address)
+    page.goto(link)
     verdict = page.locator(".compare-table").get_by_role("row", name="Verdict")
     expect(verdict).to_contain_text("when kept: Does not work")
     expect(notice).to_be_hidden()
     page.get_by_role("button", name="Open design A").click()
     expect(notice).to_contain_text("it is now “Works”")
-    page.goto(address.replace("&verdict=pass", "").replace("v=2", "v=1") + "&lang=uk")
+    page.goto(link.replace("&verdict=pass", "").replace("v=2", "v=1") + "&lang=uk")
     expect(notice).to_contain_text("Посилання створено попередньою версією")
     notice.get_by_role("button").click()
     expect(notice).to_be_hidden()
@@ -365,13 +367,13 @@ def test_the_address_reopened_gives_the_same_numbers(page: Page, service: str) -
     change(page, lambda: option(page, "cranks", "list").check())
     change(page, lambda: box(page, "mechanism.crank_angles_deg").fill("0; 100,5"))
     numbers = page.locator(".results .value").all_text_contents()
-    address = page.url
-    assert "mechanism.crank_angles_deg=0%3B100.5" in address and "force_exponent" not in address
+    link = address(page)
+    assert "mechanism.crank_angles_deg=0%3B100.5" in link and "force_exponent" not in link
     page.goto("about:blank")
-    page.goto(address)
+    page.goto(link)
     settled(page)
     assert page.locator(".results .value").all_text_contents() == numbers
-    assert page.url == address
+    assert address(page) == link
 
 
 def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: str) -> None:

@@ -1,8 +1,9 @@
-"""The mechanism with clearance and errors from its definition: vectors, bisection, 45 digits.
+"""The mechanism with clearance and errors from its definition: vectors, false position, 45 digits.
 
-Nothing is shared with ``core``: pins and holes are points in the plane, the lag is bisected until
-the torque of all forces is the load; no derivative, no shift, no Newton. Hertz's law is inverted
-with Lambert's W, a pin in series by bisection.
+Nothing is shared with ``core``: pins and holes are points in the plane, the lag is narrowed until
+the torque of all forces is the load; no derivative, no shift, no Newton: false position, whose
+result must change the sign, else bisection. Hertz's law is inverted with Lambert's W, a pin in
+series by bisection. Of satellites that give the place or the angle is sought inside.
 """
 
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from mpmath import mp, mpc, mpf
 
 from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw, pin_compliance
 from core.output.real_mechanism import RealMechanism
+from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 
 DIGITS = 45
 SAME = mpf("1e-25")
@@ -24,6 +26,7 @@ class Exact:
     force: list[mpf]
     rotation: mpf
     play: tuple[mpf, mpf] | None
+    torques: list[mpf]
 
 
 def exact_position(real: RealMechanism, crank_angle: float, torque: float) -> Exact:
@@ -33,30 +36,97 @@ def exact_position(real: RealMechanism, crank_angle: float, torque: float) -> Ex
 
 
 def _position(real: RealMechanism, crank_angle: mpf, torque: mpf) -> Exact:
-    pairs = _pairs(real, crank_angle)
-    far = mpf(real.eccentricity) / real.pin_circle_radius * 2
+    held, far = _held(real), mpf(real.eccentricity) / real.pin_circle_radius * 2
+    satellites = _pairs(real, crank_angle)
+    if isinstance(held, Shares):
+        shares = [*map(mpf, held.shares)]
+        apart = [
+            _balanced(real, [each], share * torque, far)
+            for each, share in zip(satellites, shares, strict=True)
+        ]
+        ends = [each.play for each in apart]
+        return Exact(
+            [force for each in apart for force in each.force],
+            mp.fdot(shares, [each.rotation for each in apart]),
+            None
+            if None in ends
+            else tuple(mp.fdot(shares, end) for end in zip(*ends, strict=True)),
+            [each.torques[0] for each in apart],
+        )
+    return _balanced(real, satellites, torque, far)
 
-    def total(lag: mpf) -> mpf:
-        return mp.fsum(force(a) * lever for force, (a, lever) in _state(real, pairs, lag))
 
-    def balance(lag: mpf) -> bool:
-        return total(lag) < torque
+def _held(real: RealMechanism) -> CrankSupport | ElasticMesh | Shares | None:
+    return getattr(real, "support", None)
 
-    lag = _bisected(balance, -far, far)
-    state = _state(real, pairs, lag)
+
+def _balanced(real: RealMechanism, satellites: list, torque: mpf, far: mpf) -> Exact:
+    def loaded(lag: mpf) -> list:
+        return [_loaded(real, pairs, lag) for pairs in satellites]
+
+    def balance(lag: mpf) -> mpf:
+        return mp.fsum(own for _, own in loaded(lag)) - torque
+
+    lag = _root(balance, -far, far)
+    found = loaded(lag)
+    every = [pair for pairs in satellites for pair in pairs]
 
     def worst(lag: mpf) -> mpf:
-        return max(approach for _, (approach, _) in _state(real, pairs, lag))
+        return max(approach for _, approach, _ in _state(real, every, lag))
 
     # Play: around the lag at which the worst approach is least, as far as nothing touches.
     middle = mpf(0) if worst(mpf(0)) < SAME else _least(worst, -far, far)
     play = None
     if worst(middle) < SAME:
         play = (
-            -_bisected(lambda off: worst(-off) < 0, -middle, far),
-            _bisected(lambda lag: worst(lag) < 0, middle, far),
+            -_root(lambda off: worst(-off), -middle, far),
+            _root(worst, middle, far),
         )
-    return Exact([force(a) for force, (a, _) in state], lag, play)
+    forces = [force for own, _ in found for force in own]
+    return Exact(forces, lag, play, [own for _, own in found])
+
+
+def _loaded(real: RealMechanism, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
+    """Forces and torque of one satellite at a lag of the output."""
+
+    def forces(lag: mpf, back: mpf) -> tuple[list[mpf], mpf]:
+        state = _state(real, pairs, lag)
+        own = [law(approach - back) for law, approach, _ in state]
+        return own, mp.fsum(f * lever for f, (_, _, lever) in zip(own, state, strict=True))
+
+    held = _held(real)
+    if isinstance(held, CrankSupport):
+        gives, none = 1 / mpf(held.stiffness), mpf(0)  # the crank's bearing goes back
+        most = max(none, *(approach for _, approach, _ in _state(real, pairs, lag)))
+        back = _root(lambda x: x - gives * mp.fsum(forces(lag, x)[0]), none, most)
+        return forces(lag, back)
+    if isinstance(held, ElasticMesh):
+        gives = 1 / mpf(held.stiffness)  # the disc turns back in the ring's mesh
+        low, high = sorted((lag, lag - gives * forces(lag, mpf(0))[1]))
+        own = _root(lambda x: x + gives * forces(x, mpf(0))[1] - lag, low, high)
+        return forces(own, mpf(0))
+    return forces(lag, mpf(0))
+
+
+def _root(f, low: mpf, high: mpf) -> mpf:
+    """Root of an increasing function: false position (Illinois), sure by the signs beside it."""
+    close = mpf(10) ** (8 - DIGITS)
+    left, right, side = f(low), f(high), 0
+    if left >= 0 or right <= 0:
+        return low if left >= 0 else high
+    for _ in range(60):
+        x = (low * right - high * left) / (right - left)
+        here = f(x)
+        width = abs(x) * close + mpf(10) ** -DIGITS
+        if here == 0 or (f(x - width) <= 0 <= f(x + width)):
+            return x
+        if here < 0:
+            low, left = x, here
+            right, side = (right / 2 if side == -1 else right), -1
+        else:
+            high, right = x, here
+            left, side = (left / 2 if side == 1 else left), 1
+    return _bisected(lambda x: f(x) < 0, low, high)
 
 
 def _bisected(below, low: mpf, high: mpf) -> mpf:
@@ -67,14 +137,18 @@ def _bisected(below, low: mpf, high: mpf) -> mpf:
 
 
 def _least(f, low: mpf, high: mpf) -> mpf:
+    """Where a function is least, or anywhere below 0."""
     for _ in range(110):
         a, b = (2 * low + high) / 3, (low + 2 * high) / 3
-        low, high = (low, b) if f(a) < f(b) else (a, high)
+        at_a, at_b = f(a), f(b)
+        if at_a < 0:
+            return a
+        low, high = (low, b) if at_a < at_b else (a, high)
     return (low + high) / 2
 
 
 def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
-    """Of each pair: pin, hole, direction, and the law of its force."""
+    """Of each pair, satellite by satellite: pin, hole, direction, and the law of its force."""
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
     psi = crank_angle * (1 + 1 / ratio) + start
@@ -91,6 +165,7 @@ def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
         eta = of(d.disc_phase, j) + phase / ratio
         crank = mpc(0, 1) * mp.expj(-(psi + angle + phase))
         e = real.eccentricity + of(d.eccentricity, j)
+        pairs.append([])
         for n in range(m.pins):
             radial = mpc(0, 1) * mp.expj(2 * mp.pi * n / m.pins)
             r_p, r_h = of(d.pin_radius, n), of(d.hole_radius, j, n)
@@ -102,12 +177,13 @@ def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
             )
             reach = mpf(real.eccentricity) + real.clearance + r_h - r_p
             law = _law(real, real.pin_radius + r_p, reach, mpf(bent[j]))
-            pairs.append((pin, e * crank, hole, eta, radial, crank, e, reach, law))
+            pairs[j].append((pin, e * crank, hole, eta, radial, crank, e, reach, law))
     return pairs
 
 
 def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
-    found = []
+    found, held = [], _held(real)
+    loose = mpf(held.radial_clearance) / 2 if isinstance(held, CrankSupport) else mpf(0)
     for pin, centre, hole, eta, radial, crank, e, reach, law in pairs:
         if real.exact:
             turned = pin * mp.expj(-lag)
@@ -118,7 +194,7 @@ def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
             lever = -real.pin_circle_radius * (mp.conj(crank) * radial).imag
             off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
             approach = lever * lag - off.real - (reach - e)
-        found.append((law, (approach, lever)))
+        found.append((law, approach - loose, lever))
     return found
 
 

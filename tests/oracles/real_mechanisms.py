@@ -1,5 +1,7 @@
 """Mechanisms with clearance, deviations and elasticity, as tests draw them."""
 
+from dataclasses import replace
+
 from hypothesis import strategies as st
 
 from core.materials import ElasticMaterial
@@ -14,6 +16,7 @@ from core.output.contact_law import (
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 LAWS: list[ContactLaw] = [
@@ -64,6 +67,20 @@ def reals(draw: st.DrawFn, exact: bool | None = None, powers: bool = False) -> R
         deviations=draw(st.sampled_from([deviations, Deviations()])),
         exact=draw(st.booleans()) if exact is None else exact,
     )
+
+
+@st.composite
+def held(draw: st.DrawFn) -> RealMechanism:
+    """Satellites that give, from stiff to soft, or given shares of the torque."""
+    real = draw(reals(exact=False))
+    kind = draw(st.sampled_from([CrankSupport, ElasticMesh, Shares]))
+    if kind is CrankSupport:
+        loose = draw(st.sampled_from([0.0, 1e-6, 2e-5]))
+        return replace(real, support=CrankSupport(10.0 ** draw(st.floats(8, 18)), loose))
+    if kind is ElasticMesh:
+        return replace(real, support=ElasticMesh(10.0 ** draw(st.floats(4, 15))))
+    weights = [draw(st.floats(0.2, 1.0)) for _ in range(real.mechanism.satellites)]
+    return replace(real, support=Shares(tuple(weight / sum(weights) for weight in weights)))
 
 
 crank_angles = st.floats(0.0, 6.28)

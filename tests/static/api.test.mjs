@@ -43,6 +43,22 @@ test("what is no problem document, no JSON or no answer is a problem too", async
   await assert.rejects(nobody.get("/x"), (problem) => problem instanceof Problem && problem.status === 0);
 });
 
+test("an answer in lines says how far it is, and ends with the result, a problem, or too early", async () => {
+  const told = [];
+  const asked = (...lines) => {
+    const { calls, client } = answering(200, lines.map((line) => `${JSON.stringify(line)}\n`).join(""), "application/x-ndjson; charset=utf-8");
+    return client.post("/study", {}, { progressed: (share) => told.push(share) })
+      .finally(() => assert.match(calls[0].options.headers.accept, /x-ndjson/));
+  };
+  assert.deepEqual(await asked({ progress: 0.25 }, { progress: 1 }, { result: { samples: 4 } }), { samples: 4 });
+  assert.deepEqual(told, [0.25, 1]);
+  const problem = { status: 422, title: "no", detail: "too many", errors: [{ pointer: "/samples", code: "service_limit" }] };
+  await assert.rejects(asked({ problem }), (error) => error instanceof Problem && error.status === 422 && error.errors.length === 1);
+  await assert.rejects(asked({ progress: 0.5 }), (error) => error instanceof Problem && error.status === 0);
+  const plain = answering(200, { samples: 4 }).client;
+  assert.deepEqual(await plain.post("/study", {}, { progressed() {} }), { samples: 4 });
+});
+
 const later = (milliseconds, value) => new Promise((resolve) => setTimeout(resolve, milliseconds, value));
 
 test("a newer request aborts the older, whose late answer counts for nothing", async () => {

@@ -11,6 +11,7 @@ import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
+import { WANTED } from "./wanted.js";
 import { workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
@@ -168,7 +169,7 @@ export default {
       formula: "r_in + e",
       linked: true,
       needs: "contact.eccentricity_mm",
-      value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm),
+      value: ({ contact, besides }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm + (besides?.contact?.hole_clearance_mm ?? 0)),
       note: clearanceNote,
     },
   },
@@ -200,7 +201,7 @@ export default {
     }));
   },
 
-  mend: ({ post, input }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
+  mend: ({ post, input: { besides, ...input } }) => post("/crank-planetary", { ...input, include: ["fixes"] }),
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },
@@ -254,6 +255,7 @@ export default {
     { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
 
+  wanted: WANTED,
   worked: workedSteps,
   sentences,
   notes: ["yanchevskiy"],

@@ -124,6 +124,9 @@ function strengthSteps(section, input) {
       equation: "12",
       erratum: "compliance",
     }),
+    result(section, "relative_stress", "σ_r", {
+      formula: "σ/E", values: { σ: q("σ", section.bending_stress_MPa, "MPa"), E }, source: SOURCE, equation: "12",
+    }),
   ];
 }
 

@@ -6,6 +6,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 from tests.oracles.answers.calculation import (
     GIVEN,
     Body,
@@ -23,7 +24,7 @@ STEEL = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}
 
 def request(r: Draw) -> Body:
     """A design with clearance, any law, deviations in half; extremes differ in load and clearance
-    by decades.
+    by decades. In first order satellites may give, or share the torque as they are told.
     """
     pins, satellites = r.randint(3, 6), r.randint(1, 2)
     contact = {
@@ -52,6 +53,8 @@ def request(r: Draw) -> Body:
         "geometry": r.choice(("exact", "first_order")),
         "crank_angle_deg": [r.decimal(0, 360)],
     }
+    if body["geometry"] == "first_order" and r.chance(0.6):
+        body |= _giving(r, satellites)
     if r.chance(0.5):
         body["deviations"] = {
             "pin_radial_mm": [r.decimal(-0.01, 0.01) for _ in range(pins)],
@@ -63,6 +66,27 @@ def request(r: Draw) -> Body:
             "crank_phase_deg": [r.decimal(-0.01, 0.01) for _ in range(satellites)],
         }
     return body
+
+
+def _giving(r: Draw, satellites: int) -> Body:
+    """What the satellites give."""
+    kind = r.choice(("bearings", "elastic", "shares"))
+    if kind == "bearings":
+        stiffness = r.power(1e3, 1e12) if r.extreme else r.power(1e5, 1e6)
+        return {
+            "crank_support": {
+                "stiffness_N_per_mm": stiffness,
+                "radial_clearance_mm": r.choice((0.0, r.decimal(0, 0.03))),
+            }
+        }
+    coupling: Body = {"kind": kind}
+    if kind == "elastic":
+        stiffness = r.power(0.1, 1e12) if r.extreme else r.power(3, 300)
+        coupling["stiffness_Nm_per_arcmin"] = stiffness
+    else:
+        first = r.choice((0.3, 0.45, 0.5, 0.625))
+        coupling["shares"] = [1.0] if satellites == 1 else [first, 1 - first]
+    return {"satellite_coupling": coupling}
 
 
 def numbers(body: Body, answer: Any) -> Numbers:
@@ -140,7 +164,21 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
     )
     torque = typed(load["output_torque_Nm"])
     sign = -1 if load["torque_direction"] == "reverse" else 1
+    real.support = _support(body)
     return real, mp.radians(typed(body["crank_angle_deg"][0])), sign * torque
+
+
+def _support(body: Body) -> CrankSupport | ElasticMesh | Shares | None:
+    """What the satellites give, in decimals."""
+    if bearings := body.get("crank_support"):
+        loose = typed(bearings["radial_clearance_mm"]) / 1000
+        return CrankSupport(typed(bearings["stiffness_N_per_mm"]) * 1000, loose)
+    coupling = body.get("satellite_coupling", {"kind": "rigid"})
+    if coupling["kind"] == "elastic":
+        return ElasticMesh(typed(coupling["stiffness_Nm_per_arcmin"]) * 10800 / mp.pi)
+    if coupling["kind"] == "shares":
+        return Shares(tuple(map(typed, coupling["shares"])))
+    return None
 
 
 LOAD_SHARING = Calculation(
@@ -152,6 +190,7 @@ LOAD_SHARING = Calculation(
         "/positions/*/crank_angle_deg": GIVEN,
         "/positions/*/loaded_pairs": GIVEN,
         "/positions/*/satellite_torque_Nm/*": "sums of forces times levers",
+        "/positions/*/satellite_rotation_arcmin/*": "tests/core/test_satellite_support.py",
         "/positions/*/stiffness_Nm_per_arcmin": "jumps where pairs take up",
         "/positions/*/max_pressure_MPa": "that of /hertz, by its force",
         "/positions/*/interference_mm": "tests/core/test_real_mechanism.py",

@@ -89,6 +89,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
         "bending_moment_Nm": moment / 1000,
         "bending_stress_MPa": concentration * moment * 32 / (mp.pi * case["diameter"] ** 3),
     }
+    own["relative_stress"] = own["bending_stress_MPa"] / case["youngs_modulus"]
     if "position_tolerance_mm" in body and count == 1:
         own["relative_position_error"] = stiffness * typed(body["position_tolerance_mm"]) / mean
     found = {f"/{name}": Number(answer[name], value) for name, value in own.items()}

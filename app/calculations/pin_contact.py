@@ -1,0 +1,87 @@
+"""Pin, hole and crank with their clearance, as a request gives them: what follows from what."""
+
+from decimal import Decimal
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import ConfigDict, Field, model_validator
+
+from app.calculations.hertz import ContactFields, eccentricity, hole_radius
+from app.model import Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.units import to_si
+
+Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+RADII = ("pin_radius_mm", "eccentricity_mm", "hole_clearance_mm")
+"""What the radius of the hole is the sum of."""
+
+
+def _fit_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """The hole or the eccentricity is needed; a clearance stands beside the eccentricity."""
+    request_schema(schema, model)
+    schema["anyOf"] = [{"required": ["hole_radius_mm"]}, {"required": ["eccentricity_mm"]}]
+    schema["dependentRequired"] = {"hole_clearance_mm": ["eccentricity_mm"]}
+
+
+class PinContactFields(ContactFields):
+    """Pin, hole, crank and clearance: of hole radius, eccentricity and clearance any two say the
+    third.
+    """
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+
+    hole_radius_mm: Maybe[float] = hole_radius(default=None)  # type: ignore[assignment]
+    eccentricity_mm: Maybe[float] = eccentricity(default=None)
+    hole_clearance_mm: Maybe[Deviation] = quantity(
+        "Clearance",
+        symbol="c",
+        group="contact",
+        default=None,
+        step=0.005,
+        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_fit_schema)
+
+    @model_validator(mode="after")
+    def _radii_agree(self) -> Self:
+        hole, clearance = self.hole_radius_mm, self.hole_clearance_mm
+        if self.eccentricity_mm is None:
+            if clearance is not None:
+                raise field_error("eccentricity_mm", "needed_beside", field="hole_clearance_mm")
+            if hole is None:
+                raise field_error("hole_radius_mm", "needed", field="eccentricity_mm")
+        if hole is None or clearance is None:
+            return self
+        off = Decimal(repr(hole)) - self._sum(*RADII)
+        if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
+            expected = float(Decimal(repr(hole)) - off)
+            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
+        return self
+
+    def _sum(self, *names: str) -> Decimal:
+        """Sum of sizes, of what is not given none, in decimals as they were typed: no digit is
+        lost.
+        """
+        return sum((Decimal(repr(getattr(self, name) or 0.0)) for name in names), Decimal())
+
+    def hole_mm(self) -> float:
+        """Radius of the hole: given, or by pin, eccentricity and clearance."""
+        given = self.hole_radius_mm
+        return float(self._sum(*RADII)) if given is None else given
+
+    def clearance_mm(self) -> float:
+        """Radial clearance: given, or by the radii; none where no two radii say it."""
+        if self.hole_clearance_mm is not None:
+            return self.hole_clearance_mm
+        if self.hole_radius_mm is None or self.eccentricity_mm is None:
+            return 0.0
+        return float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
+
+    def fit(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
+        """Sizes of pins and holes on their circle in SI units, None for what is not given."""
+        return {
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "hole_radius": to_si("hole_radius_mm", self.hole_mm()),
+            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
+        }

@@ -1,0 +1,128 @@
+"""Is the peak of the force over the turn its peak? Scans of 60,000 positions beside it.
+
+Random mechanisms with clearance, deviations and any law, half of them with small loads and with
+pins whose errors nearly use up the clearance, which makes spikes narrower than any grid; every
+fifth has satellites that give. No position may carry more than the peak and its stated error. Run
+by `make accuracy`; designs and positions may be given: `python -m benchmarks.peaks 20 5000`.
+"""
+
+import math
+import random
+import statistics
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from itertools import repeat
+
+from benchmarks.options import options
+from core.errors import ImpossibleMechanism
+from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
+from core.output.sharing_kernel import largest
+from tests.oracles.real_mechanisms import STEEL
+
+DESIGNS, POSITIONS = 200, 60_000
+LAWS = (LinearLaw(5e7), LinearLaw(5e8), PowerLaw(1.5, 1000.0, 1e-5), PalmgrenLaw(), HertzLaw())
+
+
+@dataclass(frozen=True, slots=True)
+class Scan:
+    """What a scan found: by how much its highest force lies above the peak, relative, what was
+    stated, and by how much the even positions alone of the peak's search would lie below.
+    """
+
+    seed: int
+    above: float
+    stated: float
+
+
+def design(seed: int) -> tuple[RealMechanism, float]:
+    """A random mechanism and its torque."""
+    r = random.Random(seed)
+    pins, satellites = r.randint(3, 8), r.randint(1, 3)
+    hard = seed % 2 == 1
+    clearance = 10 ** r.uniform(-6, -4.3)
+    size = clearance * r.choice((0.3, 0.9)) if hard else 1e-5
+
+    def row(count: int) -> tuple[float, ...]:
+        return tuple(r.uniform(-size, size) for _ in range(count))
+
+    radial = list(row(pins))
+    if hard:  # what is left of the clearance of two pins is next to nothing
+        for pin in r.sample(range(pins), 2):
+            radial[pin] = -clearance * (1 - 10 ** r.uniform(-4, -1))
+    support: SatelliteSupport | None = None
+    if seed % 5 == 0:
+        shares = (0.5, 0.3, 0.2)[:satellites]
+        support = r.choice(
+            (
+                CrankSupport(10 ** r.uniform(7.5, 9), clearance / 2),
+                ElasticMesh(10 ** r.uniform(4, 6)),
+                Shares(tuple(share / sum(shares) for share in shares)),
+            )
+        )
+    real = RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=20.0),
+        pin_circle_radius=0.040,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=r.choice(LAWS),
+        clearance=clearance,
+        pin_material=STEEL,
+        hole_material=STEEL,
+        deviations=Deviations(
+            pin_radial=tuple(radial),
+            hole_tangential=tuple(row(pins) for _ in range(satellites)),
+            disc_phase=tuple(each / 0.040 for each in row(satellites)),
+        ),
+        exact=support is None and r.random() < 0.5,
+        support=support,
+    )
+    return real, 10 ** (r.uniform(-3, 1) if hard else r.uniform(1, 2.5))
+
+
+def scan(seed: int, positions: int) -> Scan | None:
+    """One design; None where it cannot work."""
+    real, torque = design(seed)
+    try:
+        turn = over_turn(real=real, output_torque=torque)
+        setup, room, highest = real.setup(1.0), real.room(), 0.0
+        for k in range(positions):
+            real.solved(2 * math.pi * (k + 0.5) / positions, torque, setup, room)
+            highest = max(highest, largest(room.force))
+    except ImpossibleMechanism:
+        return None
+    return Scan(seed, highest / turn.peak_force - 1, turn.accuracy.relative_error)
+
+
+def main(designs: int, positions: int) -> int:
+    """Scan all and say what came of it; 1 if any peak was missed."""
+    start, found = time.perf_counter(), []
+    with ProcessPoolExecutor(2) as pool:
+        for each in pool.map(scan, range(designs), repeat(positions)):
+            if each is None:
+                continue
+            found.append(each)
+            if each.above > each.stated:
+                print(f"ABOVE design {each.seed}: {each.above:.2e}, stated {each.stated:.2e}")
+            if len(found) % 20 == 0:
+                print(f"{len(found)} in {time.perf_counter() - start:.0f} s", flush=True)
+    missed = sum(each.above > each.stated for each in found)
+    above = max(each.above for each in found)
+    below = statistics.median(-each.above for each in found)
+    stated = statistics.median(each.stated for each in found)
+    print(
+        f"{len(found)} designs, {positions} positions: {missed} peaks missed; highest above "
+        f"{above:.1e}, median below {below:.1e}, stated {stated:.1e} at the median"
+    )
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    asked = options(__doc__, designs=DESIGNS, positions=POSITIONS)
+    sys.exit(main(4, 200) if asked.smallest else main(asked.designs, asked.positions))

@@ -1,0 +1,136 @@
+"""Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, Self
+
+from core.hertz import HertzContact
+from core.output.limit_torque import limit_torque
+from core.output.over_turn import TIE, OverTurn, over_turn
+from core.output.real_mechanism import RealMechanism
+
+Direction = Literal["driving", "reverse", "alternating"]
+
+WAYS: dict[Direction, tuple[float, ...]] = {
+    "driving": (1.0,),
+    "reverse": (-1.0,),
+    "alternating": (1.0, -1.0),
+}
+"""Signs of the torque in each direction."""
+
+
+@dataclass(frozen=True)
+class RealForces:
+    """The mechanism as it is made under a torque, over the turn.
+
+    Attributes
+    ----------
+    real : RealMechanism
+        The mechanism, with materials.
+    way : float
+        Sign of the torque under which the pressure is larger.
+    ways : tuple of float
+        All signs that the torque has.
+    torque : float
+        Its size, N*m.
+    turn : OverTurn
+        Extremes over the turn, in the worse direction.
+    """
+
+    real: RealMechanism
+    way: float
+    ways: tuple[float, ...]
+    torque: float
+    turn: OverTurn
+
+    @classmethod
+    def solved(cls, *, real: RealMechanism, torque: float, direction: Direction) -> Self:
+        """Forces of a mechanism.
+
+        Parameters
+        ----------
+        real : RealMechanism
+            The mechanism, with materials.
+        torque : float
+            Size of the torque, N*m, > 0.
+        direction : {"driving", "reverse", "alternating"}
+            Its direction; of both the worse counts.
+
+        Returns
+        -------
+        RealForces
+
+        Raises
+        ------
+        ImpossibleMechanism
+            See `core.output.real_mechanism.RealMechanism.solved`.
+        """
+        ways = WAYS[direction]
+        turns = {way: over_turn(real=real, output_torque=way * torque) for way in ways}
+        way = max(ways, key=lambda way: turns[way].max_pressure or 0.0)
+        return cls(real, way, ways, torque, turns[way])
+
+    @cached_property
+    def pair(self) -> int:
+        """Index of the pair with the largest pressure, satellite by satellite."""
+        pins, peak = self.real.mechanism.pins, self.turn.peak_pair
+        force = [each for row in self.turn.pair_force for each in row]
+        force[(peak.satellite - 1) * pins + peak.pin - 1] *= 1 + TIE  # of pairs alike that one
+        return self.real.hardest_pair(force)
+
+    @cached_property
+    def force(self) -> float:
+        """Force of that pair at the largest pressure, N."""
+        pins = self.real.mechanism.pins
+        force = self.turn.pair_force[self.pair // pins][self.pair % pins]
+        contact = self.real.contact(self.pair, force)
+        assert contact is not None and self.turn.max_pressure is not None
+        return force * float(self.turn.max_pressure / contact.max_pressure) ** 2
+
+    @property
+    def place(self) -> dict[str, float]:
+        """Where the largest pressure is reached; the crank angle where it is the largest force."""
+        peak, pins = self.turn.peak_pair, self.real.mechanism.pins
+        satellite, pin = self.pair // pins + 1, self.pair % pins + 1
+        place: dict[str, float] = {"satellite": satellite, "pin": pin}
+        if (peak.satellite, peak.pin) == (satellite, pin):
+            place["crank_angle"] = self.turn.peak_crank_angle
+        return place
+
+    def contact_at(self, factor: float) -> HertzContact:
+        """Contact of that pair under so many times its force.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the force, > 0.
+
+        Returns
+        -------
+        HertzContact
+        """
+        contact = self.real.contact(self.pair, self.force * factor)
+        assert contact is not None
+        return contact
+
+    def torque_factor(self, factor: float) -> float:
+        """Factor on the torque under which the largest pressure is that of so many times the force.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the force, > 0.
+
+        Returns
+        -------
+        float
+            Of the worse direction; 0 where pairs press as hard without load.
+        """
+        if not math.isfinite(factor):
+            return factor
+        force = self.force * factor
+        return min(
+            limit_torque(real=self.real, direction=way, pair=self.pair, force=force)
+            for way in self.ways
+        ) / self.torque  # fmt: skip

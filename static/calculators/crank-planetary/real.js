@@ -1,0 +1,174 @@
+/**
+ * The mechanism as it is made, with clearance, errors and elasticity: what is asked of the service and what its answer
+ * says. No DOM.
+ */
+import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
+import { message } from "../../messages/index.js";
+import { eccentricityOf } from "./mechanism.js";
+
+/** What is left between pin and hole by their sizes, without the noise of binary differences. */
+function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
+  return Number((hole - pin - eccentricity).toFixed(10));
+}
+
+/** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
+export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, ...load } = {}, contact = {}, besides = {} }) {
+  const { pin: { support, ...pin } = {}, contact_law: law, geometry, lost_motion_torque_share: share } = besides;
+  const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
+  const clearance = besides.contact?.hole_clearance_mm;
+  const { hole_radius_mm: hole, ...others } = sizes;
+  const agree = clearance !== undefined && Math.abs(clearance - playOf(sizes)) < 1e-9 * hole; // else the service says so, at the hole
+  return {
+    mechanism,
+    load: { ...load, ...besides.load },
+    contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
+    ...(law && { contact_law: law }),
+    ...(support && support !== "rigid" && { pin: { support, ...pin } }),
+    ...(geometry && { geometry }),
+    ...(share !== undefined && { lost_motion_torque_share: share }),
+  };
+}
+
+const given = (rows, name) => rows?.some((row) => row[name] !== undefined) ?? false;
+
+function chunks(list, size) {
+  return Array.from({ length: Math.ceil(list.length / size) }, (_, i) => list.slice(i * size, (i + 1) * size));
+}
+
+/** The tables of a measured part as the lists of a body; what is left empty there is 0, a column left empty is not said. */
+export function deviationsOf({ pins, holes, cranks } = {}, { pins: count }) {
+  const lists = [pins, holes, cranks].flatMap((rows) => [...new Set((rows ?? []).flatMap(Object.keys))]
+    .filter((name) => given(rows, name))
+    .map((name) => {
+      const values = rows.map((row) => row[name] ?? 0);
+      return [name, rows === holes ? chunks(values, count) : values];
+    }));
+  return lists.length > 0 ? Object.fromEntries(lists) : null;
+}
+
+/** Least and largest radial clearance of classes, `{ lower_mm, upper_mm }` of the diameters, about a nominal one. */
+export function clearanceOf(nominal, pin, hole) {
+  return [hole.lower_mm - pin.upper_mm, hole.upper_mm - pin.lower_mm].map((play) => tidy(nominal + play / 2));
+}
+
+const limits = new Map(); // of classes at diameters, as asked
+
+function limitsOf(size, name, client) {
+  const query = new URLSearchParams({ size_mm: tidy(size), class: name });
+  const path = `/tolerances?${query}`;
+  if (!limits.has(path)) {
+    limits.set(path, client.get(path).then(({ tolerances: [found] }) => found).catch((problem) => {
+      limits.delete(path);
+      throw problem;
+    }));
+  }
+  return limits.get(path);
+}
+
+export const live = true;
+
+/** What the boxes ask: the body, but for a fit still by its classes. */
+export function asked(input, { mechanism }) {
+  const { real: { play, pin_class: pin, hole_class: hole } = {}, deviations } = input.besides ?? {};
+  const said = deviationsOf(deviations, mechanism);
+  return { ...designOf(input), ...(said && { deviations: said }), ...(play === "fits" && { fit: { pin, hole } }) };
+}
+
+/** The body of the request: with the mean clearance of a fit, and it from least to most. */
+export async function bodyOf({ fit, ...design }, client) {
+  if (!fit) return design;
+  const { hole_radius_mm: radius, ...contact } = design.contact;
+  const [pin, hole] = await Promise.all([
+    limitsOf(2 * contact.pin_radius_mm, fit.pin, client), limitsOf(2 * radius, fit.hole, client),
+  ]);
+  const [least, most] = clearanceOf(playOf(design.contact), pin, hole);
+  return { ...design, contact: { ...contact, hole_clearance_mm: tidy((least + most) / 2) }, fit: [least, most] };
+}
+
+/** The body as the service takes it. */
+export const sent = ({ fit, ...body }) => body;
+
+export function ask({ client, body, signal }) {
+  return client.post("/load-sharing", { ...sent(body), include: ["over_turn", "ideal"] }, { signal })
+    .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm ?? playOf(body.contact) }));
+}
+
+/** From one value to another, with the unit once; one value where both read the same. */
+export function range(from, to, unit, digits = 4) {
+  const [least, most] = [from, to].map((value) => quantityParts(value, unit, digits).value);
+  const last = formatQuantity(to, unit, digits);
+  return least === most ? last : message("real.range", { from: least, to: last });
+}
+
+const DOMAINS = { yaxis: [0.72, 1], yaxis2: [0.49, 0.67], yaxis3: [0.27, 0.44], yaxis4: [0, 0.18] };
+const LONG_TITLE = 18;
+
+/** A title in two lines where it is longer than its axis. */
+function broken(text) {
+  const place = text.lastIndexOf(" ", text.length * 0.6);
+  return text.length > LONG_TITLE && place > 0 ? `${text.slice(0, place)}<br>${text.slice(place + 1)}` : text;
+}
+
+/** The service's figure: pairs are told apart by colour and dashes, not by a long legend, and the ideal ones are said to be. */
+export function shaped({ data, layout }) {
+  const isPair = ({ name }) => /^\d+\.\d+$/.test(name);
+  return {
+    data: data.map((trace) => (isPair(trace)
+      ? { ...trace, showlegend: false, name: trace.line.width === 1 ? message("real.idealPair", { pair: trace.name }) : trace.name } : trace)),
+    layout: {
+      ...layout,
+      ...Object.fromEntries(Object.entries(DOMAINS).map(([axis, domain]) => [axis, {
+        ...layout[axis], domain, title: { ...layout[axis].title, text: broken(layout[axis].title.text) },
+      }])),
+    },
+  };
+}
+
+/** The numbers that decide, as cells: `{ label, value, note }`. */
+export function cells({ over_turn: turn, ideal }) {
+  const { satellite, pin } = turn.peak_pair;
+  return [
+    {
+      label: message("quantity.peak_force_N")[0],
+      value: formatQuantity(turn.peak_force_N, "N", 5),
+      note: message("verdict.peakAt", { angle: formatQuantity(turn.peak_crank_angle_deg, "°", 4), satellite, pin }),
+    },
+    {
+      label: message("real.ratio"),
+      value: formatNumber(ideal.ratio, 4),
+      note: message("real.ideal", { force: formatQuantity(ideal.peak_force_N, "N", 5) }),
+    },
+    {
+      label: message("quantity.backlash_max_arcmin")[0],
+      value: formatQuantity(turn.backlash_max_arcmin, "′", 4),
+      note: message("real.least", { value: formatQuantity(turn.backlash_min_arcmin, "′", 4) }),
+    },
+  ];
+}
+
+/** The rest as rows: `[title, value]`. */
+export function rows({ over_turn: turn, fit, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
+  const title = (name) => message(`quantity.${name}`)[0];
+  const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
+  return [
+    [message("real.clearance"), fit
+      ? message("real.fit", { range: range(...fit, "mm"), mean: formatQuantity(clearance, "mm", 4) }) : formatQuantity(clearance, "mm", 4)],
+    [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), formatQuantity(turn.lost_motion_arcmin, "′", 4)],
+    own("transmission_error_arcmin", "′"),
+    own("unloaded_transmission_error_arcmin", "′"),
+    [message("real.stiffness"), range(turn.stiffness_min_Nm_per_arcmin, turn.stiffness_max_Nm_per_arcmin, "N·m/′")],
+    [message("real.loaded"), range(turn.loaded_pairs_min, turn.loaded_pairs_max, "")],
+    own("max_pressure_MPa", "MPa"),
+    own("input_torque_ripple_Nm", "N·m"),
+  ];
+}
+
+/** What the numbers mean, `[level, sentence]`. */
+export function sentences({ over_turn: turn, ideal }, { pins, satellites }) {
+  return [
+    ["", message(ideal.ratio > 1.001 ? "real.more" : "real.alike", {
+      ratio: formatNumber(ideal.ratio, 3), loaded: range(turn.loaded_pairs_min, turn.loaded_pairs_max, ""), all: pins * satellites,
+    })],
+    turn.pressed_without_load && ["warning", message("real.pressed")],
+  ].filter(Boolean);
+}

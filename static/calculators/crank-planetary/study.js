@@ -1,0 +1,134 @@
+/** What tolerances do to the pieces: what is asked of the service and what its answer says. No DOM. */
+import { Problem } from "../../lib/api.js";
+import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
+import { fieldWords, message } from "../../messages/index.js";
+import { designOf, range } from "./real.js";
+
+const LOWER = "stiffness_min_Nm_per_arcmin"; // of which less is worse: all else is worse above
+const CLEAR = 0.02; // the share of a percentile that a tolerance has to move to be worth tightening
+
+const size = (of, by) => (by === "limits" ? "lower_mm" in of || "upper_mm" in of : of.class) && of;
+
+/** What the boxes ask: the body of the request. */
+export function asked(input) {
+  const { study: { sizes, ranked } = {}, tolerances: { pin_diameter: pin = {}, hole_diameter: hole = {}, ...given } = {}, ...besides } = input.besides ?? {};
+  const { quantities, samples, seed, crank_angles, percentiles, limits } = besides;
+  const [ofPin, ofHole] = [size(pin, sizes), size(hole, sizes)];
+  return {
+    ...designOf({ ...input, besides }),
+    tolerances: { ...given, ...(ofPin && { pin_diameter: ofPin }), ...(ofHole && { hole_diameter: ofHole }) },
+    quantities, samples, seed, crank_angles, percentiles,
+    ...(limits && { limits }),
+    include: ["histogram", ...ranked === "ranked" ? ["contributions"] : []],
+  };
+}
+
+export const bodyOf = async (body) => body;
+
+const tooMany = ({ errors }) => errors?.find(({ pointer, code }) => pointer === "/samples" && code === "service_limit")?.params.limit;
+
+/** The answer; where there are too many samples for the contributions, without these and `most`, how many there may be. */
+export async function ask({ client, body, signal, progressed }) {
+  const post = (one) => client.post("/tolerance-study", one, { signal, progressed });
+  try {
+    return await post(body);
+  } catch (problem) {
+    const most = problem instanceof Problem ? tooMany(problem) : undefined;
+    if (most === undefined || !body.include.includes("contributions")) throw problem;
+    try {
+      return { ...await post({ ...body, include: ["histogram"] }), most };
+    } catch (other) {
+      throw tooMany(other) === undefined ? other : problem;
+    }
+  }
+}
+
+export const titleOf = (name) => message(`quantity.${name}`)[0];
+
+const share = (value, digits = 3) => `${formatNumber(100 * value, digits)}\u00a0%`;
+const digitsOf = ({ value, low, high }) => Math.max(3, shownDigits((high - low) / 2 / Math.abs(value), 4) + 2);
+
+function estimate(one, unit) {
+  const digits = digitsOf(one);
+  return { value: formatQuantity(one.value, unit, digits), interval: range(one.low, one.high, unit, digits) };
+}
+
+/** A quantity for its table and figure. */
+export function quantityOf(name, of) {
+  const unit = unitOf(name);
+  const amount = (value) => formatQuantity(value, unit, 4);
+  const marks = [
+    { id: "nominal", title: message("study.nominal"), at: of.nominal, value: amount(of.nominal), interval: "" },
+    ...of.percentiles.map((one) => ({
+      id: `p${one.percent}`, title: message("study.percentile", { percent: formatNumber(one.percent) }), at: one.value, ...estimate(one, unit),
+    })),
+    ...(of.yield ? [{
+      id: "limit",
+      title: message("study.yield", { limit: amount(of.yield.limit) }),
+      at: of.yield.limit,
+      value: share(of.yield.value),
+      interval: message("real.range", { from: formatNumber(100 * of.yield.low, 3), to: share(of.yield.high) }),
+    }] : []),
+  ];
+  return { name, title: titleOf(name), unit, marks, histogram: of.histogram, contributions: of.contributions };
+}
+
+/** How the histogram is drawn: bars and marks as shares of its width and height. */
+export function barsOf({ edges, counts }, marks) {
+  const [low, high] = marks.reduce(([from, to], { at }) => [Math.min(from, at), Math.max(to, at)], [edges[0], edges.at(-1)]);
+  const width = high - low || 1;
+  const most = Math.max(...counts);
+  const along = (value) => (value - low) / width;
+  return {
+    low,
+    high,
+    bars: counts.map((count, i) => ({ x: along(edges[i]), width: along(edges[i + 1]) - along(edges[i]), height: count / most, count })),
+    marks: marks.map(({ id, at }) => ({ id, x: along(at) })),
+  };
+}
+
+/** The ranked contributions: `{ title, total, error, alone, without, change }`, of the first quantity. */
+export function ranked(name, { contributions = [], percentiles }) {
+  const unit = unitOf(name);
+  const at = ({ percent }) => percentiles.find((one) => one.percent === percent)?.value;
+  return contributions.map(({ source, total, total_error: error, first, percentile_without: without }) => ({
+    source,
+    title: sourceTitle(source),
+    total: Math.max(total, 0),
+    text: `${share(Math.max(total, 0), 2)} ± ${share(1.96 * error, 2)}`,
+    alone: share(Math.max(first, 0), 2),
+    percent: without.percent,
+    without: estimate(without, unit).value,
+    change: at(without) ? without.value / at(without) - 1 : 0,
+    clear: at(without) !== undefined && (name === LOWER ? without.value > at(without) : without.value < at(without)),
+  }));
+}
+
+/** A tolerance by its name in the request. */
+export const sourceTitle = (source) => (fieldWords(source, "tolerances") ?? [source])[0];
+
+/** What to tighten first, and what does hardly anything, `[level, sentence]`. */
+export function advice(name, of) {
+  const rows = ranked(name, of);
+  if (rows.length === 0) return [];
+  const [best] = rows.filter(({ clear, change }) => clear && Math.abs(change) > CLEAR).sort((one, other) => Math.abs(other.change) - Math.abs(one.change));
+  const quantity = titleOf(name);
+  const idle = rows.filter(({ change, total }) => Math.abs(change) < CLEAR / 2 && total < 0.1).map(({ title }) => title);
+  return [
+    best ? ["", message("study.tighten", { quantity, source: best.title, percent: formatNumber(best.percent), without: best.without, change: share(Math.abs(best.change), 2) })]
+      : ["", message("study.none", { quantity })],
+    idle.length > 0 && ["", message("study.idle", { sources: idle.join("; ") })],
+    rows.reduce((sum, { total }) => sum + total, 0) > 1.2 && ["", message("study.together")],
+  ].filter(Boolean);
+}
+
+/** How exact it is, in words. */
+export function exactness({ samples, cannot_assemble: pressed, cannot_work: broken, accuracy, most }, { crank_angles: angles }) {
+  return [
+    ["", message("study.sampling", { error: share(accuracy.sampling_error, 2), samples })],
+    ["", message("study.grid", { error: share(accuracy.angle_grid_error, 2), angles })],
+    pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: share(pressed.low, 2), high: share(pressed.high, 2) })],
+    broken > 0 && ["bad", message("study.broken", { count: broken })],
+    most !== undefined && ["warning", message("study.most", { most })],
+  ].filter(Boolean);
+}

@@ -1,0 +1,97 @@
+/** What tolerances do: the study is run by a button, and its numbers stay, marked where they are of earlier inputs. */
+import { formatQuantity } from "../lib/format.js";
+import { element, fill, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { following, hinderedBesides } from "../store.js";
+import { sign } from "./parts.js";
+
+const [WIDTH, HEIGHT] = [600, 150];
+
+const px = (share, of) => (share * of).toFixed(2);
+
+/** The histogram as bars, the marks as lines across it; what these are stands in the table beside it. */
+function histogramMarkup({ title, unit, histogram, marks }, barsOf) {
+  const { low, high, bars, marks: lines } = barsOf(histogram, marks);
+  const label = message("study.histogram", { quantity: title, marks: marks.map((mark) => `${mark.title} ${mark.value}`).join("; ") });
+  return html`<div class="histogram" role="img" aria-label="${label}">
+    <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" aria-hidden="true">
+      ${bars.map(({ x, width, height }) => html`<rect x="${px(x, WIDTH)}" y="${px(1 - 0.95 * height, HEIGHT)}" width="${px(width, WIDTH)}" height="${px(0.95 * height, HEIGHT)}"/>`)}
+      ${lines.map(({ id, x }, i) => html`<line class="mark-${id === "limit" || id === "nominal" ? id : i}" x1="${px(x, WIDTH)}" x2="${px(x, WIDTH)}" y1="0" y2="${HEIGHT}"/>`)}
+    </svg><p class="ends" aria-hidden="true"><span>${formatQuantity(low, unit, 4)}</span><span>${formatQuantity(high, unit, 4)}</span></p></div>`;
+}
+
+function quantityMarkup(quantity, barsOf) {
+  return html`<section class="studied" data-quantity="${quantity.name}"><h3>${quantity.title}</h3>
+    ${quantity.histogram && histogramMarkup(quantity, barsOf)}
+    <table class="data"><thead class="unseen"><tr><th></th><th scope="col">${message("study.value")}</th><th scope="col">${message("study.interval")}</th></tr></thead>
+      <tbody>${quantity.marks.map(({ id, title, value, interval }, i) => html`<tr>
+        <th scope="row"><svg class="key" viewBox="0 0 24 8" aria-hidden="true"><line class="mark-${id === "limit" || id === "nominal" ? id : i}" x1="0" x2="24" y1="4" y2="4"/></svg>${title}</th>
+        <td>${value}</td><td class="note">${interval}</td></tr>`)}</tbody></table></section>`;
+}
+
+function rankedMarkup(title, rows) {
+  if (rows.length === 0) return "";
+  return html`<section class="ranked"><h3>${message("study.contributions", { quantity: title })}</h3>
+    <div class="grid-rows" tabindex="0" role="region" aria-label="${message("study.contributions", { quantity: title })}"><table class="data">
+    <thead><tr>${["source", "total", "alone"].map((name) => html`<th scope="col">${message(`study.${name}`)}</th>`)}
+      <th scope="col">${message("study.without", { percent: rows[0].percent })}</th></tr></thead>
+    <tbody>${rows.map(({ title: source, total, text, alone, without }) => html`<tr><th scope="row">${source}
+      <svg class="share" viewBox="0 0 100 6" preserveAspectRatio="none" aria-hidden="true"><rect class="whole" width="100" height="6"/><rect width="${px(Math.min(total, 1), 100)}" height="6"/></svg></th>
+      <td>${text}</td><td>${alone}</td><td>${without}</td></tr>`)}</tbody></table></div></section>`;
+}
+
+export function createView({ id, logic, asking }) {
+  const root = element(html`
+    <div class="study"><div class="run">
+        <button type="button" class="primary" data-do="run">${message("study.run")}</button>
+        <button type="button" class="toggle" data-do="stop" disabled>${message("study.stop")}</button>
+        <progress max="1" value="0" aria-label="${message("study.running")}"></progress></div>
+      <p class="state" role="status">${message("study.idleYet")}</p>
+      <div class="outcome"></div></div>`);
+  const [run, stop] = root.querySelectorAll("button");
+  const bar = root.querySelector("progress");
+  const line = root.querySelector(".state");
+  run.addEventListener("click", () => asking.ask());
+  stop.addEventListener("click", () => asking.stop());
+
+  const outcome = following(({ answer }) => [answer], ({ answer, body }) => {
+    if (!answer) return;
+    const [first] = Object.entries(answer.quantities);
+    const names = body.quantities ?? Object.keys(answer.quantities);
+    const [leading] = names;
+    const of = answer.quantities[leading] ?? first[1];
+    const words = [...logic.advice(leading, of), ...logic.exactness(answer, body)];
+    fill(root.querySelector(".outcome"), html`
+      <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
+      <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>
+      ${rankedMarkup(logic.titleOf(leading), logic.ranked(leading, of))}`);
+  });
+
+  return {
+    root,
+    update(state) {
+      const now = state.besides[id] ?? {};
+      const { phase, progress, answer, body, of, refusal } = now;
+      const running = phase === "computing";
+      const { reading: { input } } = state;
+      const older = Boolean(answer) && JSON.stringify(logic.asked(input)) !== of;
+      if (phase) root.dataset.begun = "true";
+      run.disabled = running;
+      run.textContent = message(answer && !older ? "study.again" : "study.run");
+      stop.disabled = !running;
+      bar.classList.toggle("idle", !running);
+      if (running && progress === undefined) bar.removeAttribute("value");
+      else bar.value = running ? progress : 0;
+      const words = {
+        computing: progress === undefined ? message("study.running") : message("study.done", { percent: Math.round(100 * progress) }),
+        incomplete: message("besides.needed", { fields: hinderedBesides(state, id) }),
+        stopped: message("besides.stopped"), refused: refusal?.text, offline: refusal?.text,
+      }[phase] ?? (answer ? "" : message("study.idleYet"));
+      line.textContent = [words, older && message("besides.older")].filter(Boolean).join(" ");
+      line.classList.toggle("bad", phase === "refused" || phase === "offline");
+      root.querySelector(".outcome").dataset.stale = String(older || running);
+      outcome({ answer, body: body ?? {} });
+    },
+    close() {},
+  };
+}

@@ -1,0 +1,51 @@
+/** The places of the groups that are off until wanted: hidden until then; what is shown there is loaded when one is switched on. */
+import { element, html } from "../lib/html.js";
+import { message } from "../messages/index.js";
+import { wants } from "../store.js";
+
+/** `with` are `{ store, client, titles, figures }` for the views; a figure of theirs joins `figures`, those of the report. */
+export function createWanted({ calculator, ...parts }) {
+  const root = element(html`<div class="besides"></div>`);
+  const groups = (calculator.wanted ?? []).map(({ id, load }) => {
+    const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
+      <h2 id="wanted-${id}">${message(`${id}.title`)}</h2></section>`);
+    root.append(place);
+    return { id, load, place, loading: null, asking: null, view: null };
+  });
+  let closed = false;
+
+  async function open(group) {
+    try {
+      const [[logic, { createView }], { createBeside }] = await Promise.all([group.load(), import("../besides.js")]);
+      if (closed) return;
+      group.asking = createBeside({ ...parts, id: group.id, logic });
+      group.view = createView({ ...parts, id: group.id, logic, asking: group.asking });
+      group.place.append(group.view.root);
+      update(parts.store.state);
+    } catch {
+      group.loading = null; // the next change tries again
+    }
+  }
+
+  function update(state) {
+    for (const group of groups) {
+      const on = wants(state, group.id);
+      group.place.hidden = !on;
+      if (on) group.loading ??= open(group);
+      group.asking?.update(state);
+      if (on) group.view?.update(state);
+    }
+  }
+
+  return {
+    root,
+    update,
+    close() {
+      closed = true;
+      for (const { asking, view } of groups) {
+        asking?.cancel();
+        view?.close();
+      }
+    },
+  };
+}

@@ -1,0 +1,256 @@
+"""Checks under the forces with clearance, deviations and elasticity.
+
+Design A: 8 pins, one satellite, 0.02 mm of clearance, linear contacts. Its peak, 943.4911197529 N,
+and its backlash, 7.431963784', were calculated with 40 digits by vectors and bisection.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from core.checks.check import Check
+from core.checks.crank_design import MOST_REAL_PAIRS, CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.pin_contact import real_reserve
+from core.checks.real_forces import RealForces
+from core.fixes import crank_fixes, vary
+from core.materials import ContactLimit
+from core.output.contact_force import ContactForce
+from core.output.contact_law import LinearLaw, PinSupport
+from core.output.real_mechanism import Deviations
+from tests.oracles.checks import HOLE, MODULUS, PIN, REF, says
+
+A = CrankDesign(
+    pins=8,
+    satellites=1,
+    ratio=18.0,
+    output_torque=30.0,
+    pin_circle_radius=0.02,
+    contact_length=0.01,
+    pin_radius=0.003,
+    hole_radius=0.00452,
+    eccentricity=0.0015,
+    pin_material=PIN,
+    hole_material=HOLE,
+    law=LinearLaw(stiffness=5e7),
+)
+PEAK, BACKLASH = 943.4911197529, math.radians(7.431963784 / 60)
+PRESSURE = math.sqrt(PEAK / 0.01 * MODULUS / math.pi * (1 / 0.003 - 1 / 0.00452))
+UNEVEN = Deviations(pin_radial=(1e-5, 0, 0, 0, -1e-5, 0, 0, 0), pin_radius=(2e-6, *[0.0] * 7))
+ONE_SIDED = Deviations(pin_tangential=(-1e-5, *[0.0] * 7))
+
+
+def limited(design: CrankDesign, limit: float) -> CrankDesign:
+    """With another allowable pressure of the hole."""
+    return replace(design, hole_material=replace(HOLE, limit=ContactLimit("given", limit)))
+
+
+@pytest.mark.parametrize(("part", "status"), [(2.0, "pass"), (1.01, "marginal"), (0.999, "fail")])
+def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None:
+    found = CRANK["contact_pressure_hole"](limited(A, 1.2 * part * PRESSURE))
+    assert found.value == pytest.approx(PRESSURE, rel=1e-10)
+    assert (found.status, found.limit) == (status, pytest.approx(part * PRESSURE))
+    assert {*found.at} == {"satellite", "pin", "crank_angle"}
+    ideal = replace(A, hole_radius=0.0045, law=None)
+    assert CRANK["contact_pressure_hole"](ideal).value < 0.9 * PRESSURE  # type: ignore[operator]
+
+
+@pytest.mark.parametrize(
+    "design",
+    [
+        A,
+        replace(A, torque_direction="reverse"),
+        replace(A, deviations=UNEVEN),
+        replace(A, deviations=ONE_SIDED, torque_direction="alternating"),
+        replace(A, law=None, dynamic_factor=1.25),
+        replace(A, pin=PinSupport("cantilever", 0.006, (0.01,), PIN), law=None),
+        replace(A, hole_radius=0.0045, law=LinearLaw(stiffness=5e7)),
+    ],
+    ids=["A", "reverse", "deviations", "alternating", "dynamic", "pins", "no clearance"],
+)
+@pytest.mark.parametrize("limit", [400e6, 2400e6])
+def test_under_the_torque_of_the_reserve_the_pressure_is_at_its_limit(
+    design: CrankDesign, limit: float
+) -> None:
+    design = limited(design, limit)
+    found = CRANK["contact_pressure_hole"](design)
+    assert found.torque_reserve is not None and design.output_torque is not None
+    there = replace(design, output_torque=design.output_torque * found.torque_reserve)
+    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-8)
+    alone = real_reserve(design=design, limit=limit / 1.2)
+    assert alone == pytest.approx(found.torque_reserve, rel=1e-9)
+
+
+def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
+    """With more torque more pairs carry."""
+    found = CRANK["contact_pressure_hole"](limited(A, 3.0 * 1.2 * PRESSURE))
+    assert found.torque_reserve is not None and found.torque_reserve > 9.2
+
+
+def test_where_the_lag_ends_the_reserve_ends() -> None:
+    found = CRANK["contact_pressure_hole"](limited(A, 1e12))
+    assert found.torque_reserve is not None
+    there = replace(A, output_torque=30.0 * found.torque_reserve * 1.001)
+    assert CRANK["contact_pressure_hole"](there).reason == "no_balance"
+
+
+def test_of_both_directions_the_worse_is_judged() -> None:
+    pressures = {
+        way: CRANK["contact_pressure_hole"](
+            replace(A, deviations=ONE_SIDED, torque_direction=way)
+        ).value
+        for way in ("driving", "reverse", "alternating")
+    }
+    one, other, both = pressures.values()
+    assert one is not None and other is not None and abs(one / other - 1) > 0.01
+    assert both == max(one, other)
+
+
+def test_without_deviations_both_directions_are_alike() -> None:
+    for design in (A, replace(A, hole_radius=0.0045, law=None)):
+        one, other = (
+            CRANK["contact_pressure_hole"](replace(design, torque_direction=way))
+            for way in ("driving", "reverse")
+        )
+        assert one.value == pytest.approx(other.value, rel=1e-9)
+
+
+@pytest.mark.parametrize(("part", "status"), [(1.0001, "pass"), (0.9999, "fail")])
+def test_backlash(part: float, status: str) -> None:
+    limit = part * BACKLASH
+    says(
+        replaced(CRANK["backlash"](replace(A, max_backlash=limit))),
+        status=status, value=BACKLASH, limit=limit, utilisation=1 / part,
+    )  # fmt: skip
+
+
+def replaced(check: Check) -> Check:
+    """With the backlash as it was printed, where it is that to all its digits."""
+    assert check.value == pytest.approx(BACKLASH, rel=2e-10)
+    assert check.utilisation is not None and check.limit is not None
+    return replace(check, value=BACKLASH, utilisation=BACKLASH / check.limit)
+
+
+def test_lost_motion_is_backlash_and_what_gives() -> None:
+    lost = CRANK["lost_motion"](A).value
+    assert lost is not None
+    # 0.9 N*m on 5e7 N/m at 20 mm, of one pair at least, of four at most
+    assert 2 * 0.9 / (4 * 5e7 * 4e-4) < lost - BACKLASH < 2 * 0.9 / (5e7 * 4e-4) * 1.1
+    for part, status in ((1.001, "pass"), (0.999, "fail")):
+        check = CRANK["lost_motion"](replace(A, max_lost_motion=part * lost))
+        assert (check.status, check.utilisation) == (status, pytest.approx(1 / part))
+    # it is that at the torque itself, not at the dynamic one
+    dynamic = replace(A, dynamic_factor=1.5)
+    assert CRANK["lost_motion"](dynamic).value is None
+    asked = CRANK["lost_motion"](replace(dynamic, max_lost_motion=1.0))
+    assert asked.value == pytest.approx(lost, rel=1e-12)
+
+
+def test_play_that_nobody_asks_for() -> None:
+    for code in ("backlash", "lost_motion"):
+        found = CRANK[code](A)
+        assert (found.status, found.reason) == ("not_asked", "no_limit")
+        assert found.missing == (f"max_{code}",) and found.value is not None
+        assert CRANK[code](replace(A, eccentricity=None)).status == "not_asked"
+        assert CRANK[code](REF).value == (0.0 if code == "backlash" else None)
+
+
+def test_play_without_clearance() -> None:
+    asked = replace(REF, max_backlash=1e-6, max_lost_motion=1e-3)
+    says(CRANK["backlash"](asked), status="pass", value=0.0, limit=1e-6, utilisation=0.0)
+    lost = CRANK["lost_motion"](asked)
+    assert lost.status == "pass" and lost.value is not None and 0 < lost.value < 1e-4
+    tight = replace(asked, hole_radius=0.00999)
+    assert CRANK["backlash"](tight).value == 0.0
+    for code in ("backlash", "lost_motion"):
+        unknown = CRANK[code](replace(asked, eccentricity=None))
+        says(
+            unknown, status="not_checked", value=None, reason="eccentricity_missing",
+            missing=("eccentricity",),
+        )  # fmt: skip
+
+
+UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
+    "too many pairs": ({"pins": MOST_REAL_PAIRS + 1}, "too_many_pairs"),
+    "too soft": ({"law": LinearLaw(stiffness=1e3)}, "no_balance"),
+    "too loose": ({"hole_radius": 0.0065}, "no_balance"),
+    "too wide": ({"law": None, "output_torque": 1e5}, "no_pressure"),
+    "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "no_balance"),
+}
+
+
+@pytest.mark.parametrize("name", UNSOLVED)
+def test_where_the_forces_are_not_known_nothing_passes(name: str) -> None:
+    changes, reason = UNSOLVED[name]
+    design = replace(A, **changes, max_backlash=1.0, max_lost_motion=1.0)
+    found = crank_checks(design)
+    for code in ("contact_pressure_pin", "contact_yield_hole", "contact_conformity", "backlash"):
+        check = found[code]
+        assert (check.status, check.reason, check.value) == ("not_checked", reason, None), code
+        assert check.torque_reserve is None
+    assert found["lost_motion"].status == "not_checked"
+    assert (found["clearance"].status, found["clearance"].reason) == ("marginal", "force_law")
+    assert found.verdict in ("incomplete", "fail") and found.torque_reserve is None
+    assert "clearance" in found.not_considered
+
+
+def test_deviations_that_press_are_interference() -> None:
+    large = Deviations(pin_radial=(5e-5, 0, 0, 0, 5e-5, 0, 0, 0))
+    found = crank_checks(replace(A, deviations=large))
+    fit = found["interference"]
+    assert (fit.status, fit.reason, fit.impossible) == ("fail", "pressed_without_load", False)
+    assert found.verdict == "fail"
+    assert CRANK["interference"](replace(A, deviations=UNEVEN)).status == "pass"
+
+
+def test_which_forces_are_judged() -> None:
+    ideal = replace(A, hole_radius=0.0045, law=None)
+    for design, kind in (
+        (ideal, ContactForce),
+        (replace(ideal, hole_radius=0.0045 + 4e-12), ContactForce),  # rounding
+        (replace(ideal, hole_radius=0.0044), ContactForce),  # fails as interference
+        (replace(ideal, eccentricity=None), ContactForce),
+        (replace(ideal, hole_radius=0.0045 + 1e-11), RealForces),
+        (replace(ideal, law=A.law), RealForces),
+        (replace(ideal, deviations=Deviations()), RealForces),
+    ):
+        assert isinstance(design.judged_forces, kind)
+        found = crank_checks(design)
+        assert ("clearance" in found.not_considered) == (kind is ContactForce)
+        assert (found["clearance"].reason == "real_forces") == (
+            kind is RealForces and (design.clearance or 0) > 0
+        )
+
+
+def test_fixes_cure() -> None:
+    design = limited(A, PRESSURE)
+    design = replace(design, max_backlash=0.5 * BACKLASH, max_lost_motion=0.6 * BACKLASH)
+    current = crank_checks(design)
+    fixes = crank_fixes(
+        design=design, codes=["contact_pressure_hole", "backlash", "lost_motion"], current=current
+    )
+    assert {(each.code, each.variable) for each in fixes} == {
+        ("backlash", "hole_radius"),
+        ("lost_motion", "hole_radius"),
+        *(
+            ("contact_pressure_hole", name)
+            for name in ("contact_length", "pin_radius", "pin_circle_radius", "output_torque")
+        ),
+    }
+    for fix in fixes:
+        assert fix.status == "solved"
+        cured = CRANK[fix.code](vary(design=design, variable=fix.variable, value=fix.after))
+        assert cured.status == "pass", fix
+        step = 1.1e-7 if fix.variable == "hole_radius" else (fix.before - fix.exact) * 1e-3
+        short = fix.exact + step  # of the hole a tenth of a micrometre, as it is rounded
+        nearly = CRANK[fix.code](vary(design=design, variable=fix.variable, value=short))
+        assert nearly.status != "pass", fix
+
+
+def test_a_larger_pin_without_sleeve_is_stiffer() -> None:
+    bent = replace(A, pin=PinSupport("cantilever", 0.006, (0.01,), PIN))
+    assert vary(design=bent, variable="pin_radius", value=0.004).pin.diameter == 0.008  # type: ignore[union-attr]
+    sleeve = replace(bent, pin=PinSupport("cantilever", 0.004, (0.01,), PIN))
+    assert vary(design=sleeve, variable="pin_radius", value=0.004).pin == sleeve.pin

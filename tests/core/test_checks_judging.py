@@ -1,0 +1,90 @@
+"""How a value is judged against its limit, and the order of checks, by hand."""
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from core.checks.check import Check, judged, verdict
+
+
+@pytest.mark.parametrize(
+    ("changes", "status", "reason"),
+    [
+        # value 1: limit, sense, reserve, error, warning
+        ({"limit": 1.0}, "pass", ""),  # a size that is asked for is there
+        ({"limit": 1.0, "reserve": 1.0}, "marginal", ""),
+        ({"limit": 1.0, "reserve": 1.0, "error": 2e-9}, "marginal", "pressure_error"),
+        ({"limit": 1.0, "reserve": 1.0, "error": 1e-10}, "marginal", ""),
+        ({"limit": 0.99, "reserve": 0.98}, "fail", ""),
+        ({"limit": 0.99}, "fail", ""),
+        ({"limit": 0.99, "warning": "uneven"}, "marginal", "uneven"),
+        ({"limit": 1.01, "warning": "uneven", "reserve": 1.01}, "pass", ""),
+        ({"limit": 1.01, "reserve": 1.0201}, "marginal", ""),
+        ({"limit": 1.01}, "pass", ""),
+        ({"limit": 1.01, "keep": "above"}, "fail", ""),
+        ({"limit": 0.99, "keep": "above"}, "pass", ""),
+        ({"limit": 0.95, "reserve": 0.9, "error": 0.06}, "marginal", "pressure_error"),
+        ({"limit": 0.95, "reserve": 0.9, "error": 0.04}, "fail", ""),
+        ({"limit": 1.2, "reserve": 1.1}, "pass", ""),
+        ({"limit": 1.2, "reserve": 1.0999}, "marginal", ""),
+    ],
+)
+def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
+    limit = changes.pop("limit")
+    found = judged("contact_pressure_pin", 1.0, limit, **changes)
+    changes["limit"] = limit
+    assert (found.status, found.reason) == (status, reason)
+    assert found.utilisation == pytest.approx(
+        limit if changes.get("keep") == "above" else 1 / limit, rel=1e-15
+    )
+    assert found.torque_reserve == changes.get("reserve")
+    assert found.warning == ("warning" in changes)
+
+
+def test_utilisation_needs_something_to_use() -> None:
+    for value, limit, keep, used in (
+        (1.0, 0.0, "below", None),
+        (0.0, 1.0, "below", 0.0),
+        (-1.0, 1.0, "below", None),
+        (0.0, 1.0, "above", None),
+        (-1.0, 1.0, "above", None),
+        (1.0, 0.0, "above", 0.0),
+    ):
+        found = judged("wall_holes", value, limit, keep=keep)  # type: ignore[arg-type]
+        assert found.utilisation == used
+        assert found.margin == (limit - value if keep == "below" else value - limit)
+    assert Check(code="wall_holes", status="not_checked", value=1.0).margin is None
+    assert Check(code="wall_holes", status="not_checked", limit=1.0).margin is None
+
+
+def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
+    unknown = [
+        Check(code="wall_rim", status="not_applicable"),
+        Check(code="assembly", status="not_asked"),
+        Check(code="clearance", status="not_checked"),
+    ]
+    half, most = (judged("wall_holes", 1.0, part, keep="above") for part in (0.5, 0.9))
+    found = verdict([*unknown, half, most])
+    assert [each.utilisation for each in found.checks[:2]] == [0.9, 0.5]
+    assert [each.status for each in found.checks[2:]] == [
+        "not_checked",
+        "not_asked",
+        "not_applicable",
+    ]
+    assert found["assembly"].status == "not_asked"
+    # what warns before what passes, and that before what is not known, whatever their reserves
+    warned = judged("crank_balance", 1.0, 0.0, warning="unbalanced")
+    room = judged("line_spacing", 1.0, 0.0, keep="above")
+    stressed = judged("roller_stress", 1.0, 2.0, reserve=1.5)
+    order = [warned, stressed, room, *reversed(unknown)]
+    assert verdict(reversed(order)).checks == tuple(order)
+    # an impossible part that is not there is none
+    passing = replace(half, impossible=True)
+    stress = judged("roller_stress", 1.0, 2.0, reserve=2.0)
+    assert [each.code for each in verdict([passing, stress]).checks] == [stress.code, "wall_holes"]
+    assert verdict([stress]).largest_torque_known
+    assert not verdict([stress, replace(half, status="fail")]).largest_torque_known
+    # the worst of those that no torque cures: more of the limit used
+    two = [replace(each, status="fail") for each in (half, most)]
+    assert verdict(two).checks[0].utilisation == 0.9

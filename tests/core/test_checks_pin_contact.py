@@ -1,0 +1,158 @@
+"""Checks of the contact of pin and hole by hand, at, below and above their limits: ideal forces."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from core.checks.crank_planetary import CRANK
+from core.materials import ContactLimit, ElasticMaterial
+from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, says
+
+SOFT = ElasticMaterial(3e9, 0.35, ContactLimit("given", 60e6), yield_strength=60e6)
+
+
+def contact(limit: float, **more: Any) -> dict[str, Any]:
+    """What a check of the reference's pressure says."""
+    status = "pass" if limit > PRESSURE * math.sqrt(1.1) else "marginal"
+    return {
+        "status": status if limit > PRESSURE else "fail",
+        "value": PRESSURE,
+        "limit": limit,
+        "utilisation": PRESSURE / limit,
+        "torque_reserve": (limit / PRESSURE) ** 2,
+        "margin": limit - PRESSURE,
+    } | more
+
+
+@pytest.mark.parametrize("safety", [0.5, 1.2, 1.5, 2.0])
+def test_pressure(safety: float) -> None:
+    design = replace(REF, pitting_safety=safety)
+    for body, limit in (("pin", 900e6), ("hole", 600e6)):
+        found = CRANK[f"contact_pressure_{body}"](design)
+        says(found, **contact(limit / safety, criterion="given", verified="", limit_source=""))
+        assert design.force is not None
+        assert found.at == design.peak
+        assert {*found.at} == {"satellite", "pin", "crank_angle"}
+
+
+def test_pressure_says_where_its_limit_is_from() -> None:
+    limit = ContactLimit("endurance", 600e6, "iso_281")
+    found = CRANK["contact_pressure_hole"](replace(REF, hole_material=replace(HOLE, limit=limit)))
+    assert (found.limit_source, found.criterion) == ("iso_281", "endurance")
+    assert found.verified == limit.verified != ""
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_a_limit_that_is_not_known(own: bool) -> None:
+    names = ("pin_material", "hole_material") if own else ()
+    unknown = ElasticMaterial(210e9, 0.3)
+    design = replace(REF, hole_material=unknown, own_limits=names)
+    says(
+        CRANK["contact_pressure_hole"](design),
+        status="not_checked",
+        value=PRESSURE,
+        reason="limit_unknown",
+        missing=("hole_material.allowable_pressure" if own else "hole_material",),
+        at=design.peak,
+    )
+    for code in ("contact_shakedown_hole", "contact_yield_hole"):
+        says(
+            CRANK[code](design),
+            status="not_asked" if own else "not_checked",
+            value=None,
+            reason="yield_unknown",
+            missing=("hole_material.yield_strength" if own else "hole_material",),
+        )
+    assert CRANK["contact_pressure_hole"](replace(design, pins=2, satellites=1)).value is None
+    tested = replace(REF, hole_material=replace(HOLE, yield_governs=False))
+    for code in ("contact_shakedown_hole", "contact_yield_hole"):
+        says(CRANK[code](tested), status="not_applicable", value=None, reason="tested_limit")
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.0, 2.0])
+def test_shakedown_and_first_yield(factor: float) -> None:
+    for body, strength in (("pin", 300e6), ("hole", 200e6)):
+        bodies = {"pin": PIN, "hole": HOLE}
+        material = replace(bodies[body], yield_strength=strength * factor)
+        design = replace(REF, **{f"{body}_material": material})
+        says(
+            CRANK[f"contact_shakedown_{body}"](design),
+            **contact(4 / math.sqrt(3) * strength * factor, at=design.peak),
+        )
+        first = contact(1.79 * strength * factor, warning=True)
+        if first["status"] == "fail":
+            first |= {"status": "marginal", "reason": "plastic_first"}
+        elif first["status"] == "marginal":
+            first |= {"status": "pass"}
+        says(CRANK[f"contact_yield_{body}"](design), **first)
+
+
+def test_width_of_the_contact() -> None:
+    found = CRANK["contact_conformity"](REF)
+    reserve = (0.159 / RATIO) ** 2
+    expected = {"value": RATIO, "limit": 0.159, "utilisation": RATIO / 0.159, "warning": True}
+    says(found, status="pass", torque_reserve=reserve, **expected)
+    # too different for Persson, too wide for Hertz: a rough guide
+    soft = replace(REF, pin_material=SOFT, output_torque=5e3)
+    wide = CRANK["contact_conformity"](soft)
+    assert (wide.status, wide.reason, wide.warning) == ("marginal", "rough_guide", True)
+    assert wide.torque_reserve is not None and wide.torque_reserve < 1
+    # Persson's holds
+    tight = CRANK["contact_conformity"](replace(REF, hole_radius=0.00802, eccentricity=2e-5))
+    assert (tight.status, tight.reason) == ("not_applicable", "conformal_solution")
+    assert tight.limit == 0.159 and tight.value is not None and tight.value > 0.159
+    # no theory holds
+    none = replace(soft, output_torque=1e7)
+    for code in ("contact_pressure_pin", "contact_shakedown_hole"):
+        unknown = CRANK[code](none)
+        assert (unknown.status, unknown.reason) == ("not_checked", "no_pressure")
+        assert unknown.limit is not None and unknown.value is None
+    # the pressure of Hertz, up to a limit within his reach
+    for limit in (60e6, 20e6):
+        hertz = replace(soft, pin_material=replace(SOFT, limit=ContactLimit("given", limit)))
+        reserve = CRANK["contact_pressure_pin"](hertz).torque_reserve
+        assert soft.contact is not None and soft.contact.half_width_ratio > 0.2
+        expected = (limit / 1.2 / float(soft.contact.max_pressure)) ** 2
+        assert reserve == pytest.approx(expected, rel=1e-12) and expected < 2
+    # of steel it may end before the pressure reaches a limit: there the width is the pin's radius
+    strong = replace(SOFT, limit=ContactLimit("given", 1e12))
+    ended = CRANK["contact_pressure_pin"](replace(soft, pin_material=strong))
+    assert soft.contact is not None
+    assert ended.torque_reserve == pytest.approx(soft.contact.half_width_ratio**-2, rel=1e-12)
+
+
+@pytest.mark.parametrize("limit", [30e6, 60e6, 600e6, 2400e6])
+def test_the_reserve_of_a_conformal_contact_is_where_its_pressure_reaches_the_limit(
+    limit: float,
+) -> None:
+    material = replace(HOLE, limit=ContactLimit("given", limit))
+    design = replace(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=material)
+    reserve = CRANK["contact_pressure_hole"](design).torque_reserve
+    assert reserve is not None
+    assert CRANK["contact_conformity"](design).status == "not_applicable"
+    there = replace(design, output_torque=500.0 * reserve)
+    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-12)
+
+
+def test_a_pressure_within_rounding_of_its_limit_is_marginal() -> None:
+    assert REF.contact is not None
+    pressure, error = float(REF.contact.max_pressure), REF.contact.accuracy.relative_error
+    for part, status in ((7.5, "marginal"), (8.5, "fail")):
+        limit = ContactLimit("given", 1.2 * pressure * (1 - part * float(error)))
+        design = replace(REF, hole_material=replace(HOLE, limit=limit))
+        assert CRANK["contact_pressure_hole"](design).status == status
+
+
+def test_within_the_error_of_different_materials_the_pressure_is_marginal() -> None:
+    bronze = ElasticMaterial(88.3e9, 0.35, ContactLimit("given", 1e9))
+    tight = replace(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=bronze)
+    assert tight.contact is not None and tight.contact.governing_pressure is not None
+    pressure, error = float(tight.contact.governing_pressure), tight.contact.conformal_error
+    assert error is not None and 0.01 < error < 0.05
+    for part, status in ((0.9, "marginal"), (-0.9, "marginal"), (-1.1, "fail")):
+        limit = ContactLimit("given", 1.2 * pressure * (1 + part * float(error)))
+        design = replace(tight, hole_material=replace(bronze, limit=limit))
+        found = CRANK["contact_pressure_hole"](design)
+        assert (found.status, found.reason == "pressure_error") == (status, status == "marginal")

@@ -1,0 +1,128 @@
+"""Checks of swinging rollers by hand, at, below and above their limits."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from core.checks.check import Verdict
+from core.checks.rollers import roller_checks
+from core.rollers.roller_strength import roller_strength
+from tests.oracles.checks import says
+
+
+def rollers(count: int = 4, **changes: Any) -> Verdict:
+    """Checks of the rollers of the 2019 paper's fig. 6, d = 10 mm."""
+    sizes: dict[str, Any] = {
+        "output_torque": 210.0,
+        "hole_circle_radius": 0.03,
+        "rollers": count,
+        "sphere_diameter": 0.015,
+        "cylinder_length": 0.02,
+        "sphere_width": 0.008,
+        "position_tolerance": changes.pop("position_tolerance", 2e-6),
+    }
+    result = roller_strength(
+        **sizes,
+        diameter=0.01,
+        friction_coefficient=0.16,
+        youngs_modulus=210e9,
+        poissons_ratio=0.3,
+        stress_concentration=2.0,
+    )
+    return roller_checks(result=result, **sizes, **changes)
+
+
+def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
+    """Two alike carry, one is far behind: the stress is proportional to the torque."""
+    sizes: dict[str, Any] = {
+        "output_torque": 210.0,
+        "hole_circle_radius": 0.03,
+        "rollers": 3,
+        "sphere_diameter": 0.015,
+        "cylinder_length": 0.02,
+        "sphere_width": 0.008,
+        "gaps": (1e-3, 3e-4, 3e-4),
+    }
+    more = {"diameter": 0.01, "friction_coefficient": 0.16, "youngs_modulus": 210e9}
+    result = roller_strength(**sizes, **more, poissons_ratio=0.3)
+    assert result.loaded_rollers == 2
+    stress = float(result.bending_stress)
+    found = roller_checks(result=result, **sizes, yield_strength=1.8 * stress)["roller_stress"]
+    assert found.torque_reserve == pytest.approx(1.2, rel=1e-12)
+    # a stress known to 0.1 %: within four times that of its limit it is marginal
+    doubtful = replace(result, accuracy=replace(result.accuracy, relative_error=1e-3))
+    for part, status in ((0.9965, "marginal"), (0.9955, "fail")):
+        limit = {"yield_strength": 1.5 * part * stress}
+        assert roller_checks(result=doubtful, **sizes, **limit)["roller_stress"].status == status
+
+
+STRESS = 0.0024213655009 * 210e9  # sigma/E of fig. 6 at l/d = 2, chi/d = 2e-4
+
+
+def test_stress_of_rollers() -> None:
+    unknown = rollers()["roller_stress"]
+    assert (unknown.status, unknown.reason) == ("not_checked", "yield_unknown")
+    assert unknown.missing == ("yield_strength",)
+    assert unknown.value == pytest.approx(STRESS, rel=1e-10)
+    for strength, safety, status in (
+        (STRESS * 1.5 * 1.2, 1.5, "pass"),
+        (STRESS * 1.5 * 1.01, 1.5, "marginal"),
+        (STRESS * 1.5 * 0.99, 1.5, "fail"),
+        (STRESS * 2.0 * 0.99, 2.0, "fail"),
+    ):
+        found = rollers(yield_strength=strength, bending_safety=safety)["roller_stress"]
+        assert (found.status, found.keep) == (status, "below")
+        assert found.value == pytest.approx(STRESS, rel=1e-10)
+        assert found.limit == pytest.approx(strength / safety, rel=1e-12)
+        assert found.utilisation == pytest.approx(STRESS * safety / strength, rel=1e-9)
+    # without errors of position the stress is proportional to the torque
+    even = rollers(yield_strength=1e9, position_tolerance=0.0)["roller_stress"]
+    assert even.torque_reserve == pytest.approx(even.limit / even.value, rel=1e-12)  # type: ignore[operator]
+    default = rollers(yield_strength=900e6)["roller_stress"]
+    assert default.limit == pytest.approx(600e6)
+
+
+def test_rollers_that_carry() -> None:
+    says(
+        rollers()["roller_sharing"],
+        status="pass", value=4.0, limit=4.0, keep="above", utilisation=1.0, warning=True,
+    )  # fmt: skip
+    says(
+        rollers(position_tolerance=5e-5)["roller_sharing"],
+        status="marginal", value=1.0, limit=4.0, keep="above", utilisation=4.0, warning=True,
+        reason="uneven",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("count", "status"), [(1, "not_applicable"), (2, "pass"), (12, "pass"), (13, "fail")]
+)
+def test_room_of_rollers(count: int, status: str) -> None:
+    found = rollers(count)["roller_spacing"]
+    assert (found.status, found.impossible) == (status, status == "fail")
+    if count > 1:
+        assert found.value == pytest.approx(0.06 * math.sin(math.pi / count) - 0.015, rel=1e-12)
+    else:
+        assert found.reason == "one_only"
+    assert rollers(count)["roller_room"].value == pytest.approx(0.0225, rel=1e-12)
+
+
+@pytest.mark.parametrize("eccentricity", [None, 0.002, 0.0064, 0.0065])
+def test_length_of_rollers(eccentricity: float | None) -> None:
+    found = rollers(eccentricity=eccentricity)["roller_tilt"]
+    if eccentricity is None:
+        says(found, status="not_asked", value=0.064, missing=("eccentricity",))
+        return
+    long = eccentricity <= 0.0064
+    says(
+        found,
+        status="pass" if long else "marginal",
+        value=0.064,
+        limit=10 * eccentricity,
+        keep="above",
+        utilisation=10 * eccentricity / 0.064,
+        warning=True,
+        reason="" if long else "tilted",
+    )

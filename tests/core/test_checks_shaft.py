@@ -1,0 +1,93 @@
+"""Checks of the precessional gear and its shaft by hand, at, below and above their limits."""
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from core.checks.check import Verdict
+from core.checks.shaft import shaft_checks
+from tests.oracles.checks import says
+
+
+def shaft(
+    positions: tuple[float, ...] = (0.0, 0.5, 2.0),
+    deflections: tuple[float, float] = (1e-5, 2e-5),
+    slopes: tuple[float, float] = (2e-4, 1e-4),
+    **changes: Any,
+) -> Verdict:
+    """Checks of a shaft with these deflections and slopes at B and C."""
+    totals = [SimpleNamespace(total=each) for each in (*deflections, *slopes)]
+    names = ("deflection_B", "deflection_C", "slope_B", "slope_C")
+    accuracy = SimpleNamespace(relative_error=changes.pop("error", 1e-12))
+    result: Any = SimpleNamespace(**dict(zip(names, totals, strict=True)), accuracy=accuracy)
+    sizes = {"roller_circle_radius": 0.05, "roller_radius": 0.004, "diameters": [0.02, 0.03]}
+    return shaft_checks(result=result, positions=positions, **(sizes | changes))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("positions", "apart"),
+    [
+        ((0.0, 0.5, 2.0), 0.5),
+        ((2.0, 0.0, 0.5), 0.5),
+        ((0.1, 6.2), 0.1 - 6.2 + 2 * math.pi),
+        ((0.1, 0.1 + math.pi), math.pi),
+        ((1.0, 1.0, 2.5), 1.5),  # the same one twice
+        ((1.0, 1.0 + 2 * math.pi, 2.5), 1.5),
+        ((1.0, 1.0 + 1e-10, 2.5), 1.5),
+        ((-0.1, 0.1), 0.2),
+        ((0.1, 3.0, 6.2), 0.1 - 6.2 + 2 * math.pi),
+    ],
+)
+def test_space_between_rollers_of_a_wheel(positions: tuple[float, ...], apart: float) -> None:
+    found = shaft(positions)["line_spacing"]
+    assert found.value == pytest.approx(0.1 * math.sin(apart / 2) - 0.008, rel=1e-9)
+    assert found.status == "pass"
+
+
+def test_room_of_a_wheel_and_its_shaft() -> None:
+    for positions in ((1.0,), (1.0, 1.0), (1.0, 1.0 + 2 * math.pi)):
+        alone = shaft(positions)["line_spacing"]
+        assert (alone.status, alone.reason) == ("not_applicable", "one_only")
+    assert shaft((0.0, 0.16))["line_spacing"].impossible  # 8 mm apart, and that wide
+    room = shaft()["shaft_in_circle"]
+    assert room.value == pytest.approx(0.05 - 0.004 - 0.015, rel=1e-12)
+    tight = shaft(diameters=[0.01, 0.092])["shaft_in_circle"]
+    assert (tight.status, tight.impossible) == ("fail", True)
+
+
+@pytest.mark.parametrize("which", ["deflection", "slope"])
+@pytest.mark.parametrize(
+    ("limit", "status"),
+    [(None, "not_asked"), (3e-5, "pass"), (2.1e-5, "marginal"), (1.9e-5, "fail")],
+)
+@pytest.mark.parametrize("order", [1, -1])
+def test_bending_of_a_shaft(which: str, limit: float | None, status: str, order: int) -> None:
+    found = shaft(**{f"{which}s": (1e-5, 2e-5)[::order], f"max_{which}": limit})
+    check = found[f"shaft_{which}"]
+    other = {"deflection": "slope", "slope": "deflection"}[which]
+    considered = ("line_pressure", "shaft_strength", "bearing", "friction")
+    if limit is None:
+        says(check, status="not_asked", value=2e-5, reason="no_limit", missing=(f"max_{which}",))
+        assert found.not_considered == ("deflection", "slope", *considered)
+        assert found.verdict == "incomplete"
+        return
+    says(
+        check,
+        status=status,
+        value=2e-5,
+        limit=limit,
+        utilisation=2e-5 / limit,
+        torque_reserve=limit / 2e-5,
+    )
+    assert found.not_considered == (other, *considered)
+    assert found.verdict == status
+    assert found.torque_reserve == check.torque_reserve
+
+
+def test_a_deflection_that_is_hardly_known_and_one_that_is_none() -> None:
+    for limit, status in ((1.9931e-5, "marginal"), (1.9911e-5, "fail")):  # off by 0.35, 0.45 %
+        assert shaft(error=1e-3, max_deflection=limit)["shaft_deflection"].status == status
+    still = shaft(deflections=(0.0, 0.0), max_deflection=1e-5)["shaft_deflection"]
+    says(still, status="pass", value=0.0, limit=1e-5, utilisation=0.0)

@@ -1,0 +1,231 @@
+"""Satellites that give, and given shares of the torque: limits, invariants, refusals."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.contact_law import LinearLaw
+from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
+from core.output.real_curves import real_curves
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import (
+    CrankSupport,
+    ElasticMesh,
+    SatelliteSupport,
+    Shares,
+)
+from tests.oracles.real_mechanisms import crank_angles, design, flat, held, reals, solved, torques
+
+ONE = design(exact=False)
+TWO = replace(ONE, mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0))
+AHEAD = replace(TWO, deviations=Deviations(disc_phase=(0.0, 3e-4)))
+
+
+def same(found: RealMechanism, expected: RealMechanism, angle: float, torque: float) -> None:
+    one, other = solved(found, angle, torque), solved(expected, angle, torque)
+    error = one.force_error + other.force_error
+    assert flat(one) == pytest.approx(flat(other), rel=0, abs=error)
+    assert abs(one.rotation - other.rotation) <= one.rotation_error + other.rotation_error
+    assert one.stiffness == pytest.approx(other.stiffness, rel=1e-6)
+
+
+@given(reals(exact=False), crank_angles, torques, st.sampled_from([CrankSupport(), ElasticMesh]))
+def test_what_is_infinitely_stiff_is_rigid(
+    real: RealMechanism, angle: float, torque: float, support: object
+) -> None:
+    rigid = support if isinstance(support, CrankSupport) else ElasticMesh(math.inf)
+    same(replace(real, support=rigid), real, angle, torque)
+
+
+@given(reals(exact=False), crank_angles, torques, st.sampled_from([0.0, 1e-6, 3e-5]))
+def test_the_clearance_of_a_bearing_is_half_a_clearance_of_the_holes(
+    real: RealMechanism, angle: float, torque: float, loose: float
+) -> None:
+    """In first order and but for the shape of the contact, so with laws that do not know it."""
+    real = replace(real, law=LinearLaw(1e8))
+    wider = replace(real, clearance=real.clearance + loose / 2)
+    same(replace(real, support=CrankSupport(radial_clearance=loose)), wider, angle, torque)
+
+
+@given(reals(exact=False), crank_angles, torques)
+def test_shares_as_they_are_give_the_rigid_result(
+    real: RealMechanism, angle: float, torque: float
+) -> None:
+    found = solved(real, angle, torque)
+    shares = [own / torque for own in found.satellite_torque]
+    if min(shares) < 0.05:
+        return
+    again = solved(
+        replace(real, support=Shares(tuple(w / sum(shares) for w in shares))), angle, torque
+    )
+    # What the shares are known to, over the stiffness of the contacts, moves the forces too.
+    error = found.force_error + again.force_error
+    near = 100 * error + 1e-12 * max(flat(found))
+    assert flat(again) == pytest.approx(flat(found), rel=0, abs=near)
+
+
+def test_equal_shares_of_equal_discs_are_the_rigid_result() -> None:
+    even = replace(TWO, mechanism=Mechanism(6, (0.0, 0.0), 20.0))
+    same(replace(even, support=Shares((0.5, 0.5))), even, 0.3, 30.0)
+
+
+def test_shares_multiply_the_ideal_force() -> None:
+    """Wang, Luo, Su 2016: 0.55 of the torque, 1.1 of the force of equal shares."""
+    even = replace(TWO, clearance=0.0)
+    more, equal = (
+        over_turn(real=replace(even, support=Shares(shares)), output_torque=30.0)
+        for shares in ((0.55, 0.45), (0.5, 0.5))
+    )
+    assert more.peak_force / equal.peak_force == pytest.approx(1.1, rel=1e-12)
+
+
+@given(held(), crank_angles, torques)
+def test_the_forces_hold_the_torque_and_do_not_pull(
+    real: RealMechanism, angle: float, torque: float
+) -> None:
+    found = solved(real, angle, torque)
+    assert min(flat(found)) >= 0
+    largest = max(flat(found)) * real.pin_circle_radius
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=0, abs=1e-13 * largest)
+    assert found.stiffness > 0
+    if isinstance(real.support, Shares):
+        for own, share in zip(found.satellite_torque, real.support.shares, strict=True):
+            assert own == pytest.approx(share * torque, rel=0, abs=1e-13 * largest)
+
+
+@given(held(), crank_angles)
+def test_more_torque_turns_further_and_play_is_what_none_leaves(
+    real: RealMechanism, angle: float
+) -> None:
+    lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
+    assert lags == sorted(lags)
+    found = solved(real, angle, 1e-9)
+    if found.play is not None:
+        back, soft = solved(real, angle, -1e-9), 1e-6
+        assert back.rotation == pytest.approx(found.play[0], abs=soft)
+        assert found.rotation == pytest.approx(found.play[1], abs=soft)
+
+
+@given(held(), crank_angles, st.sampled_from([1.0, -200.0]))
+def test_the_stiffness_is_the_slope_of_the_torque(
+    real: RealMechanism, angle: float, torque: float
+) -> None:
+    found = solved(real, angle, torque)
+    step = 1e-4
+    less, more = (solved(real, angle, torque * (1 + off)) for off in (-step, step))
+    slopes = [less.stiffness, found.stiffness, more.stiffness]
+    if max(slopes) > 1.01 * min(slopes):
+        return  # a pair takes up
+    slope = 2 * step * torque / (more.rotation - less.rotation)
+    unsure = (less.rotation_error + more.rotation_error) / abs(more.rotation - less.rotation)
+    assert found.stiffness == pytest.approx(slope, rel=1e-3 + unsure)
+
+
+@pytest.mark.parametrize("torque", [30.0, -30.0])
+@pytest.mark.parametrize("support", [CrankSupport(5e7, 1e-5), ElasticMesh(2e4), Shares((0.6, 0.4))])
+def test_the_crank_carries_the_load_and_what_springs_store(
+    support: SatelliteSupport, torque: float
+) -> None:
+    """T_in = T*(1/u - d lag/d phi) + dE/d phi, by differences; over a turn the mean is T/u."""
+    real = replace(AHEAD, support=support)
+    ratio, step = real.mechanism.ratio, 1e-6
+    angles = np.array([0.1, 1.3, 2.9, 5.0])
+
+    def energy(angle: float) -> float:
+        found = solved(real, angle, torque)
+        stored = sum(force**2 for force in flat(found)) / 2 / 5e7
+        if isinstance(support, CrankSupport):
+            stored += sum(sum(row) ** 2 for row in found.force) / 2 / support.stiffness
+        if isinstance(support, ElasticMesh):
+            stored += sum(own**2 for own in found.satellite_torque) / 2 / support.stiffness
+        return stored
+
+    found = real_curves(real=real, crank_angle=angles, output_torque=torque)
+    for angle, on_crank in zip(angles, found.input_torque, strict=True):
+        before, after = angle - step, angle + step
+        slope = solved(real, after, torque).rotation - solved(real, before, torque).rotation
+        stored = energy(after) - energy(before)
+        expected = torque / ratio + (stored - torque * slope) / (2 * step)
+        assert on_crank == pytest.approx(expected, abs=1e-6)
+    turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
+    whole = real_curves(real=real, crank_angle=turn, output_torque=torque)
+    assert whole.input_torque.mean() == pytest.approx(torque / ratio, rel=1e-5)
+
+
+@pytest.mark.parametrize("support", [CrankSupport(5e7, 1e-5), ElasticMesh(2e4), Shares((0.6, 0.4))])
+def test_the_turn_has_the_positions_between_its_extremes(support: SatelliteSupport) -> None:
+    real = replace(AHEAD, support=support)
+    turn = over_turn(real=real, output_torque=30.0)
+    per_wave = real.mechanism.crank_angle_per_wave
+    some = [solved(real, per_wave * (i + 0.3) / 97, 30.0) for i in range(97)]
+    highest = max(max(flat(each)) for each in some)
+    assert 0.97 * turn.peak_force < highest <= turn.peak_force * (1 + turn.accuracy.relative_error)
+    plays = [each.play[1] - each.play[0] for each in some]
+    near = 1.001
+    assert turn.backlash_min / near <= min(plays) and max(plays) <= turn.backlash_max * near
+    stiff = [each.stiffness for each in some]
+    assert turn.stiffness_min / near <= min(stiff) and max(stiff) <= turn.stiffness_max * near
+    lags = [each.rotation for each in some]
+    assert max(lags) - min(lags) <= turn.transmission_error * near
+    # Without clearance of the bearings the play is that of rigid satellites or of their linkage.
+    if isinstance(support, ElasticMesh):
+        rigid = over_turn(real=AHEAD, output_torque=30.0)
+        assert turn.backlash_max == pytest.approx(rigid.backlash_max, rel=1e-12)
+        assert turn.lost_motion > rigid.lost_motion
+
+
+@pytest.mark.parametrize("decade", [-9, 9])
+@pytest.mark.parametrize("kind", [CrankSupport, ElasticMesh])
+def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
+    """As stiff over the contacts, or as soft: what is so soft turns further than there is room for
+    unless the torque is small.
+    """
+    contact = 5e7 if kind is CrankSupport else 5e7 * 0.020**2
+    real = replace(AHEAD, clearance=0.0, support=kind(contact * 10.0**decade))
+    if decade < 0:
+        with pytest.raises(ImpossibleMechanism) as refusal:
+            solved(real, 0.3, 30.0)
+        assert refusal.value.code == "lost_in_space"
+    torque = 30.0 if decade > 0 else 1e-8
+    found = solved(real, 0.3, torque)
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=1e-12)
+    if decade > 0:
+        rigid = solved(replace(real, support=None), 0.3, torque)
+        assert flat(found) == pytest.approx(flat(rigid), rel=1e-6, abs=1e-6)
+
+
+def test_one_pin_and_two() -> None:
+    quarter = -math.pi / 2 / (1 + 1 / 18)
+    for support in (CrankSupport(1e8), ElasticMesh(1e5), Shares((1.0,))):
+        one = design(mechanism=Mechanism(1, (0.0,), 18.0), exact=False, support=support)
+        assert max(flat(solved(one, quarter, 1.0))) == pytest.approx(50, rel=1e-12)
+        two = replace(one, mechanism=Mechanism(2, (0.0,), 18.0))
+        for real, angle in ((one, -quarter), (two, 0.0)):
+            with pytest.raises(ImpossibleMechanism) as refusal:
+                solved(real, angle, 30.0)
+            assert refusal.value.code in {"dead_centre", "lost_in_space"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "parameter", "code"),
+    [
+        ({"exact": True, "support": CrankSupport(1e8)}, "exact", "first_order_only"),
+        ({"support": CrankSupport(0.0)}, "stiffness", "greater_than"),
+        ({"support": CrankSupport(1e8, -1e-6)}, "radial_clearance", "greater_than_equal"),
+        ({"support": CrankSupport(1e8, math.inf)}, "radial_clearance", "greater_than_equal"),
+        ({"support": ElasticMesh(math.nan)}, "stiffness", "greater_than"),
+        ({"support": Shares((1.0,))}, "shares", "different_length"),
+        ({"support": Shares((0.5, 0.4))}, "shares", "sum_not_one"),
+        ({"support": Shares((1.5, -0.5))}, "shares[1]", "greater_than"),
+    ],
+)
+def test_what_is_refused(changes: dict, parameter: str, code: str) -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        replace(TWO, **changes)
+    assert (refusal.value.parameter, refusal.value.code) == (parameter, code)

@@ -1,0 +1,43 @@
+"""A design whose checks are known by hand, and what a check says."""
+
+import math
+from typing import Any
+
+import pytest
+
+from core.checks.check import Check
+from core.checks.crank_design import CrankDesign
+from core.materials import ContactLimit, ElasticMaterial
+
+PIN = ElasticMaterial(210e9, 0.3, ContactLimit("given", 900e6), yield_strength=300e6)
+HOLE = ElasticMaterial(210e9, 0.3, ContactLimit("given", 600e6), yield_strength=200e6)
+REF = CrankDesign(
+    pins=6,
+    satellites=2,
+    ratio=20.0,
+    output_torque=500.0,
+    pin_circle_radius=0.05,
+    contact_length=0.02,
+    pin_radius=0.008,
+    hole_radius=0.010,
+    eccentricity=0.002,
+    pin_material=PIN,
+    hole_material=HOLE,
+    has_body=True,
+)
+# the peak is 4/(2*6) of 10 kN; E* = 210 GPa/(2*0.91); 1/r - 1/R = 25 per metre
+LINE_LOAD, MODULUS = 1e4 / 3 / 0.02, 210e9 / 1.82
+PRESSURE = math.sqrt(LINE_LOAD * MODULUS * 25 / math.pi)
+RATIO = math.sqrt(4 * LINE_LOAD / (math.pi * MODULUS * 25)) / 0.008
+
+
+def says(check: Check, **expected: Any) -> None:
+    """What a check says; what is not named has its default."""
+    plain = {"limit": None, "utilisation": None, "torque_reserve": None, "keep": "below"}
+    plain |= {"impossible": False, "warning": False, "reason": "", "missing": ()}
+    for name, value in (plain | expected).items():
+        found = getattr(check, name)
+        if isinstance(value, float) and value:
+            assert found == pytest.approx(value, rel=1e-12), name
+        else:
+            assert found == value, name

@@ -1,0 +1,244 @@
+/** Groups that are off until wanted: their fields, what they ask of the service, what their answers say. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { createBeside } from "../../static/besides.js";
+import { Problem } from "../../static/lib/api.js";
+import { isOn, listedInputs, readState, shownFields, stateFromInput } from "../../static/lib/form_state.js";
+import { formModel } from "../../static/lib/schema_form.js";
+import { decodeState, encodeState } from "../../static/lib/url_state.js";
+import * as next from "../../static/store.js";
+import { fieldWords } from "../../static/messages/index.js";
+import * as real from "../../static/calculators/crank-planetary/real.js";
+import * as study from "../../static/calculators/crank-planetary/study.js";
+import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
+import { pasted } from "../../static/views/wanted_fields.js";
+import { INPUT, OPENAPI } from "./model.mjs";
+
+const number = { type: "number", minimum: -10, maximum: 10 };
+const list = { type: "array", items: number, "x-unit": "mm", "x-group": "deviations" };
+const posting = (properties) => ({
+  post: { requestBody: { content: { "application/json": { schema: { type: "object", properties } } } } },
+});
+const SERVICE = {
+  ...OPENAPI,
+  paths: {
+    ...OPENAPI.paths,
+    "/api/v1/real": posting({
+      law: { type: "string", enum: ["hertz", "linear"], default: "hertz" },
+      stiffness_N_per_mm: { anyOf: [{ type: "number", minimum: 1 }, { type: "null" }] },
+      tolerance: { oneOf: [{ ...number, minimum: 0 }, { type: "object" }], title: "Tolerance", "x-unit": "mm" },
+      size: { type: "object", properties: { class: { type: "string", pattern: "^(g|h)(6|7)$" } } },
+      parts: { type: "object", properties: { pin_mm: { ...list, title: "Pins" }, hole_mm: { ...list, items: list, title: "Holes" } } },
+      quantities: { type: "array", items: { type: "string", enum: ["peak_force_N", "max_pressure_MPa"] }, default: ["peak_force_N"] },
+    }),
+  },
+};
+
+const GROUP = {
+  id: "real",
+  paths: ["/api/v1/real"],
+  starts: () => ({ tolerance: 0.5 }),
+  fields: {
+    law: {},
+    stiffness_N_per_mm: { when: ["law", "linear"], required: true },
+    tolerance: {},
+    "size.class": { options: [""] },
+    "parts.table": { columns: ["parts.pin_mm", "parts.hole_mm"], rows: () => ["1", "2"] },
+    quantities: {},
+    "real.play": { options: ["radial", "fits"], default: "radial" },
+  },
+};
+const MODEL = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [GROUP], words: fieldWords });
+
+function opened(typed = stateFromInput(MODEL, INPUT)) {
+  const calculator = { id: "job", wanted: [GROUP], sections: [], seeds: {}, drawing: {}, figures: [], verdict: () => [] };
+  return next.opened({ model: MODEL, calculator, catalogues: {}, titles: new Map() }, typed, "light");
+}
+
+const field = (path) => MODEL.fields.get(path);
+
+test("fields are made of the schema of an endpoint of its own, and of what is said besides", () => {
+  assert.deepEqual([field("tolerance").kind, field("tolerance").unit, field("tolerance").lowest], ["number", "mm", 0]);
+  assert.deepEqual(field("size.class").options, ["", "g6", "g7", "h6", "h7"]);
+  assert.deepEqual([field("quantities").kind, field("real.play").kind, field("real.on").kind], ["names", "option", "switch"]);
+  assert.equal(field("real.on").title, "Clearance and errors");
+  assert.deepEqual(field("parts.table").columns.map(({ name, kind, lowest }) => [name, kind, lowest]), [["pin_mm", "number", -10], ["hole_mm", "number", -10]]);
+});
+
+test("a group that is off is not shown, asked for, listed or linked", () => {
+  const state = stateFromInput(MODEL, INPUT);
+  assert.ok(!isOn("real", state.texts));
+  assert.deepEqual(shownFields(MODEL, state).filter(({ wanted }) => wanted).map(({ path }) => path), ["real.on"]);
+  assert.equal(readState(MODEL, state).input.besides, undefined);
+  assert.ok(!listedInputs(MODEL, state).some(({ id }) => id === "real"));
+  assert.ok(![...encodeState(MODEL, state).keys()].some((key) => MODEL.fields.get(key).wanted));
+});
+
+test("switched on, it starts from values, goes apart into the input, and into links and kept designs and back", () => {
+  let state = next.switched(opened(), "real", true, 0);
+  assert.equal(state.typed.texts.tolerance, "0.5");
+  state = next.typedIn(next.typedIn(state, "parts.table", "0.01;  | ; -0.02", 0), "law", "linear", 0);
+  state = next.typedIn(state, "stiffness_N_per_mm", "5e4", 0);
+  const { input } = state.reading;
+  assert.deepEqual(input.mechanism, readState(MODEL, stateFromInput(MODEL, INPUT)).input.mechanism);
+  assert.deepEqual(input.besides, {
+    real: { on: "on", play: "radial" }, law: "linear", stiffness_N_per_mm: 5e4, tolerance: 0.5,
+    parts: { table: [{ pin_mm: 0.01 }, { hole_mm: -0.02 }] }, quantities: ["peak_force_N"],
+  });
+  const { state: linked, claim } = decodeState(MODEL, encodeState(MODEL, state.typed), "job");
+  assert.deepEqual(claim.unknown, []);
+  assert.deepEqual(readState(MODEL, linked).input, input);
+  assert.deepEqual(readState(MODEL, stateFromInput(MODEL, input)).input, input);
+  const off = next.switched(state, "real", false, 0);
+  assert.equal(off.reading.input.besides, undefined);
+  assert.deepEqual(next.steppedBack(off).reading.input, input);
+  assert.equal(next.switched(off, "real", true, 0).typed.texts.tolerance, "0.5");
+});
+
+test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
+  const wanted = next.switched(opened(), "real", true, 0);
+  const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);
+  assert.deepEqual([state.phase, state.reading.wrong, state.reading.besides.real], ["computing", [], ["parts.table"]]);
+  assert.match(next.hinderedBesides(state, "real"), /row 2, Pins: Not a number/);
+  assert.equal(state.typed.texts["parts.table"], "0,01; | x; ");
+});
+
+test("a refusal of it stands at its boxes until something is typed", () => {
+  let state = next.switched(opened(), "real", true, 0);
+  state = next.besided(state, "real", { typed: state.typed });
+  const errors = [{ pointer: "/parts/pin_mm", code: "different_length", params: { expected: 3, actual: 2 } }];
+  state = next.refusedBesides(state, "real", new Problem({ status: 422, errors }));
+  assert.match(next.refusedAt(state, "parts.table").words, /3 entries, has 2/);
+  assert.equal(state.besides.real.phase, "refused");
+  assert.equal(next.refusedAt(next.typedIn(state, "tolerance", "1", 0), "parts.table"), undefined);
+});
+
+test("what is asked: after an answer or when run, once for the same inputs, stopped where it is stopped", async () => {
+  const store = next.createStore(next.switched(opened(), "real", true, 0));
+  const asked = [];
+  let finish;
+  const logic = {
+    asked: ({ besides }) => ({ tolerance: besides.tolerance }),
+    bodyOf: async (request) => request,
+    ask: ({ body, progressed }) => new Promise((resolve, reject) => {
+      asked.push(body.tolerance);
+      progressed(0.5);
+      finish = { resolve, reject };
+    }),
+  };
+  const beside = createBeside({ store, client: {}, id: "real", logic });
+  const ready = () => new Promise((resolve) => setTimeout(resolve, 1));
+  const first = beside.ask();
+  await ready();
+  assert.deepEqual([store.state.besides.real.phase, store.state.besides.real.progress], ["computing", 0.5]);
+  beside.stop();
+  finish.resolve("late");
+  await first;
+  assert.deepEqual([store.state.besides.real.phase, store.state.besides.real.answer], ["stopped", undefined]);
+  const second = beside.ask();
+  await ready();
+  finish.resolve("answer");
+  await second;
+  await beside.ask();
+  assert.deepEqual([store.state.besides.real.phase, store.state.besides.real.answer, asked], ["fresh", "answer", [0.5, 0.5]]);
+  store.apply(next.typedIn, "tolerance", "-1", 0);
+  await beside.ask();
+  assert.deepEqual([store.state.besides.real.phase, store.state.besides.real.answer, asked.length], ["incomplete", "answer", 2]);
+});
+
+const DESIGN = {
+  mechanism: { pins: 3, satellites: 2, ratio: 20, revolutions: 1 },
+  load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, force_exponent: 1.1 },
+  contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7.03, contact_length_mm: 10 },
+};
+const ask = (besides) => real.asked({ ...DESIGN, besides }, DESIGN);
+
+test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
+  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, pin: { support: "rigid" }, load: { torque_direction: "reverse" } });
+  assert.deepEqual(body, {
+    mechanism: { pins: 3, satellites: 2, ratio: 20 },
+    load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, torque_direction: "reverse" },
+    contact: { pin_radius_mm: 5, eccentricity_mm: 2, contact_length_mm: 10, hole_radius_mm: 7.03 },
+    contact_law: { kind: "hertz" },
+  });
+  const { hole_radius_mm: _, ...others } = DESIGN.contact;
+  assert.deepEqual(ask({ contact: { hole_clearance_mm: 0.03 } }).contact, { ...others, hole_clearance_mm: 0.03 });
+  assert.equal(ask({ contact: { hole_clearance_mm: 0.05 } }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
+  assert.deepEqual(ask({ pin: { support: "cantilever", satellite_positions_mm: [5, 15] } }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
+});
+
+test("the tables of a measured part as lists, holes by satellites, what is not said as 0", () => {
+  const holes = Array.from({ length: 6 }, (_, i) => (i === 4 ? { hole_radius_mm: 0.02 } : {}));
+  assert.deepEqual(real.deviationsOf({ pins: [{}, { pin_radial_mm: -0.01 }, {}], holes }, DESIGN.mechanism), {
+    pin_radial_mm: [0, -0.01, 0], hole_radius_mm: [[0, 0, 0], [0, 0.02, 0]],
+  });
+  assert.equal(real.deviationsOf({}, DESIGN.mechanism), null);
+});
+
+test("the clearance of a fit, from least to most, is calculated at its mean", async () => {
+  const client = { get: async (path) => ({ tolerances: [path.includes("h6") ? { lower_mm: -0.009, upper_mm: 0 } : { lower_mm: 0, upper_mm: 0.018 }] }) };
+  const asked = real.asked({ ...DESIGN, contact: { ...DESIGN.contact, hole_radius_mm: 7 }, besides: { real: { play: "fits", pin_class: "h6", hole_class: "H7" } } }, DESIGN);
+  const body = await real.bodyOf(asked, client);
+  assert.deepEqual(body.fit, [0, 0.0135]);
+  assert.equal(body.contact.hole_clearance_mm, 0.00675);
+  assert.ok(!("fit" in real.sent(body)));
+});
+
+const quantity = {
+  nominal: 100, mean: 110, percentiles: [{ percent: 50, value: 120, low: 118, high: 122 }, { percent: 95, value: 200, low: 190, high: 210 }],
+  histogram: { edges: [110, 150, 230], counts: [3, 1] },
+  contributions: [
+    { source: "hole_position_mm", total: 0.9, total_error: 0.05, first: 0.3, first_error: 0.1, percentile_without: { percent: 95, value: 195, low: 190, high: 199 } },
+    { source: "disc_phase_deg", total: 0.6, total_error: 0.05, first: -0.1, first_error: 0.1, percentile_without: { percent: 95, value: 150, low: 140, high: 160 } },
+    { source: "crank_phase_deg", total: 0.01, total_error: 0.01, first: 0, first_error: 0.1, percentile_without: { percent: 95, value: 200, low: 190, high: 210 } },
+  ],
+};
+
+test("the study: what to tighten is what lowers the percentile most, not what has the largest share", () => {
+  const words = study.advice("peak_force_N", quantity).map(([, text]) => text).join(" ");
+  assert.match(words, /Tighten first: Disc phase\. Without it P95 .* 150\s*N, by 25\s*% better/);
+  assert.match(words, /hardly anything .*: Crank phase/);
+  assert.match(words, /add up to more than 100/);
+  assert.equal(study.ranked("peak_force_N", quantity)[1].alone, "0\u00a0%");
+  const stiffer = { ...quantity, contributions: [{ ...quantity.contributions[1], percentile_without: { percent: 95, value: 260, low: 250, high: 270 } }] };
+  assert.match(study.advice("stiffness_min_Nm_per_arcmin", stiffer)[0][1], /Tighten first/); // more is better
+  assert.match(study.advice("peak_force_N", stiffer)[0][1], /no single/);
+});
+
+test("the histogram has room for all marks", () => {
+  const { marks } = study.quantityOf("peak_force_N", quantity);
+  const { bars, marks: lines, low, high } = study.barsOf(quantity.histogram, marks);
+  assert.deepEqual([low, high, bars[0].height, lines[0].x], [100, 230, 1, 0]);
+  assert.ok(Math.abs(bars[1].x + bars[1].width - 1) < 1e-12);
+  assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
+});
+
+test("too many samples for the contributions: asked without them, and how many there may be", async () => {
+  const bodies = [];
+  const limit = (params) => new Problem({ status: 422, errors: [{ pointer: "/samples", code: "service_limit", params }] });
+  const client = (most) => ({
+    post: async (path, body) => {
+      bodies.push(body.include.length);
+      if (body.include.includes("contributions")) throw limit({ limit: 31 });
+      if (most) throw limit({ limit: most });
+      return { samples: 80 };
+    },
+  });
+  const body = study.asked({ ...DESIGN, besides: { study: { ranked: "ranked" }, tolerances: { pin_diameter: { class: "h6" }, hole_diameter: {} } } });
+  assert.deepEqual(body.tolerances, { pin_diameter: { class: "h6" } });
+  assert.deepEqual(await study.ask({ client: client(), body }), { samples: 80, most: 31 });
+  assert.deepEqual(bodies, [2, 1]);
+  await assert.rejects(study.ask({ client: client(60), body }), (problem) => problem.errors[0].params.limit === 31);
+});
+
+test("what is pasted becomes rows of cells; one value is left to the box", () => {
+  assert.deepEqual(pasted("0,01\t0\r\n-0.02\t\r\n"), [["0,01", "0"], ["-0.02", ""]]);
+  assert.equal(pasted("0.01"), null);
+});
+
+test("the calculator's own groups have words for all that they add", () => {
+  for (const { id, fields } of WANTED) {
+    for (const { words } of [{ words: ["on", id] }, ...Object.values(fields)]) if (words) assert.ok(fieldWords(...words), words.join());
+  }
+});
