@@ -16,7 +16,7 @@ COPY core core
 COPY app app
 COPY static static
 COPY LICENSE LICENSE
-RUN python -m compileall -q core app
+RUN python -m compileall -q core app && python -m app.compiled
 
 USER 65534:65534
 EXPOSE 8000

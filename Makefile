@@ -79,6 +79,7 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
+	PYTHONPATH=. $(BIN)/python -m benchmarks.sharing
 	PYTHONPATH=. $(BIN)/python -m benchmarks.service
 	PYTHONPATH=. $(BIN)/python -m benchmarks.batches
 

@@ -22,7 +22,7 @@ from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
-from app import VERSION, about, batch, observability
+from app import VERSION, about, batch, compiled, observability
 from app.about import API
 from app.endpoint import (
     JSON,
@@ -44,7 +44,7 @@ from app.settings import Settings, current
 
 STATIC = Path(__file__).parent.parent / "static"
 
-PRELOAD = ("app.batch", "uvicorn")
+PRELOAD = ("app.batch", "app.loaded", "uvicorn")
 """What processes for calculations import ahead; uvicorn as they import the service's main module,
 `app.serve`, each anew."""
 
@@ -129,7 +129,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # The description, which takes half a second, is made before somebody opens the page.
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
-    async with app.state.jobs:
+    async with app.state.jobs, compiled.prepared():
         yield
     ahead.cancel()
 

@@ -15,6 +15,10 @@ NOTICES = {
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
     "output has turned through the lost motion, and the load sharing differs.",
+    "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same "
+    "numbers, but only small studies.",
+    "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once "
+    "after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
     "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance "

@@ -28,6 +28,19 @@ SLOW = {
 """Folders and files that take seconds each; `make check` leaves them out."""
 
 
+@pytest.fixture
+def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The compiled loops are used, which takes ten seconds once an installation; other tests find
+    what they had.
+    """
+    from app.compiled import prepare
+    from core.output import compiled
+
+    monkeypatch.setattr(compiled, "_at_hand", compiled.PLAIN)
+    prepare()
+    compiled.load()
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     # what is not asked for need not be imported
     asked = config.option.markexpr

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
+from app import compiled
 from app.calculations.contact_force import CurveFields
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
@@ -45,8 +46,9 @@ from core.results import Accuracy, Notice
 
 Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
 
-MAX_TURN_PAIRS = 100
-"""Most pairs over the turn: some thousand positions are solved, which takes seconds."""
+MAX_TURN_PAIRS = {"ready": 1000, "preparing": 100, "missing": 100}
+"""Most pairs over the turn, by the state of the compiled loops: thousands of positions are solved,
+which takes a second, or without these several."""
 
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
@@ -107,7 +109,7 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
         for section, limit in (
-            ("over_turn", MAX_TURN_PAIRS // times),
+            ("over_turn", MAX_TURN_PAIRS[self.loops] // times),
             ("positions", forces // len(self.crank_angle_deg)),
             ("stiffness_curve", forces // len(self.torques)),
             ("curves", forces // self.samples),
@@ -152,6 +154,7 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
 
         if "over_turn" in asked:
+            compiled.use()
             turn, direction = self.turn(real)
             solved.take(turn.accuracy, turn.notices)
             each_pair = pressures(turn.pair_force)

@@ -5,6 +5,7 @@ from typing import Any, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
 
+from app import compiled
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
     COUPLED_BY,
@@ -116,6 +117,11 @@ class RealDesignFields(RequestModel):
     def times_as_long(self) -> int:
         """How many times as long as of rigid satellites a position takes."""
         return 1 if self.support is None else GIVING
+
+    @property
+    def loops(self) -> compiled.State:
+        """Whether the compiled loops are at hand: not for satellites that give."""
+        return compiled.state() if self.support is None else "missing"
 
     def refuse_other_shares(self) -> None:
         """Refuse shares that are not one for each satellite.

@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from app.model import AccuracyOut, Maybe, ResponseModel, result
+from app.model import AccuracyOut, Maybe, ResponseModel, WarningOut, result
 
 
 class EstimateOut(ResponseModel):
@@ -117,3 +117,4 @@ class ToleranceStudyResponse(ResponseModel):
         "Pieces that cannot work at all: they are not in the percentiles, and fail the yield."
     )
     accuracy: StudyAccuracyOut
+    warnings: Maybe[list[WarningOut]] = None

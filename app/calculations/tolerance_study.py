@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
+from app import compiled
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import OneWayLoadFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
@@ -23,8 +24,9 @@ from app.model import (
     Whole,
     accuracy_values,
     quantity,
+    warning,
 )
-from app.problems import ErrorItem, invalid_input
+from app.problems import ErrorItem, invalid_input, unavailable
 from app.running import run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -33,7 +35,7 @@ from app.units import core_name, from_si, to_si
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations
-from core.results import Accuracy
+from core.results import Accuracy, Notice
 from core.tolerance.contributions import contributions
 from core.tolerance.quantiles import Estimate, percentile
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
@@ -47,9 +49,9 @@ Name = Literal[
     "stiffness_min_Nm_per_arcmin",
 ]
 
-POSITIONS_PER_SECOND = 25_000
-"""Positions of a pair that a study may have for each second that a calculation may take: with
-Hertz's law and exact geometry one processor solves some 65,000 in a second."""
+POSITIONS_PER_SECOND = {"ready": 500_000, "preparing": 25_000, "missing": 25_000}
+"""Positions of a pair that a study may have for each second that a calculation may take, by the
+state of the compiled loops: with the slowest law one processor solves some three times as many."""
 
 LOST_MOTION_SOLVES = 3
 """Solves of a position where the lost motion is asked: in both directions besides."""
@@ -94,7 +96,7 @@ class ToleranceStudyRequest(RealDesignFields):
         "Samples",
         symbol="n",
         group="study",
-        default=200,
+        default=4096,
         ge=1,
         le=MAX_SAMPLES,
         step=100,
@@ -153,11 +155,14 @@ class ToleranceStudyRequest(RealDesignFields):
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         self.refuse_other_shares()
-        budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
+        now = self.loops
+        budget = int(POSITIONS_PER_SECOND[now] * settings.max_seconds)
         most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
         if most < FEWEST:
             limit = self.mechanism.most_pins(budget // (self._positions_of_a_pair * FEWEST))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+        if self.samples > most and now == "preparing":
+            raise unavailable("Large studies are being prepared, once after an installation", 10)
         if self.samples > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
         self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
@@ -236,6 +241,7 @@ class ToleranceStudyRequest(RealDesignFields):
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
+        now = compiled.use()
         study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}
@@ -251,6 +257,8 @@ class ToleranceStudyRequest(RealDesignFields):
             "cannot_work": int(np.isnan(found.values[:, 0]).sum()),
             "accuracy": {"sampling_error": sampling, "angle_grid_error": grid},
         }
+        if now != "ready" and self.support is None:
+            values["warnings"] = [warning(Notice(f"compiled_{now}"))]
         return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
 
     def _quantity(self, name: str, found: ToleranceStudy) -> Values:

@@ -17,9 +17,9 @@ pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a
 pin_turn            the forces that one pin feels over a turn
 pin_search          where over the turn, along the pin and around it a measure is largest
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
-sharing_pairs       constants of pairs with clearance and deviations
-sharing_kernel      loops over pairs with gaps: equilibrium of one position
-satellite_support   the same of satellites that give: crank bearings, mesh, given shares
+sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
+compiled            the same loops compiled, for turns and studies
+satellite_support   one position of satellites that give: crank bearings, mesh, given shares
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 loaded_position     its forces, lag, play and stiffness at one position

@@ -7,7 +7,7 @@ from core.arrays import check_positive
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.pin_beam import SHEAR_COEFFICIENT, Support
-from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER
+from core.output.sharing_kernel import HERTZ, LINEAR, POWER, Law
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -157,28 +157,6 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     return tuple(compliances)
 
 
-@dataclass(frozen=True, slots=True)
-class PairContact:
-    """Pin and hole of one pair.
-
-    Attributes
-    ----------
-    pin_radius : float
-        Radius of the pin that touches, m.
-    difference : float
-        Hole less pin radius, m, > 0.
-    length : float
-        Length b of the contact, m.
-    hole_radius : float
-        Nominal hole radius, m.
-    """
-
-    pin_radius: float
-    difference: float
-    length: float
-    hole_radius: float
-
-
 def law_kind(law: ContactLaw) -> tuple[int, float]:
     """Kind and exponent of a law, as the kernel knows them.
 
@@ -233,30 +211,27 @@ def check_law(law: ContactLaw) -> None:
 def law_constants(
     *,
     law: ContactLaw,
-    contact: PairContact,
-    compliance: float,
+    contact_length: float,
+    hole_radius: float,
     pin: ElasticMaterial | None,
     hole: ElasticMaterial | None,
-) -> tuple[float, float, float]:
-    """Constants of a pair's law with a compliance in series, and the force at which it ends.
+) -> Law:
+    """Constants of a law, of which `core.output.sharing_kernel.pair_law` makes those of each pair.
 
     Parameters
     ----------
     law : ContactLaw
         The law.
-    contact : PairContact
-        Sizes of the pair.
-    compliance : float
-        Of what is in series, m/N: the pin.
+    contact_length : float
+        Length b of the contact, m.
+    hole_radius : float
+        Nominal hole radius, m.
     pin, hole : ElasticMaterial, optional
         Materials; needed for `HertzLaw`.
 
     Returns
     -------
-    a, b : float
-        As the kernel takes them.
-    limit : float
-        Force above which Hertz cannot hold, N: the contact would be as wide as the pin.
+    Law
 
     Notes
     -----
@@ -268,25 +243,22 @@ def law_constants(
     """
     match law:
         case LinearLaw(stiffness=stiffness):
-            return 1 / stiffness + compliance, 0.0, math.inf
+            return Law(1 / stiffness, *[0.0] * 6)
         case PowerLaw(exponent=n, reference_force=force, reference_approach=approach):
-            return force / approach**n, compliance, math.inf
+            return Law(force / approach**n, *[0.0] * 6)
         case PalmgrenLaw():
-            per_force = 3.84e-5 / (1e3 * contact.length) ** 0.8 * 1e-3  # m/N^0.9
-            return per_force**-LOG_EXPONENT, compliance, math.inf
+            per_force = 3.84e-5 / (1e3 * contact_length) ** 0.8 * 1e-3  # m/N^0.9
+            return Law(per_force**-LOG_EXPONENT, *[0.0] * 6)
         case HertzLaw(reference_depth=depth):
             if pin is None or hole is None:
                 raise InvalidInput("pin_material", pin, "needed", field="law")
-    first = (1 - pin.poissons_ratio**2) / pin.youngs_modulus
-    second = (1 - hole.poissons_ratio**2) / hole.youngs_modulus
-    radius = contact.pin_radius
-    reduced = radius * (radius + contact.difference) / contact.difference
-    modulus = effective_modulus(first=pin, second=hole)
-    q = math.pi * contact.length * modulus / (4 * reduced)
-    t = contact.hole_radius if depth is None else depth
-    ratio = hole.poissons_ratio / (1 - hole.poissons_ratio)
-    b = (first + second) / (math.pi * contact.length)
-    a = first * (math.log(16 * radius**2 * q) - 1) + second * (math.log(4 * t**2 * q) - ratio)
-    a /= math.pi * contact.length
-    limit = min(q * radius**2, math.exp(min(a / b - HERTZ_END, 700.0)))
-    return a + compliance, b, limit
+    around = math.pi * contact_length
+    return Law(
+        a=0.0,
+        first=(1 - pin.poissons_ratio**2) / pin.youngs_modulus,
+        second=(1 - hole.poissons_ratio**2) / hole.youngs_modulus,
+        quarter=around * effective_modulus(first=pin, second=hole) / 4,
+        around=around,
+        depth=hole_radius if depth is None else depth,
+        ratio=hole.poissons_ratio / (1 - hole.poissons_ratio),
+    )

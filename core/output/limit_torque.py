@@ -1,9 +1,12 @@
 """The torque at which the mechanism as it is made reaches a pressure for the first time."""
 
+import numpy as np
+
+from core.output.compiled import in_place_of
 from core.output.contact_law import law_kind
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import alone, at, balance, play
-from core.output.summits import summits
+from core.output.summits import Grid, summits
 from core.output.turn import Turn
 
 
@@ -49,12 +52,13 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
     >>> round(limit_torque(real=real, direction=1.0, pair=0, force=957.1067811865), 9)
     30.0
     """
-    turn = Turn(real, direction)
-    setup, pairs, room = turn.setup, real.pairs, turn.room
+    setup, pairs, room = real.setup(direction), real.pairs, real.room()
     kind, exponent = law_kind(real.law)
     less = []
-    for i, curved in enumerate(turn.curved):
-        approach = alone(kind, force * turn.curved[pair] / curved, pairs.a[i], pairs.b[i], exponent)
+    for i, curved in enumerate(pairs.curved):
+        approach = alone(
+            kind, force * pairs.curved[pair] / curved, pairs.a[i], pairs.b[i], exponent
+        )
         whole = 2 * pairs.distance[i] + approach if setup.exact else 1.0
         less.append(approach * whole)
 
@@ -69,7 +73,14 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
         lag = min(high, setup.eccentricity / setup.radius)
         return max(balance(lag, setup, pairs, room)[0], 0.0)
 
-    grid, near = turn.positions()
-    values = {psi: -torque(psi) for psi in sorted([*grid, *near])}
-    found = summits(values=values, function=lambda psi: -torque(psi))
+    loops = in_place_of(value=lambda kind, psi, *_: (-torque(psi), True))
+
+    def narrow(low: float, high: float) -> tuple[float, float, float]:
+        place, height, error, _ = loops.narrow(0, 1, low, high, None, pairs, room)
+        return place, height, error
+
+    even, near = Turn(real, direction).positions()
+    places = np.array(sorted({*even, *near}))
+    heights = np.array([-torque(psi) for psi in places.tolist()])
+    found = summits(grid=Grid(places, heights), narrow=narrow)
     return -max(each.height for each in found)

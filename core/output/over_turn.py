@@ -6,16 +6,28 @@ extremes like to sit there: summits are narrowed by golden section, which asks f
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
+
+import numpy as np
 
 from core.arrays import check_finite
 from core.errors import InvalidInput
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
-from core.output.summits import PLACE, all_summits, highest, summits
-from core.output.turn import Pose, Turn
+from core.output.sharing_kernel import (
+    BACKLASH,
+    FORCE,
+    INPUT_TORQUE,
+    LAG,
+    LOST_MOTION,
+    PLACE,
+    PLAY_END,
+    PRESSURE,
+    STIFFNESS,
+)
+from core.output.summits import Grid, all_summits, highest, summits
+from core.output.turn import Turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 TIE = 1e-9
@@ -153,91 +165,86 @@ def over_turn(
         raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
     if not lost_motion_share <= 1:
         raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
-    turn = Turn(real, output_torque)
-    grid, near = turn.positions()
-    step = grid[1] - grid[0]
-    poses = {psi: turn.pose(psi) for psi in sorted([*grid, *near])}
-    coarse = {psi: pose.force for psi, pose in poses.items()}
+    turn = Turn(real, output_torque, lost_motion_share)
+    even, near = turn.positions()
+    step = even[1] - even[0]
+    places = sorted({*even, *near})
+    between = sorted({psi + step / 2 for psi in even} - {*places})
+    rough = turn.poses(places)
     rough_forces = turn.pair_force
-    poses |= {psi + step / 2: turn.pose(psi + step / 2) for psi in grid}
-    fine = {psi: poses[psi].force for psi in sorted(poses)}
-    found, top, rough = all_summits(coarse=coarse, fine=fine, function=turn.force)
+    order = np.argsort([*places, *between], kind="stable")
+    every = {
+        name: np.concatenate([rough[name], row])[order] for name, row in turn.poses(between).items()
+    }
+
+    def grids(name: str, sign: int = 1) -> dict[str, Grid]:
+        """The coarse and the fine grid of a row."""
+        whole = np.array([*places, *between])[order]
+        return {
+            "coarse": Grid(np.array(places), sign * rough[name]),
+            "fine": Grid(whole, sign * every[name]),
+        }
+
+    found, top, rough_peak = all_summits(**grids("force"), narrow=turn.narrow(FORCE))
     peak = top.height
     place = min(
         (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
         key=lambda psi: _crank_angle(real, psi),
     )
-    for each in {psi for summit in found for psi in summit.alike}:
-        turn.force(each)  # of every pair
-    turn.force(place)
-    force = turn.room.force
+    turn.values(FORCE, {psi for summit in found for psi in summit.alike})  # of every pair
+    turn.values(FORCE, [place])
+    force = [*turn.room.force]
     pair = force.index(max(force))
     contact = real.contact(pair, peak)
     max_pressure = None
     if contact is not None:
         max_pressure = contact.max_pressure
-        if max(turn.curved) > min(turn.curved) * (1 + 1e-12):
-            values = {psi: poses[psi].pressure for psi in fine}
-            pressure = max(
-                summit.height
-                for summit in summits(values=values, function=lambda psi: turn.pose(psi).pressure)
-            )
-            max_pressure *= math.sqrt(pressure / (peak * turn.curved[pair]))
+        curved = real.pairs.curved
+        if max(curved) > min(curved) * (1 + 1e-12):
+            pressed_most = summits(grid=grids("pressure")["fine"], narrow=turn.narrow(PRESSURE))
+            pressure = max(summit.height for summit in pressed_most)
+            max_pressure *= math.sqrt(pressure / (peak * curved[pair]))
 
-    def extreme(
-        value: Callable[[Pose], float],
-        at_place: Callable[[float], float],
-        sign: int = 1,
-        jumps: bool = False,
-    ) -> tuple[float, float]:
+    def extreme(name: str, kind: int, sign: int = 1, jumps: bool = False) -> tuple[float, float]:
         """Largest value over the turn, or least for the sign -1, and an estimate of its error; on
         the high side of a jump nothing is missed.
         """
-        whole = {psi: sign * value(poses[psi]) for psi in fine}
-        part = {psi: whole[psi] for psi in coarse}
-        top, missed = highest(coarse=part, fine=whole, function=lambda psi: sign * at_place(psi))
+        top, missed = highest(**grids(name, sign), narrow=turn.narrow(kind, sign))
         return sign * top.height, missed + (0.0 if jumps else top.error)
 
-    def spread(
-        value: Callable[[Pose], float], at_place: Callable[[float], float]
-    ) -> tuple[float, float]:
+    def spread(name: str, kind: int) -> tuple[float, float]:
         """Largest less least value over the turn, and an estimate of its error."""
-        (high, off), (low, other) = (extreme(value, at_place, sign) for sign in (1, -1))
+        (high, off), (low, other) = (extreme(name, kind, sign) for sign in (1, -1))
         return high - low, off + other
 
-    lag = spread(lambda pose: pose.lag, lambda psi: turn.pose(psi).lag)
-    every = poses.values()
-    pressed = any(pose.low > pose.high + pose.play_error for pose in every)
+    lag = spread("lag", LAG)
+    pressed = bool((every["low"] > every["high"] + every["play_error"]).any())
     unloaded = 0.0, 0.0
     if not pressed:
-        unloaded = spread(lambda pose: pose.high, lambda psi: turn.played(psi)[1])
-    backlash = [
-        extreme(lambda pose: max(pose.high - pose.low, 0.0), turn.backlash, sign)
-        for sign in (1, -1)
-    ]
-    lost = {psi: turn.lost(psi, lost_motion_share) for psi in grid}
+        unloaded = spread("high", PLAY_END)
+    for rows in (rough, every):
+        rows["backlash"] = np.maximum(rows["high"] - rows["low"], 0.0)
+    backlash = [extreme("backlash", BACKLASH, sign) for sign in (1, -1)]
+    lost = turn.values(LOST_MOTION, even)
     most_lost, missed_lost = highest(
-        coarse=dict([*lost.items()][::2]),
+        coarse=Grid(lost.places[::2], lost.heights[::2]),
         fine=lost,
-        function=lambda psi: turn.lost(psi, lost_motion_share),
+        narrow=turn.narrow(LOST_MOTION),
     )
-    stiff = [
-        extreme(lambda pose: pose.stiffness, lambda psi: turn.pose(psi).stiffness, sign, True)
-        for sign in (1, -1)
-    ]
-    ripple = spread(lambda pose: pose.input_torque, lambda psi: turn.pose(psi).input_torque)
-    rounding = max(pose.lag_error for pose in every) + 2 * max(pose.play_error for pose in every)
-    unsure = max(pose.force_error for pose in every)
+    stiff = [extreme("stiffness", STIFFNESS, sign, True) for sign in (1, -1)]
+    ripple = spread("input_torque", INPUT_TORQUE)
+    rounding = float(every["lag_error"].max() + 2 * every["play_error"].max())
+    unsure = float(every["force_error"].max())
     accuracy = Accuracy(
         "sampling_zoomed",
-        (abs(peak - rough) + top.error + unsure) / peak,
+        (abs(peak - rough_peak) + top.error + unsure) / peak,
         turn.evaluations,
     )
     return OverTurn(
         peak_force=peak,
         peak_force_ratio=peak * real.pin_circle_radius / abs(output_torque),
         peak_crank_angle=_crank_angle(real, place),
-        peak_pair=PairNumber(pair // turn.setup.pins + 1, pair % turn.setup.pins + 1),
+        peak_pair=PairNumber(pair // real.mechanism.pins + 1, pair % real.mechanism.pins + 1),
         backlash_max=backlash[0][0],
         backlash_min=backlash[1][0] + 0.0,
         lost_motion=most_lost.height,
@@ -245,8 +252,8 @@ def over_turn(
         unloaded_transmission_error=unloaded[0],
         stiffness_min=stiff[1][0],
         stiffness_max=stiff[0][0],
-        loaded_pairs_min=min(pose.loaded for pose in every),
-        loaded_pairs_max=max(pose.loaded for pose in every),
+        loaded_pairs_min=int(every["loaded"].min()),
+        loaded_pairs_max=int(every["loaded"].max()),
         max_pressure=max_pressure,
         pair_force=real.rows(turn.pair_force),
         input_torque_ripple=ripple[0],
@@ -265,7 +272,7 @@ def over_turn(
         notices=(
             *notices(
                 real=real,
-                lag=max(abs(pose.lag) for pose in every),
+                lag=float(np.abs(every["lag"]).max()),
                 pressed=pressed,
                 contact=contact,
             ),

@@ -95,7 +95,7 @@ def real_curves(
                 least + 0.0,
                 most + 0.0,
                 found.stiffness,
-                real.input_torque(psi, torque, found.lag, there, room),
+                real.loops.input_torque(psi, torque, found.lag, there, real.pairs, room),
             )
         )
     force = np.array(forces).T

@@ -9,14 +9,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from core.arrays import check_finite, check_positive
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
+from core.output.compiled import PLAIN, in_place_of
 from core.output.contact_law import (
     ContactLaw,
-    PairContact,
     PinSupport,
     check_law,
     law_constants,
@@ -26,16 +27,31 @@ from core.output.contact_law import (
 from core.output.mechanism import Mechanism
 from core.output.satellite_support import HeldSatellites, SatelliteSupport, check_support, loosen
 from core.output.sharing_kernel import (
+    LOST,
     NO_DRIVE,
     NOT_SOLVED,
     NOT_STABLE,
+    TOO_WIDE,
+    Errors,
+    Law,
+    Pairs,
     Position,
-    at,
-    play,
-    solve,
-    wave_torque,
+    Room,
+    Row,
+    Setup,
+    judged,
+    prepare,
+    too_wide,
 )
-from core.output.sharing_pairs import Errors, Pairs, Room, Setup, prepare
+
+REFUSALS = {
+    NO_DRIVE: "dead_centre",
+    LOST: "lost_in_space",
+    NOT_STABLE: "not_stable",
+    NOT_SOLVED: "not_balanced",
+    TOO_WIDE: "beyond_hertz",
+}
+"""What a position is refused as that cannot be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +82,7 @@ class Deviations:
     crank_phase: tuple[float, ...] = ()
     disc_phase: tuple[float, ...] = ()
 
-    def rows(self, pins: int, satellites: int) -> Errors:
+    def rows(self, pins: int, satellites: int) -> Errors[Row]:
         """Flat rows for the kernel.
 
         Parameters
@@ -185,6 +201,7 @@ class RealMechanism:
             ratio=self.mechanism.ratio,
             exact=self.exact,
             radius=self.pin_circle_radius,
+            pin_radius=self.pin_radius,
             eccentricity=self.eccentricity,
             clearance=self.clearance,
             direction=direction,
@@ -192,49 +209,47 @@ class RealMechanism:
             exponent=exponent,
         )
 
+    @property
+    def law_constants(self) -> Law:
+        """Constants of the law, of which each pair's are made."""
+        return law_constants(
+            law=self.law,
+            contact_length=self.contact_length,
+            hole_radius=self.pin_radius + self.eccentricity + self.clearance,
+            pin=self.pin_material,
+            hole=self.hole_material,
+        )
+
+    @property
+    def compliance(self) -> list[float]:
+        """Of the pin at each satellite, m/N."""
+        satellites = self.mechanism.satellites
+        if self.pin is None:
+            return [0.0] * satellites
+        if len(self.pin.satellite_positions) != satellites:
+            raise InvalidInput(
+                "satellite_positions",
+                self.pin.satellite_positions,
+                "different_length",
+                expected=satellites,
+                actual=len(self.pin.satellite_positions),
+            )
+        return [*pin_compliance(self.pin)]
+
     @cached_property
-    def _prepared(self) -> tuple[Pairs, list[float], list[float]]:
-        """Constants of the pairs, their pins' radii, and the forces at which their laws end."""
+    def _prepared(self) -> tuple[Pairs, list[float]]:
+        """Constants of the pairs, and their pins' radii."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         errors = self.deviations.rows(pins, satellites)
-        count = pins * satellites
-        pairs = Pairs(*[[0.0] * count for _ in Pairs._fields])
-        compliance = [0.0] * satellites
-        if self.pin is not None:
-            if len(self.pin.satellite_positions) != satellites:
-                raise InvalidInput(
-                    "satellite_positions",
-                    self.pin.satellite_positions,
-                    "different_length",
-                    expected=satellites,
-                    actual=len(self.pin.satellite_positions),
-                )
-            compliance = [*pin_compliance(self.pin)]
-        prepare(self.setup(1.0), errors, list(self.mechanism.crank_angles), pairs)
+        pairs = Pairs(*[[0.0] * (pins * satellites) for _ in Pairs._fields])
+        phase = list(self.mechanism.crank_angles)
+        setup = self.setup(1.0)
+        none = prepare(setup, self.law_constants, errors, phase, self.compliance, pairs)
+        if none >= 0:
+            j, n = divmod(none, pins)
+            raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
         loosen(support=self.support, pairs=pairs)
-        radii, limits = [], []
-        for i, difference in enumerate(pairs.distance):
-            j, n = divmod(i, pins)
-            radius = self.pin_radius + errors.pin_radius[n]
-            own = self.eccentricity + errors.eccentricity[j]
-            if min(difference, radius, own) <= 0:
-                raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
-            contact = PairContact(
-                pin_radius=radius,
-                difference=difference,
-                length=self.contact_length,
-                hole_radius=self.pin_radius + self.eccentricity + self.clearance,
-            )
-            pairs.a[i], pairs.b[i], limit = law_constants(
-                law=self.law,
-                contact=contact,
-                compliance=compliance[j],
-                pin=self.pin_material,
-                hole=self.hole_material,
-            )
-            radii.append(radius)
-            limits.append(limit)
-        return pairs, radii, limits
+        return pairs, [self.pin_radius + error for error in errors.pin_radius] * satellites
 
     @property
     def pairs(self) -> Pairs:
@@ -288,29 +303,16 @@ class RealMechanism:
             If no pair can drive, forces would not balance or not be stable, the output would lag by
             more than the eccentricity, or a contact would be as wide as its pin.
         """
-        pairs, _, limits = self._prepared
-        if self.held is not None:
-            position = self.held.solve(psi, torque, setup, room)
-        else:
-            position = solve(psi, torque, setup, pairs, room)
-        code, params = "", {}
-        if position.status == NO_DRIVE:
-            code = "dead_centre"
-        elif abs(position.lag) * self.pin_circle_radius > self.eccentricity:
-            code = "lost_in_space"
-        elif position.status == NOT_STABLE:
-            code = "not_stable"
-        elif position.status == NOT_SOLVED or not math.isfinite(position.force_error):
-            code = "not_balanced"
-        else:
-            for i, (force, limit) in enumerate(zip(room.force, limits, strict=True)):
-                if force > limit:
-                    j, n = divmod(i, setup.pins)
-                    code, params = "beyond_hertz", {"satellite": j + 1, "pin": n + 1}
-        if code:
+        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
+        status = judged(position, setup, self.pairs, room)
+        if status in REFUSALS:
+            params = {}
+            if status == TOO_WIDE:
+                j, n = divmod(too_wide(self.pairs, room), setup.pins)
+                params = {"satellite": j + 1, "pin": n + 1}
             ratio, start = self.mechanism.ratio, self.mechanism.initial_crank_angle
             angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
-            raise ImpossibleMechanism(code, {"crank_angle": angle}, **params)
+            raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
         return position
 
     @cached_property
@@ -318,56 +320,19 @@ class RealMechanism:
         """The satellites that give, where they do."""
         return None if self.support is None else HeldSatellites(self.support, self.pairs)
 
-    def played(self, psi: float, setup: Setup, room: Room) -> tuple[float, float]:
-        """Limits of the play at a wave angle; the first is larger where pairs press.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        setup : Setup
-            The design, with the torque's direction.
-        room : Room
-            Scratch.
-
-        Returns
-        -------
-        low, high : float
-            Least and largest lag of the unloaded output in the torque's direction, rad.
+    @cached_property
+    def loops(self) -> Any:
+        """The functions of `core.output.sharing_kernel`, interpreted; of satellites that give with
+        what differs.
         """
-        if self.held is not None:
-            return self.held.played(psi, setup, room)
-        at(psi, setup, self.pairs, room)
-        low, high, *_ = play(setup, room)
-        return low, high
-
-    def input_torque(
-        self, psi: float, torque: float, lag: float, setup: Setup, room: Room
-    ) -> float:
-        """Torque that turns the crank without friction, as a position under load left the room.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque, lag : float
-            Size of the torque, N*m, and the lag that it makes, rad.
-        setup : Setup
-            The design, with the torque's direction.
-        room : Room
-            As `solved` left it.
-
-        Returns
-        -------
-        float
-            N*m.
-        """
-        if self.held is not None:
-            on_wave = self.held.wave_torque(psi, setup, room)
-        else:
-            on_wave = wave_torque(psi, lag, setup, self.pairs, room)
-        ratio = setup.ratio
-        return setup.direction * torque / ratio + (1 + 1 / ratio) * on_wave
+        held = self.held
+        if held is None:
+            return PLAIN
+        return in_place_of(
+            solve=lambda psi, torque, setup, pairs, room: held.solve(psi, torque, setup, room),
+            played=lambda psi, setup, pairs, room: held.played(psi, setup, room),
+            wave_torque=lambda psi, lag, setup, pairs, room: held.wave_torque(psi, setup, room),
+        )
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.
@@ -443,8 +408,7 @@ class RealMechanism:
         -------
         int
         """
-        radii, distance = self.pin_radii, self.pairs.distance
-        curved = [f * (c / r / (r + c)) for f, r, c in zip(force, radii, distance, strict=True)]
+        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
         return curved.index(max(curved))
 
     def hardest(self, force: Sequence[float]) -> HertzContact | None:

@@ -20,7 +20,10 @@ from core.output.sharing_kernel import (
     NOT_SOLVED,
     SOLVED,
     STEPS,
+    Pairs,
     Position,
+    Room,
+    Setup,
     at,
     interference,
     law,
@@ -31,7 +34,6 @@ from core.output.sharing_kernel import (
     touch_error,
     wave_torque,
 )
-from core.output.sharing_pairs import Pairs, Room, Setup
 
 SUM_ERROR = 1e-12
 """By how much the sum of the shares may be off 1: what rounding of their decimals does."""
@@ -391,7 +393,7 @@ class HeldSatellites:
                 if approach <= 0:
                     force[i] = levers[i] = contact[i] = 0.0
                     continue
-                force[i], contact[i] = law(kind, approach, a[i], b[i], exponent)
+                force[i], contact[i] = law(kind, approach, a[i], b[i], exponent, 0.0, 0.0)
                 levers[i], factor = lever, 1.0 if crank else lever
                 held += force[i] * factor
                 stiff += contact[i] * factor * factor

@@ -1,22 +1,27 @@
-"""Load sharing of pins in holes: the loops over pairs, for one position.
+"""Load sharing of pins in holes: one position, a turn, the pieces of a study.
 
 The one unknown is the lag of the output. Exact geometry: with P the pin's centre, H the hole's and
 C the difference of their radii, ``|d|^2 - C^2 = q + (cos lag - 1)*u + sin lag*v`` for
 ``d = P*exp(-i*lag) - H``; q, u and v are linear in the crank's direction. First order in lag and
 errors: the approach is ``q + lag*v``. Both go through the same loops.
 
-Rules of this file, so that the same source can be compiled for studies: floats, ints, `math`, flat
-rows, named tuples and functions of this file only; no allocation (callers bring the room); no
-exceptions (a status is returned). SI units.
+Rules of this file, which runs as it is and is compiled as well (`core.output.compiled`): floats,
+ints, `math`, flat rows, named tuples and functions of this file only, since a change elsewhere
+would leave a stale cache; no allocation (callers bring the room); no exceptions (a status is
+returned). SI units.
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import MutableSequence, Sequence
+from typing import Generic, NamedTuple, TypeVar
 
-from core.output.sharing_pairs import Pairs, Room, Row, Setup
+Row = MutableSequence[float]
+R = TypeVar("R")
 
 LINEAR, POWER, HERTZ = 0, 1, 2
-SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE = 0, 1, 2, 3
+SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, LOST, TOO_WIDE, NO_ROOM = 0, 1, 2, 3, 4, 5, 6
+FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
+"""What is looked at over the turn; of the pressure the force over the reduced radius."""
 
 EPS = 2.0**-52
 TINY = 1e-100
@@ -29,6 +34,192 @@ NEWTON_ALONE = 20
 HERTZ_END = 1.2
 """Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
 beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
+
+
+PLACE = 1e-10
+"""Width to which a summit is narrowed, rad."""
+
+GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+class Setup(NamedTuple):
+    """What a design is, without its errors."""
+
+    pins: int
+    satellites: int
+    ratio: float
+    exact: bool  # geometry; else first order
+    radius: float  # of the pin circle
+    pin_radius: float
+    eccentricity: float
+    clearance: float  # radial; not as a difference of radii, which loses two digits
+    direction: float  # of the torque: 1, or -1 in reverse
+    law: int  # LINEAR, POWER, HERTZ
+    exponent: float  # of the force over the approach; about 10/9 for Hertz, for start and steps
+
+
+class Law(NamedTuple):
+    """Law of contact of all pairs."""
+
+    a: float  # LINEAR 1/k; POWER k
+    first: float  # HERTZ: (1 - nu^2)/E of pin and hole
+    second: float
+    quarter: float  # pi*b*E*/4
+    around: float  # pi*b
+    depth: float
+    ratio: float  # nu/(1 - nu) of the hole
+
+
+class Errors(NamedTuple, Generic[R]):
+    """Deviations of one piece, rows of [N], [K*N] or [K]; of many, a table of each."""
+
+    pin_radial: R
+    pin_tangential: R
+    pin_radius: R
+    hole_radial: R
+    hole_tangential: R
+    hole_radius: R
+    eccentricity: R
+    crank_phase: R
+    disc_phase: R
+
+
+class Pairs(NamedTuple):
+    """What of the pairs does not change over the turn, [K*N]; [K] where said."""
+
+    arm: Row  # [K] -2*eccentricity of the satellite's own crank; 1 in first order
+    phase: Row  # [K] crank angles with their errors
+    x: Row  # factors of the crank's direction in u and v
+    y: Row
+    ex: Row  # and in q
+    ey: Row
+    k0: Row  # constant parts of q, u, v
+    k1: Row
+    k2: Row
+    distance: Row  # of the centres in contact
+    size: Row  # of the terms that make q: times the rounding, its error
+    a: Row  # law: LINEAR 1/k + C; POWER k; HERTZ A + C
+    b: Row  # POWER C; HERTZ B
+    limit: Row  # force at which the law ends
+    curved: Row  # difference of the curvatures
+
+
+class Room(NamedTuple):
+    """Results of one position, [K*N]."""
+
+    q: Row
+    u: Row
+    v: Row
+    unsure: Row  # size of the terms that make q at the onset
+    force: Row
+    lever: Row
+    stiffness: Row  # of the contact
+    most: Row  # largest force so far
+    own_lag: Row  # [K] of the satellites, where they give
+
+
+class Poses(NamedTuple):
+    """Positions under load, and their play; lags count in the torque's direction."""
+
+    lag: Row
+    stiffness: Row
+    force: Row  # largest
+    pressure: Row  # largest force over reduced radius
+    loaded: Row  # number of pairs with a force
+    low: Row  # play
+    high: Row
+    lag_error: Row
+    play_error: Row
+    force_error: Row
+    input_torque: Row
+
+
+class Pieces(NamedTuple):
+    """Quantities of pieces; not a number where one cannot work."""
+
+    peak_force: Row
+    max_pressure: Row  # force over reduced radius
+    transmission_error: Row
+    backlash_max: Row
+    lost_motion: Row
+    stiffness_min: Row
+    fits: Row  # 1 where it can be assembled without force, else 0
+
+
+def prepare(
+    setup: Setup, law: Law, errors: Errors[Row], phase: Row, compliance: Row, pairs: Pairs
+) -> int:
+    """Constants of the pairs from the deviations of one piece; the pair whose hole, pin or crank
+    has no size left, or -1. Crank angles and the pin's compliance at each satellite are [K].
+    """
+    radius = setup.radius
+    i = 0
+    none = -1
+    for j in range(setup.satellites):
+        # A crank that is ahead turns its disc as well, through the ring.
+        eta = errors.disc_phase[j] + errors.crank_phase[j] / setup.ratio
+        own = setup.eccentricity + errors.eccentricity[j]
+        half = math.sin(eta / 2)
+        turn_r, turn_t = -2 * half * half, math.sin(eta)  # exp(i*eta) - 1
+        pairs.phase[j] = phase[j] + errors.crank_phase[j]
+        pairs.arm[j] = -2 * own if setup.exact else 1.0
+        for n in range(setup.pins):
+            beta = 2 * math.pi * n / setup.pins
+            rx, ry = -math.sin(beta), math.cos(beta)  # radial; tangential is (-ry, rx)
+            p_r, p_t = errors.pin_radial[n], errors.pin_tangential[n]
+            h_r, h_t = errors.hole_radial[i], errors.hole_tangential[i]
+            larger = errors.hole_radius[i] - errors.pin_radius[n]
+            gap = setup.clearance + larger - errors.eccentricity[j]
+            off = abs(p_r) + abs(p_t) + abs(h_r) + abs(h_t) + abs(eta) * radius
+            loose = abs(setup.clearance) + abs(larger) + abs(errors.eccentricity[j])
+            if setup.exact:
+                e_r = p_r - h_r - (turn_r * (radius + h_r) - turn_t * h_t)
+                e_t = p_t - h_t - (turn_r * h_t + turn_t * (radius + h_r))
+                ex, ey = e_r * rx - e_t * ry, e_r * ry + e_t * rx
+                x, y = (radius + p_r) * rx - p_t * ry, (radius + p_r) * ry + p_t * rx
+                pairs.x[i], pairs.y[i], pairs.ex[i], pairs.ey[i] = x, y, ex, ey
+                pairs.k0[i] = ex * ex + ey * ey - gap * (2 * own + gap)
+                pairs.k1[i] = 2 * (ex * x + ey * y - (x * x + y * y))
+                pairs.k2[i] = 2 * (ex * y - ey * x)
+                pairs.size[i] = (2 * abs(own) + off) * off + loose * (2 * abs(own) + abs(gap))
+            else:
+                e_r, e_t = p_r - h_r, p_t - h_t - eta * radius
+                pairs.x[i], pairs.y[i] = -radius * ry, radius * rx
+                pairs.ex[i], pairs.ey[i] = e_t * ry - e_r * rx, -e_r * ry - e_t * rx
+                pairs.k0[i], pairs.k1[i], pairs.k2[i] = -gap, 0.0, 0.0
+                pairs.size[i] = off + loose
+            difference = setup.eccentricity + setup.clearance + larger
+            pin = setup.pin_radius + errors.pin_radius[n]
+            pairs.distance[i] = difference
+            if min(difference, pin, own) <= 0:
+                none = i if none < 0 else none
+            else:
+                pairs.curved[i] = difference / pin / (pin + difference)
+                pairs.a[i], pairs.b[i], pairs.limit[i] = pair_law(
+                    setup, law, pin, difference, compliance[j]
+                )
+            i += 1
+    return none
+
+
+def pair_law(
+    setup: Setup, law: Law, pin: float, difference: float, compliance: float
+) -> tuple[float, float, float]:
+    """Constants a and b of a pair's law with a compliance in series, and the force at which it
+    ends: the contact would be as wide as the pin. See `core.output.contact_law.law_constants`.
+    """
+    if setup.law == LINEAR:
+        return law.a + compliance, 0.0, math.inf
+    if setup.law == POWER:
+        return law.a, compliance, math.inf
+    reduced = pin * (pin + difference) / difference
+    q = law.quarter / reduced
+    b = (law.first + law.second) / law.around
+    a = law.first * (math.log(16 * pin * pin * q) - 1)
+    a += law.second * (math.log(4 * law.depth * law.depth * q) - law.ratio)
+    a /= law.around
+    limit = min(q * pin * pin, math.exp(min(a / b - HERTZ_END, 700.0)))
+    return a + compliance, b, limit
 
 
 def at(psi: float, setup: Setup, pairs: Pairs, room: Room) -> None:
@@ -57,7 +248,7 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
     far = 2 * setup.eccentricity / setup.radius
     for i in range(setup.pins * setup.satellites):
         q, v = room.q[i], room.v[i]
-        if setup.exact:
+        if setup.exact:  # tangents of half the lags
             a = max(q - 2 * room.u[i], TINY)
             square = v * v - a * q
             if square < 0:
@@ -67,7 +258,6 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
                 from_, to = -(v + root) / a, -q / (v + root) if v + root > 0 else 0.0
             else:
                 from_, to = q / (root - v), (root - v) / a
-            from_, to = 2 * math.atan(from_), 2 * math.atan(to)
         elif abs(v) * far <= abs(q):  # at its dead angle: open or pressed at any lag
             if q > 0:
                 return math.inf, -math.inf, -1, -1
@@ -80,7 +270,16 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
             low, behind = from_, i
         if to < high:
             high, onset = to, i
+    if setup.exact:
+        low, high = 2 * math.atan(low), 2 * math.atan(high)
     return low, high, behind, onset
+
+
+def played(psi: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
+    """Limits of the play at a wave angle; the first is larger where pairs press."""
+    at(psi, setup, pairs, room)
+    low, high, _, _ = play(setup, room)
+    return low, high
 
 
 def touch_error(lag: float, pair: int, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
@@ -122,8 +321,10 @@ def shift(lag: float, onset: int, setup: Setup, pairs: Pairs, room: Room) -> Non
         room.q[onset] = 0.0
 
 
-def law(kind: int, approach: float, a: float, b: float, n: float) -> tuple[float, float]:
-    """Force of an approach > 0, and its derivative."""
+def law(
+    kind: int, approach: float, a: float, b: float, n: float, force: float, stiffness: float
+) -> tuple[float, float]:
+    """Force of an approach > 0, and its derivative; given those at another one nearby, or 0."""
     if kind == LINEAR:
         return approach / a, 1 / a
     if kind == HERTZ:
@@ -140,27 +341,39 @@ def law(kind: int, approach: float, a: float, b: float, n: float) -> tuple[float
     if b == 0:
         force = a * approach**n
         return force, n * force / approach
-    # In series with a linear compliance b: Newton in the variable in which it is convex.
-    if n >= 1:
-        x = min(approach, (approach / (a * b)) ** (1 / n))
-        for _ in range(60):
-            bent = b * a * x**n
-            step = (x + bent - approach) / (1 + n * bent / x)
-            x -= step
-            if abs(step) <= 1e-9 * x:
-                break
-        force = a * x**n
-        stiffness = n * force / x
+    if n >= 1:  # a part of the approach is the bending b*F
+        near = min(n * (force / stiffness - b * force), approach) if force > 0 else 0.0
+        x, bent = shared(approach, 1.0, a * b, 1.0, n, near)
+        force, contact = bent / b, x
     else:
-        force = min(approach / b, a * approach**n)
-        for _ in range(60):
-            x = (force / a) ** (1 / n)
-            step = (x + b * force - approach) / (x / (n * force) + b)
-            force -= step
-            if abs(step) <= 1e-9 * force:
-                break
-        stiffness = n * force / (force / a) ** (1 / n)
+        force, contact = shared(approach, b, 1.0, 1 / a, 1 / n, force)
+    stiffness = n * force / contact
     return force, stiffness / (1 + b * stiffness)
+
+
+def shared(
+    total: float, first: float, second: float, scale: float, power: float, near: float
+) -> tuple[float, float]:
+    """The positive root x of ``first*x + second*(scale*x)^power = total`` for a power >= 1, and the
+    second term there; `near` is a number near the root, or 0.
+    """
+    x, term = near, 0.0
+    for step in range(60):
+        if not x > 0:
+            one, other = total / first, (total / second) ** (1 / power) / scale
+            x = one * other / (one + other)  # below the root: Halley's steps all lead upwards
+        term = second * (scale * x) ** power
+        off, slope = first * x + term - total, first + power * term / x
+        curve = power * (power - 1) * term / (x * x)
+        part = off * slope / (slope * slope - off * curve / 2) / x
+        if step == 0 and near > 0 and abs(part) > 0.3:
+            x = 0.0
+            continue
+        x -= part * x
+        if abs(part) <= 3e-6:  # its cube is what is left
+            term *= 1 - power * part * (1 - (power - 1) * part / 2)
+            break
+    return x, term
 
 
 def alone(kind: int, force: float, a: float, b: float, n: float) -> float:
@@ -194,7 +407,7 @@ def balance(lag: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, 
             approach /= length + c
             lever = (cosine * v - sine * u) / (2 * length)
             bend = (-(cosine * u + sine * v) / 2 - lever * lever) / length
-        f, stiffness = law(kind, approach, a[i], b[i], exponent)
+        f, stiffness = law(kind, approach, a[i], b[i], exponent, force[i], contact[i])
         force[i], levers[i], contact[i] = f, lever, stiffness
         torque += f * lever
         gross += f * abs(lever)
@@ -254,6 +467,8 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     power = 1.0 if pressed else 1 / setup.exponent
     step, status, far = 0, NOT_SOLVED, setup.eccentricity / setup.radius
     carried = slope = gross = 0.0
+    for i in range(setup.pins * setup.satellites):
+        room.force[i] = 0.0
     for step in range(1, STEPS):
         carried, slope, gross = balance(lag, setup, pairs, room)
         if carried > torque:
@@ -320,6 +535,27 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     )
 
 
+def judged(position: Position, setup: Setup, pairs: Pairs, room: Room) -> int:
+    """Whether a position can be, as `solve` left the room: a status."""
+    if position.status == NO_DRIVE:
+        return NO_DRIVE
+    if abs(position.lag) * setup.radius > setup.eccentricity:
+        return LOST
+    if position.status != SOLVED:
+        return position.status
+    if not math.isfinite(position.force_error):
+        return NOT_SOLVED
+    return TOO_WIDE if too_wide(pairs, room) >= 0 else SOLVED
+
+
+def too_wide(pairs: Pairs, room: Room) -> int:
+    """The pair whose force is beyond its law, or -1."""
+    for i, force in enumerate(room.force):
+        if force > pairs.limit[i]:
+            return i
+    return -1
+
+
 def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
     """Torque of the forces in the room on the wave, at the lag that balances them: the sum of each
     times the derivative of its approach by the wave angle.
@@ -345,12 +581,38 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
     return total
 
 
-def largest(room: Row) -> float:
-    """Largest of a row of forces."""
+def largest(room: Room) -> float:
+    """Largest force of the room; of each pair the largest so far is noted."""
     best = 0.0
-    for force in room:
+    for i, force in enumerate(room.force):
         best = max(best, force)
+        room.most[i] = max(room.most[i], force)
     return best
+
+
+def hardest(pairs: Pairs, room: Room) -> float:
+    """Largest force over reduced radius of the room."""
+    best = 0.0
+    for i, force in enumerate(room.force):
+        best = max(best, force * pairs.curved[i])
+    return best
+
+
+def loaded(room: Room) -> int:
+    """Number of pairs with a force."""
+    count = 0
+    for force in room.force:
+        if force > 0:
+            count += 1
+    return count
+
+
+def input_torque(
+    psi: float, torque: float, lag: float, setup: Setup, pairs: Pairs, room: Room
+) -> float:
+    """Torque that turns the crank without friction, as `solve` left the room."""
+    on_wave = wave_torque(psi, lag, setup, pairs, room)
+    return setup.direction * torque / setup.ratio + (1 + 1 / setup.ratio) * on_wave
 
 
 def interference(low: float, high: float, setup: Setup, pairs: Pairs, room: Room) -> float:
@@ -383,3 +645,171 @@ def interference(low: float, high: float, setup: Setup, pairs: Pairs, room: Room
         else:
             low = lag
     return worst
+
+
+def poses(
+    places: Row, torque: float, setup: Setup, pairs: Pairs, room: Room, results: Poses
+) -> int:
+    """Positions at wave angles; the first one that cannot be, or -1."""
+    for k, psi in enumerate(places):
+        found = solve(psi, torque, setup, pairs, room)
+        if judged(found, setup, pairs, room) != SOLVED:
+            return k
+        results.lag[k], results.stiffness[k] = found.lag, found.stiffness
+        results.force[k], results.pressure[k] = largest(room), hardest(pairs, room)
+        results.loaded[k] = loaded(room)
+        results.low[k], results.high[k] = found.low, found.high
+        results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
+        results.force_error[k] = found.force_error
+        results.input_torque[k] = input_torque(psi, torque, found.lag, setup, pairs, room)
+    return -1
+
+
+class Load(NamedTuple):
+    """Load of a turn, and the share of it under which the lost motion is taken."""
+
+    torque: float
+    share: float
+    setup: Setup  # with the torque's direction
+    back: Setup  # with the other one
+
+
+def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[float, bool]:
+    """A quantity at a wave angle, and whether the position can be."""
+    if kind in (PLAY_END, BACKLASH):
+        low, high = played(psi, load.setup, pairs, room)
+        return high if kind == PLAY_END else max(high - low, 0.0), True
+    both, can = 0.0, True
+    for back in range(2 if kind == LOST_MOTION else 1):
+        setup = load.back if back else load.setup
+        torque = load.share * load.torque if kind == LOST_MOTION else load.torque
+        found = solve(psi, torque, setup, pairs, room)
+        both += found.lag
+        can = can and judged(found, setup, pairs, room) == SOLVED
+    if kind == LOST_MOTION:
+        return both, can
+    most = largest(room)
+    if kind == FORCE:
+        return most, can
+    if kind == PRESSURE:
+        return hardest(pairs, room), can
+    if kind == LAG:
+        return found.lag, can
+    if kind == STIFFNESS:
+        return found.stiffness, can
+    return input_torque(psi, load.torque, found.lag, load.setup, pairs, room), can
+
+
+def values(kind: int, places: Row, load: Load, pairs: Pairs, room: Room, results: Row) -> int:
+    """A quantity at wave angles; the first position that cannot be, or -1."""
+    for k, psi in enumerate(places):
+        results[k], can = value(kind, psi, load, pairs, room)
+        if not can:
+            return k
+    return -1
+
+
+def narrow(
+    kind: int, sign: int, low: float, high: float, load: Load, pairs: Pairs, room: Room
+) -> tuple[float, float, float, int]:
+    """Place and height of the largest value between two places, or of the least for the sign -1, by
+    golden section, which asks for no derivative; its error, by how much it changed while the width
+    was narrowed to its last sixteenth; and at how many places it looked: 0 where the place is one
+    that cannot be.
+    """
+    error, looks, left = 0.0, 0, True
+    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_a = at_b = 0.0
+    while looks < 2 or high - low > PLACE:
+        if looks >= 2:
+            if high - low < 16 * PLACE:
+                error = max(error, abs(at_a - at_b))
+            left = sign * at_a >= sign * at_b
+            if left:
+                high, b, at_b = b, a, at_a
+                a = high - GOLDEN * (high - low)
+            else:
+                low, a, at_a = a, b, at_b
+                b = low + GOLDEN * (high - low)
+        psi = a if left else b
+        looked, can = value(kind, psi, load, pairs, room)
+        if not can:
+            return psi, 0.0, 0.0, 0
+        if left:
+            at_a = looked
+        else:
+            at_b = looked
+        looks += 1
+        left = False
+    if sign * at_a >= sign * at_b:
+        return a, at_a, error, looks
+    return b, at_b, error, looks
+
+
+def piece(
+    sample: int, positions: int, lost: bool, load: Load, pairs: Pairs, room: Room, results: Pieces
+) -> bool:
+    """Quantities of a piece over even positions of the wave; whether it can work. The lost motion
+    is taken only where it is asked.
+    """
+    peak = pressure = backlash = motion = 0.0
+    least_lag, most_lag, stiffness, fits = math.inf, -math.inf, math.inf, 1.0
+    for k in range(positions):
+        psi = 2 * math.pi * k / positions
+        found = solve(psi, load.torque, load.setup, pairs, room)
+        if judged(found, load.setup, pairs, room) != SOLVED:
+            return False
+        if found.low > found.high + found.play_error:
+            fits = 0.0
+        peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
+        least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
+        backlash = max(backlash, found.high - found.low)
+        stiffness = min(stiffness, found.stiffness)
+        if lost:
+            both, can = value(LOST_MOTION, psi, load, pairs, room)
+            if not can:
+                return False
+            motion = both if k == 0 else max(motion, both)
+    results.peak_force[sample], results.max_pressure[sample] = peak, pressure
+    results.transmission_error[sample] = most_lag - least_lag
+    results.backlash_max[sample], results.lost_motion[sample] = backlash, motion
+    results.stiffness_min[sample], results.fits[sample] = stiffness, fits
+    return True
+
+
+def none(sample: int, results: Pieces) -> None:
+    """A piece that cannot work."""
+    results.peak_force[sample] = results.max_pressure[sample] = math.nan
+    results.transmission_error[sample] = results.backlash_max[sample] = math.nan
+    results.lost_motion[sample] = results.stiffness_min[sample] = math.nan
+    results.fits[sample] = 0.0
+
+
+def pieces(
+    errors: Errors[Sequence[Row]],
+    positions: int,
+    lost: bool,
+    law: Law,
+    load: Load,
+    phase: Row,
+    compliance: Row,
+    pairs: Pairs,
+    room: Room,
+    results: Pieces,
+) -> None:
+    """Quantities of many pieces."""
+    for sample in range(len(errors.pin_radial)):
+        own = Errors(
+            errors.pin_radial[sample],
+            errors.pin_tangential[sample],
+            errors.pin_radius[sample],
+            errors.hole_radial[sample],
+            errors.hole_tangential[sample],
+            errors.hole_radius[sample],
+            errors.eccentricity[sample],
+            errors.crank_phase[sample],
+            errors.disc_phase[sample],
+        )
+        can = prepare(load.setup, law, own, phase, compliance, pairs) < 0
+        if not (can and piece(sample, positions, lost, load, pairs, room, results)):
+            none(sample, results)

@@ -1,11 +1,12 @@
-"""Summits of a function over the turn, narrowed by golden section, which asks for no derivative."""
+"""Summits of a function over the turn: those of a grid, which are then narrowed."""
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-PLACE = 1e-10
-"""Width to which a summit is narrowed, rad."""
+import numpy as np
+
+from core.arrays import FloatArray
 
 ALIKE = 1e-11
 """Relative difference below which two summits look equal on the grid."""
@@ -13,10 +14,8 @@ ALIKE = 1e-11
 ZOOMED = 3
 """How many of the highest summits are narrowed, of what has no spikes."""
 
-GOLDEN = (math.sqrt(5) - 1) / 2
-
-
-Function = Callable[[float], float]
+Narrow = Callable[[float, float], tuple[float, float, float]]
+"""Place and height of the largest value between two places, rad, and its error."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,42 +38,33 @@ class Summit:
     alike: tuple[float, ...]
 
 
-def _golden(f: Function, low: float, high: float) -> tuple[float, float, float]:
-    """Place and height of the largest value between two places, by golden section, and its error:
-    by how much it changed while the width was narrowed to its last sixteenth.
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Values over one turn.
+
+    Attributes
+    ----------
+    places : array
+        Where, rad, in their order.
+    heights : array
+        How high.
     """
-    error = 0.0
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a, at_b = f(a), f(b)
-    while high - low > PLACE:
-        if high - low < 16 * PLACE:
-            error = max(error, abs(at_a - at_b))
-        if at_a >= at_b:
-            high, b, at_b = b, a, at_a
-            a = high - GOLDEN * (high - low)
-            at_a = f(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + GOLDEN * (high - low)
-            at_b = f(b)
-    return (a, at_a, error) if at_a >= at_b else (b, at_b, error)
+
+    places: FloatArray
+    heights: FloatArray
 
 
 def summits(
-    *,
-    values: dict[float, float],
-    function: Function,
-    known: Sequence[Summit] = (),
-    most: int | None = None,
+    *, grid: Grid, narrow: Narrow, known: Sequence[Summit] = (), most: int | None = None
 ) -> list[Summit]:
-    """Summits of values on a turn's grid, narrowed; those that look alike are narrowed once.
+    """Summits of a grid, narrowed; those that look alike are narrowed once.
 
     Parameters
     ----------
-    values : dict of float to float
-        Places over one turn, rad, in their order, and the values there.
-    function : callable
-        The value at a place.
+    grid : Grid
+        Values over one turn.
+    narrow : callable
+        The largest value between two places.
     known : sequence of Summit
         Summits that have been narrowed: what leads to one of them is not narrowed again.
     most : int, optional
@@ -84,30 +74,30 @@ def summits(
     -------
     list of Summit
     """
-    places, heights = [*values], [*values.values()]
+    places, heights = grid.places, grid.heights
     count, turn = len(places), 2 * math.pi
-    scale = max(map(abs, heights)) * ALIKE or 1.0
-    seen: dict[tuple[int, ...], list[int]] = {}
-    for i, height in enumerate(heights):
-        before, after = heights[i - 1], heights[(i + 1) % count]
-        if height >= before and (height > after or count == 1):
-            key = tuple(round(each / scale) for each in (before, height, after))
-            seen.setdefault(key, []).append(i)
-    if not seen:  # all alike
-        return [Summit(places[0], heights[0], 0.0, (places[0],))]
+    scale = float(np.abs(heights).max()) * ALIKE or 1.0
+    before, after = np.roll(heights, 1), np.roll(heights, -1)
+    tops = np.flatnonzero((heights >= before) & ((heights > after) | (count == 1)))
+    if not len(tops):  # all alike
+        return [Summit(float(places[0]), float(heights[0]), 0.0, (float(places[0]),))]
+    seen: dict[tuple[float, ...], list[int]] = {}
+    keys = np.round(np.stack([before, heights, after])[:, tops] / scale).T
+    for i, key in zip(tops.tolist(), keys.tolist(), strict=True):
+        seen.setdefault(tuple(key), []).append(i)
     found = []
     for alike in sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]:
         i = alike[0]
-        low = places[i - 1] - (turn if i == 0 else 0)
-        high = places[i + 1] if i + 1 < count else places[0] + turn
+        low = float(places[i - 1]) - (turn if i == 0 else 0)
+        high = float(places[i + 1]) if i + 1 < count else float(places[0]) + turn
         same = next((each for each in known if low <= each.place <= high), None)
         if same is not None:
             found.append(same)
             continue
-        place, height, error = _golden(function, low, high)
+        place, height, error = narrow(low, high)
         if heights[i] > height:
-            place, height = places[i], heights[i]
-        others = tuple(place + places[k] - places[i] for k in alike)
+            place, height = float(places[i]), float(heights[i])
+        others = tuple(place + float(places[k] - places[i]) for k in alike)
         found.append(Summit(place, height, error, others))
     return found
 
@@ -116,18 +106,15 @@ def _height(summit: Summit) -> float:
     return summit.height
 
 
-def highest(
-    *, coarse: dict[float, float], fine: dict[float, float], function: Function
-) -> tuple[Summit, float]:
+def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]:
     """The highest summit of what has no spikes, of the highest ones of a grid.
 
     Parameters
     ----------
-    coarse, fine : dict of float to float
-        Places over one turn, rad, in their order, and the values there; the fine grid has those of
-        the coarse one.
-    function : callable
-        The value at a place.
+    coarse, fine : Grid
+        Values over one turn; the fine grid has the places of the coarse one.
+    narrow : callable
+        The largest value between two places.
 
     Returns
     -------
@@ -136,23 +123,21 @@ def highest(
     missed : float
         How much of it the coarse grid alone would have missed.
     """
-    found = summits(values=fine, function=function, most=ZOOMED)
-    rough = summits(values=coarse, function=function, known=found, most=ZOOMED)
+    found = summits(grid=fine, narrow=narrow, most=ZOOMED)
+    rough = summits(grid=coarse, narrow=narrow, known=found, most=ZOOMED)
     top = max(found, key=_height)
     return top, abs(top.height - max(map(_height, rough)))
 
 
-def all_summits(
-    *, coarse: dict[float, float], fine: dict[float, float], function: Function
-) -> tuple[list[Summit], Summit, float]:
+def all_summits(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], Summit, float]:
     """All summits of a coarse and of a fine grid.
 
     Parameters
     ----------
-    coarse, fine : dict of float to float
+    coarse, fine : Grid
         As `highest` takes them.
-    function : callable
-        The value at a place.
+    narrow : callable
+        The largest value between two places.
 
     Returns
     -------
@@ -163,7 +148,7 @@ def all_summits(
     rough : float
         Height that the coarse grid alone would have given.
     """
-    found = summits(values=coarse, function=function)
+    found = summits(grid=coarse, narrow=narrow)
     rough = max(map(_height, found))
-    found += summits(values=fine, function=function, known=found)
+    found += summits(grid=fine, narrow=narrow, known=found)
     return found, max(found, key=_height), rough

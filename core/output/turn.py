@@ -1,10 +1,15 @@
 """Positions of the mechanism as it is made, over the turn of the wave."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
+import numpy as np
+
+from core.arrays import FloatArray
+from core.output.compiled import at_hand
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import largest
+from core.output.sharing_kernel import BACKLASH, LOST_MOTION, PLAY_END, Load, Pairs, Poses, Room
+from core.output.summits import Grid, Narrow
 
 POSITIONS = 720
 """Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
@@ -15,110 +20,84 @@ CLUSTER = 8
 MOST_CLUSTERED = 2880
 """Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
 
-
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """One position under load, and its play; lags count in the torque's direction.
-
-    Attributes
-    ----------
-    lag, stiffness : float
-        Lag of the output, rad, and torque over it, N*m/rad.
-    force : float
-        Largest force, N.
-    pressure : float
-        Largest force over reduced radius, N/m.
-    loaded : int
-        Number of pairs with a force.
-    low, high : float
-        Limits of the play, rad.
-    lag_error, play_error, force_error : float
-        Bounds of the errors, rad and N.
-    input_torque : float
-        Torque that turns the crank, N*m.
-    """
-
-    lag: float
-    stiffness: float
-    force: float
-    pressure: float
-    loaded: int
-    low: float
-    high: float
-    lag_error: float
-    play_error: float
-    force_error: float
-    input_torque: float
+SOLVES = {PLAY_END: 0, BACKLASH: 0, LOST_MOTION: 2}
+"""Positions that are solved for a value; 1 for all others."""
 
 
 class Turn:
-    """The mechanism under a torque, position by position."""
+    """The mechanism under a torque, over the turn; refusals as `RealMechanism.solved`."""
 
-    def __init__(self, real: RealMechanism, torque: float) -> None:
-        self.real, self.torque = real, abs(torque)
-        self.setup = real.setup(math.copysign(1.0, torque))
-        self.back = real.setup(-self.setup.direction)
-        self.room = real.room()
-        self.curved = [
-            c / r / (r + c) for r, c in zip(real.pin_radii, real.pairs.distance, strict=True)
-        ]
-        self.pair_force = [0.0] * len(self.curved)
+    def __init__(self, real: RealMechanism, torque: float, share: float = 1.0) -> None:
+        self.real = real
+        self.kernel = at_hand() if real.support is None else real.loops
+        direction = math.copysign(1.0, torque)
+        self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
+        self.pairs = Pairs(*map(self.kernel.row, real.pairs))
+        self.room = Room(*map(self.kernel.row, real.room()))
         self.evaluations = 0
 
-    def pose(self, psi: float) -> Pose:
-        """A position under the torque."""
-        self.evaluations += 1
-        room = self.room
-        found = self.real.solved(psi, self.torque, self.setup, room)
-        force = largest(room.force)
-        self.pair_force = list(map(max, self.pair_force, room.force))
-        return Pose(
-            found.lag,
-            found.stiffness,
-            force,
-            max(map(float.__mul__, room.force, self.curved)),
-            len(room.force) - room.force.count(0.0),
-            found.low,
-            found.high,
-            found.lag_error,
-            found.play_error,
-            found.force_error,
-            self.input_torque(psi, found.lag),
+    @property
+    def pair_force(self) -> list[float]:
+        """Largest force of each pair so far, N."""
+        return list(map(float, self.room.most))
+
+    def poses(self, places: Sequence[float]) -> dict[str, FloatArray]:
+        """Positions at wave angles, rad: rows by the names of `Poses`."""
+        self.evaluations += len(places)
+        results = Poses(*[self.kernel.row([0.0] * len(places)) for _ in Poses._fields])
+        self._refused(
+            places,
+            self.kernel.poses(
+                self.kernel.row(places),
+                self.load.torque,
+                self.load.setup,
+                self.pairs,
+                self.room,
+                results,
+            ),
         )
+        return {name: np.array(row) for name, row in results._asdict().items()}
 
-    def input_torque(self, psi: float, lag: float) -> float:
-        """Torque that turns the crank, as a position under load left the room."""
-        return self.real.input_torque(psi, self.torque, lag, self.setup, self.room)
+    def values(self, kind: int, places: Iterable[float]) -> Grid:
+        """A quantity at wave angles, rad."""
+        where = [*places]
+        self.evaluations += len(where) * SOLVES.get(kind, 1)
+        results = self.kernel.row([0.0] * len(where))
+        rows = self.kernel.row(where), self.load, self.pairs, self.room, results
+        self._refused(where, self.kernel.values(kind, *rows))
+        return Grid(np.array(where), np.array(results))
 
-    def force(self, psi: float) -> float:
-        """Largest force at a wave angle."""
-        self.evaluations += 1
-        self.real.solved(psi, self.torque, self.setup, self.room)
-        self.pair_force = list(map(max, self.pair_force, self.room.force))
-        return largest(self.room.force)
+    def narrow(self, kind: int, sign: int = 1) -> Narrow:
+        """How the largest value of a quantity between two places is found; for the sign -1 the
+        least, as its opposite.
+        """
 
-    def backlash(self, psi: float) -> float:
-        """Play at a wave angle; none where pairs press."""
-        low, high = self.played(psi)
-        return max(high - low, 0.0)
+        def narrowed(low: float, high: float) -> tuple[float, float, float]:
+            place, height, error, looks = self.kernel.narrow(
+                kind, sign, low, high, self.load, self.pairs, self.room
+            )
+            if not looks:
+                self._refuse(place)
+            self.evaluations += looks * SOLVES.get(kind, 1)
+            return place, sign * height, error
 
-    def played(self, psi: float) -> tuple[float, float]:
-        """Limits of the play at a wave angle."""
-        return self.real.played(psi, self.setup, self.room)
+        return narrowed
 
-    def lost(self, psi: float, share: float) -> float:
-        """Lost motion at a wave angle."""
-        self.evaluations += 2
-        lags = [
-            self.real.solved(psi, share * self.torque, setup, self.room).lag
-            for setup in (self.setup, self.back)
-        ]
-        return sum(lags)
+    def _refused(self, places: Sequence[float], first: int) -> None:
+        if first >= 0:
+            self._refuse(places[first])
+
+    def _refuse(self, psi: float) -> None:
+        """Say why a position cannot be."""
+        load, room = self.load, self.real.room()
+        self.real.solved(psi, load.torque, load.setup, room)
+        for setup in (load.setup, load.back):
+            self.real.solved(psi, load.share * load.torque, setup, room)
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Wave angles of an even grid, and those around dead angles."""
-        pairs, pins = self.real.pairs, self.setup.pins
-        many = pins * self.setup.satellites
+        pairs, pins = self.real.pairs, self.load.setup.pins
+        many = pins * self.load.setup.satellites
         count = many * -(-POSITIONS // many)
         step = 2 * math.pi / count
         first = self.real.mechanism.initial_crank_angle
@@ -126,7 +105,7 @@ class Turn:
         dead = {
             round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % (2 * math.pi), 9)
             for half in (0.0, math.pi)
-            for j in range(self.setup.satellites)
+            for j in range(self.load.setup.satellites)
             for n in range(pins)
         }
         halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.real_mechanism import Deviations
+from core.output.sharing_kernel import Errors
 from core.tolerance.quantiles import Estimate, percentile
 from core.tolerance.study import Study
 
@@ -58,7 +58,7 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
     up to more than 1, sources act together. Pieces that cannot work are left out.
     """
 
-    def first_quantity(pieces: list[Deviations]) -> FloatArray:
+    def first_quantity(pieces: Errors[FloatArray]) -> FloatArray:
         return study.values(pieces)[0][:, 0]
 
     sources = study.tolerances.sources

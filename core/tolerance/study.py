@@ -2,18 +2,21 @@
 
 import math
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.compiled import PLAIN, at_hand
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import largest
+from core.output.sharing_kernel import FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.tolerance.quantiles import Estimate, percentile, share
-from core.tolerance.tolerances import Tolerances
+from core.tolerance.tolerances import Tolerances, deviations
 
 QUANTITIES = (
     "peak_force",
@@ -23,6 +26,9 @@ QUANTITIES = (
     "lost_motion",
     "stiffness_min",
 )
+
+BLOCK = 64
+"""Pieces that are calculated at once."""
 
 WORST = 32
 """Samples of the highest peaks, a tenth of all at most, on which the error of the angle grid is
@@ -53,60 +59,6 @@ class Evaluation:
     output_torque: float
     positions: int = 60
     lost_motion_share: float = 0.03
-
-
-def piece_values(*, real: RealMechanism, asked: Evaluation) -> tuple[list[float], bool]:
-    """Quantities of one piece, and whether it can be assembled without force.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The piece.
-    asked : Evaluation
-        What of it.
-
-    Returns
-    -------
-    values : list of float
-        In the order asked.
-    fits : bool
-        Whether its pairs are free of each other without load, at all positions.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the piece cannot work.
-    """
-    fits = True
-    turn = Turn(real, asked.output_torque)
-    forces, pressures, lags, plays, lost, stiffness = [], [], [], [], [], []
-    for k in range(asked.positions):
-        psi = 2 * math.pi * k / asked.positions
-        found = real.solved(psi, turn.torque, turn.setup, turn.room)
-        fits &= found.low <= found.high + found.play_error
-        forces.append(largest(turn.room.force))
-        lags.append(found.lag)
-        plays.append(found.high - found.low)
-        stiffness.append(found.stiffness)
-        if "max_pressure" in asked.quantities:
-            pressures.append(max(map(float.__mul__, turn.room.force, turn.curved)))
-        if "lost_motion" in asked.quantities:
-            lost.append(turn.lost(psi, asked.lost_motion_share))
-    values = {
-        "peak_force": max(forces),
-        "transmission_error": max(lags) - min(lags),
-        "backlash_max": max(0.0, *plays),
-        "stiffness_min": min(stiffness),
-        "lost_motion": max(lost, default=0.0),
-    }
-    if pressures:
-        # Pressure squared grows with the force over the reduced radius.
-        unit = real.contact(0, 1.0)
-        if unit is None:
-            raise InvalidInput("pin_material", None, "needed", field="hole_material")
-        square = unit.max_pressure**2 / turn.curved[0]
-        values["max_pressure"] = math.sqrt(square * max(pressures))
-    return [values[name] for name in asked.quantities], fits
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,6 +160,8 @@ class Study:
         Of the draws.
     progress : callable, optional
         Called with the number of pieces done.
+    threads : int
+        How many calculate, where the loops are compiled; 0 for one to a processor.
     """
 
     real: RealMechanism
@@ -216,10 +170,11 @@ class Study:
     samples: int = 4096
     seed: int = 0
     progress: Callable[[int], None] = field(default=lambda done: None)
+    threads: int = 0
 
     def pieces(
         self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()
-    ) -> list[Deviations]:
+    ) -> Errors[FloatArray]:
         """Deviations of the pieces.
 
         Parameters
@@ -231,7 +186,8 @@ class Study:
 
         Returns
         -------
-        list of Deviations
+        Errors
+            A table of each.
         """
         own = self.real.mechanism
         return (tolerances or self.tolerances).drawn(
@@ -242,12 +198,13 @@ class Study:
             other=other,
         )
 
-    def values(self, pieces: Sequence[Deviations]) -> tuple[FloatArray, BoolArray]:
-        """Quantities of pieces, and which of them can be assembled.
+    def values(self, pieces: Errors[FloatArray]) -> tuple[FloatArray, BoolArray]:
+        """Quantities of pieces, and which of them can be assembled; on all processors where the
+        loops are compiled, with the same bits however they are split.
 
         Parameters
         ----------
-        pieces : sequence of Deviations
+        pieces : Errors
             The pieces.
 
         Returns
@@ -257,17 +214,91 @@ class Study:
         fits : array of bool, shape (pieces,)
             Which can be assembled without force.
         """
-        rows, fits = [], []
-        for done, piece in enumerate(pieces, 1):
-            real = replace(self.real, deviations=piece)
+        kernel, count = at_hand(), len(pieces.pin_radial)
+        if self.real.support is not None:
+            kernel = PLAIN
+        blocks = [range(count)[first : first + BLOCK] for first in range(0, count, BLOCK)]
+
+        def block(samples: range) -> Pieces:
+            return self._block(kernel, Errors(*[t[samples.start : samples.stop] for t in pieces]))
+
+        found = []
+        with ThreadPoolExecutor(self.threads or kernel.threads) as threads:
+            for samples, results in zip(blocks, threads.map(block, blocks), strict=True):
+                found.append(results)
+                self.progress(samples.stop)
+        columns = {
+            name: np.concatenate([getattr(each, name) for each in found]) for name in Pieces._fields
+        }
+        if "max_pressure" in self.asked.quantities:
+            columns["max_pressure"] = np.sqrt(self._square_pressure * columns["max_pressure"])
+        values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
+        return values, columns["fits"] == 1
+
+    def _block(self, kernel: Any, pieces: Errors[FloatArray]) -> Pieces:
+        """Quantities of some pieces, in the kernel's rows."""
+        real, asked = self.real, self.asked
+        direction = math.copysign(1.0, asked.output_torque)
+        sizes = real.setup(direction), real.setup(-direction)
+        count = sizes[0].pins * sizes[0].satellites
+
+        def rows(kind: Any, length: int) -> Any:
+            return kind(*[kernel.row([0.0] * length) for _ in kind._fields])
+
+        results: Pieces = rows(Pieces, len(pieces.pin_radial))
+        load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
+        lost = "lost_motion" in asked.quantities
+        if real.support is None:
+            kernel.pieces(
+                Errors(*map(kernel.table, pieces)),
+                asked.positions,
+                lost,
+                real.law_constants,
+                load,
+                kernel.row(real.mechanism.crank_angles),
+                kernel.row(real.compliance),
+                rows(Pairs, count),
+                rows(Room, count),
+                results,
+            )
+            return results
+        for i in range(len(pieces.pin_radial)):
+            own = self.piece(pieces, i)
             try:
-                values, free = piece_values(real=real, asked=self.asked)
+                pairs, loops = own.pairs, own.loops
             except ImpossibleMechanism:
-                values, free = [math.nan] * len(self.asked.quantities), False
-            rows.append(values)
-            fits.append(free)
-            self.progress(done)
-        return np.array(rows), np.array(fits)
+                kernel.none(i, results)
+                continue
+            if not loops.piece(i, asked.positions, lost, load, pairs, own.room(), results):
+                kernel.none(i, results)
+        return results
+
+    def piece(self, pieces: Errors[FloatArray], index: int) -> RealMechanism:
+        """The mechanism of one piece.
+
+        Parameters
+        ----------
+        pieces : Errors
+            The pieces.
+        index : int
+            Which.
+
+        Returns
+        -------
+        RealMechanism
+        """
+        rows = {name: table[index] for name, table in pieces._asdict().items()}
+        own = deviations(rows=rows, pins=self.real.mechanism.pins)
+        return replace(self.real, deviations=own)
+
+    @property
+    def _square_pressure(self) -> float:
+        """Square of the largest pressure over what the kernel says of it."""
+        real = replace(self.real, deviations=Deviations())
+        unit = real.contact(0, 1.0)
+        if unit is None:
+            raise InvalidInput("pin_material", None, "needed", field="hole_material")
+        return float(unit.max_pressure**2 / real.pairs.curved[0])
 
 
 def tolerance_study(study: Study) -> ToleranceStudy:
@@ -289,7 +320,7 @@ def tolerance_study(study: Study) -> ToleranceStudy:
     """
     own, asked = study.real.mechanism, study.asked
     middle = study.tolerances.middle(pins=own.pins, satellites=own.satellites)
-    nominal, _ = piece_values(real=replace(study.real, deviations=middle), asked=asked)
+    nominal = _nominal(replace(study, real=replace(study.real, deviations=middle)))
     pieces = study.pieces()
     values, fits = study.values(pieces)
     return ToleranceStudy(
@@ -302,16 +333,31 @@ def tolerance_study(study: Study) -> ToleranceStudy:
     )
 
 
-def _grid_errors(
-    study: Study, pieces: Sequence[Deviations], values: FloatArray
-) -> dict[str, float]:
+def _nominal(study: Study) -> list[float]:
+    """Quantities of the piece that the study's mechanism is; a refusal where it cannot work."""
+    real, asked = study.real, study.asked
+    rows = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
+    quiet = replace(study, progress=lambda done: None)
+    (values,), _ = quiet.values(Errors(*[np.array([row]) for row in rows]))
+    if np.isnan(values).any():
+        turn = Turn(real, asked.output_torque, asked.lost_motion_share)
+        for kind in (FORCE, LOST_MOTION):
+            turn.values(kind, _places(asked.positions))
+    return [*map(float, values)]
+
+
+def _places(positions: int) -> list[float]:
+    return [2 * math.pi * k / positions for k in range(positions)]
+
+
+def _grid_errors(study: Study, pieces: Errors[FloatArray], values: FloatArray) -> dict[str, float]:
     """What the positions miss of each quantity."""
     asked, missed = study.asked, {}
     others = tuple(name for name in asked.quantities if name != "peak_force")
     if others:
         finer = replace(asked, quantities=others, positions=FINER * asked.positions)
         finer_study = replace(study, asked=finer, progress=lambda done: None)
-        fine, _ = finer_study.values(pieces[:FINER_SAMPLES])
+        fine, _ = finer_study.values(Errors(*[table[:FINER_SAMPLES] for table in pieces]))
         for name, column in zip(others, fine.T, strict=True):
             coarse = values[:FINER_SAMPLES, asked.quantities.index(name)]
             both = ~np.isnan(coarse) & ~np.isnan(column)
@@ -323,17 +369,16 @@ def _grid_errors(
     return missed
 
 
-def _missed_peak(study: Study, pieces: Sequence[Deviations], values: FloatArray) -> float:
+def _missed_peak(study: Study, pieces: Errors[FloatArray], values: FloatArray) -> float:
     """Mean of what the positions miss of the peak, over the samples of the highest peaks."""
     peaks = values[:, study.asked.quantities.index("peak_force")]
     order = [i for i in np.argsort(-peaks) if not np.isnan(peaks[i])]
     order = order[: min(WORST, math.ceil(len(peaks) / 10))]
     missed = []
     for i in order:
-        real = replace(study.real, deviations=pieces[i])
-        turn, count = Turn(real, study.asked.output_torque), study.asked.positions
-        grid = {2 * math.pi * k / count: turn.force(2 * math.pi * k / count) for k in range(count)}
-        found = summits(values=grid, function=turn.force, most=3)
+        turn = Turn(study.piece(pieces, i), study.asked.output_torque)
+        grid = turn.values(FORCE, _places(study.asked.positions))
+        found = summits(grid=grid, narrow=turn.narrow(FORCE), most=3)
         highest = max(summit.height for summit in found)
-        missed.append(max(0.0, 1 - max(grid.values()) / highest))
+        missed.append(max(0.0, 1 - float(grid.heights.max()) / highest))
     return float(np.mean(missed)) if missed else 0.0

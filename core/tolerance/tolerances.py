@@ -1,12 +1,13 @@
 """What the parts are made to, and pieces drawn from it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from core.arrays import FloatArray, check_positive
 from core.output.real_mechanism import Deviations
+from core.output.sharing_kernel import Errors
 from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
 
 
@@ -43,7 +44,7 @@ class Tolerances:
 
     def drawn(
         self, *, pins: int, satellites: int, seed: int, samples: int, other: Sequence[str] = ()
-    ) -> list[Deviations]:
+    ) -> Errors[FloatArray]:
         """Deviations of many pieces.
 
         Parameters
@@ -59,7 +60,8 @@ class Tolerances:
 
         Returns
         -------
-        list of Deviations
+        Errors
+            A table of each deviation, C-contiguous: a row for each piece.
         """
 
         def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
@@ -71,7 +73,10 @@ class Tolerances:
             return np.stack(columns * (count if common else 1), axis=1)
 
         counts = {"pin": pins, "hole": pins * satellites}
-        rows: dict[str, FloatArray] = {}
+        rows = {
+            name: np.zeros((samples, counts.get(name.split("_")[0], satellites)))
+            for name in Errors._fields
+        }
         for source in self.sources:
             of, given = source.split("_")[0], getattr(self, source)
             count = counts.get(of, satellites)
@@ -83,7 +88,7 @@ class Tolerances:
                 radius_uniform=stream(source, 0, count, False),
                 angle_uniform=stream(source, 1, count, False),
             )
-        return [_piece({name: row[i] for name, row in rows.items()}, pins) for i in range(samples)]
+        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
 
     def middle(self, *, pins: int, satellites: int) -> Deviations:
         """The piece at the middle of all limits.
@@ -104,7 +109,7 @@ class Tolerances:
             if isinstance(given, Spread):
                 middle = (given.lower + given.upper) / 2
                 rows[source] = np.full(counts.get(source, satellites), middle)
-        return _piece(rows, pins)
+        return deviations(rows=rows, pins=pins)
 
     def without(self, source: str) -> "Tolerances":
         """The same with a source at the middle of its limits.
@@ -125,7 +130,21 @@ class Tolerances:
         return replace(self, **{source: None})
 
 
-def _piece(rows: dict[str, FloatArray], pins: int) -> Deviations:
+def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:
+    """Deviations of one piece.
+
+    Parameters
+    ----------
+    rows : mapping of str to array
+        Flat rows by the names of `Deviations`.
+    pins : int
+        Number N.
+
+    Returns
+    -------
+    Deviations
+    """
+
     def entries(name: str, row: FloatArray) -> tuple[object, ...]:
         if not name.startswith("hole"):
             return tuple(row.tolist())

@@ -3,8 +3,11 @@
 import math
 from functools import partial
 
+import numpy as np
+
 from core.output.real_mechanism import RealMechanism
-from core.output.summits import all_summits, summits
+from core.output.sharing_kernel import FORCE
+from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
 from core.work_precision.study import (
     Reference,
@@ -59,30 +62,34 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
     turn = Turn(real, output_torque)
     start = own.initial_crank_angle
 
-    def grid(count: int) -> dict[float, float]:
+    narrow = turn.narrow(FORCE)
+
+    def grid(count: int) -> Grid:
         step = 2 * math.pi / count
-        return {psi: turn.force(psi) for psi in (start + step * i for i in range(count))}
+        return turn.values(FORCE, [start + step * i for i in range(count)])
 
     def sampled(count: int) -> float:
-        return max(grid(count).values())
+        return float(grid(count).heights.max())
 
     def narrowed(count: int) -> float:
-        return summits(values=grid(count), function=turn.force, most=1)[0].height
+        return summits(grid=grid(count), narrow=narrow, most=1)[0].height
 
     def chosen() -> float:
         even, near = turn.positions()
         step = even[1] - even[0]
-        coarse = {psi: turn.force(psi) for psi in sorted([*even, *near])}
-        between = {psi + step / 2: turn.force(psi + step / 2) for psi in even}
-        fine = dict(sorted((coarse | between).items()))
-        return all_summits(coarse=coarse, fine=fine, function=turn.force)[1].height
+        coarse = turn.values(FORCE, sorted({*even, *near}))
+        between = turn.values(FORCE, {psi + step / 2 for psi in even} - {*coarse.places.tolist()})
+        places = np.concatenate([coarse.places, between.places])
+        order = np.argsort(places)
+        fine = Grid(places[order], np.concatenate([coarse.heights, between.heights])[order])
+        return all_summits(coarse=coarse, fine=fine, narrow=narrow)[1].height
 
     def dense() -> float:
         even, near = turn.positions()
         step = (even[1] - even[0]) / DENSE
         places = {psi + step * i for psi in even for i in range(DENSE)} | {*near}
-        values = {psi: turn.force(psi) for psi in sorted(places)}
-        return all_summits(coarse=values, fine=values, function=turn.force)[1].height
+        values = turn.values(FORCE, sorted(places))
+        return all_summits(coarse=values, fine=values, narrow=narrow)[1].height
 
     exact = [dense()]
 

@@ -73,6 +73,8 @@ export default {
     "approximation_range": "The approximation is stated for {field} from {low} to {high} only; here it is {value}.",
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
+    "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
+    "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
     "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
     "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",

@@ -190,12 +190,16 @@ async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
     ("include", "pins", "more", "limit"),
     [
         (["over_turn"], 51, {}, 50),
+        (["over_turn"], 501, {}, 500),
         (["positions"], 5001, {}, 5000),
         (["positions"], 501, {"crank_angle_deg": [0.0] * 100}, 500),
         (["curves"], 501, {"samples": 1001}, 49),
     ],
 )
-async def test_more_pairs_than_there_is_time_for_are_refused(api, include, pins, more, limit):
+async def test_more_pairs_than_there_is_time_for_are_refused(
+    api, monkeypatch, include, pins, more, limit
+):
+    monkeypatch.setattr("app.compiled.state", lambda: "missing" if limit == 50 else "ready")
     body = changed(mechanism={"pins": pins}, include=include, **more)
     del body["deviations"]
     error = (await api.post(PATH, json=body)).json()["errors"][0]
@@ -208,6 +212,18 @@ async def test_ten_thousand_pairs_at_one_position(api):
     del body["deviations"]
     answer = (await api.post(PATH, json=body)).json()
     assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=1e-9)
+
+
+@pytest.mark.usefixtures("compiled_loops")
+async def test_a_turn_of_a_thousand_pairs(api):
+    """By symmetry that of two discs of as many pins each: no pair of one has the load of all."""
+    body = changed(mechanism={"pins": 500}, include=["over_turn", "ideal"])
+    del body["deviations"]
+    body["contact"] |= {"hole_clearance_mm": 0}
+    answer = (await api.post(PATH, json=body)).json()
+    assert answer["over_turn"]["loaded_pairs_min"] >= 490
+    assert answer["ideal"]["ratio"] == pytest.approx(1, abs=0.05)
+    assert answer["accuracy"]["relative_error"] < 1e-9
 
 
 async def test_warnings_are_said_once(api):

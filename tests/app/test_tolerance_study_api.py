@@ -302,22 +302,47 @@ def refusal(body, seconds):
     return caught.value.parameter, caught.value.code, caught.value.params
 
 
-def test_work_is_bounded_by_samples_pairs_and_positions():
-    body = CHECKED | {"samples": 4096, "percentiles": [50]}
-    most = POSITIONS_PER_SECOND * 10 // (12 * 60)
+@pytest.mark.parametrize("state", ["ready", "missing"])
+def test_work_is_bounded_by_samples_pairs_and_positions(monkeypatch, state):
+    monkeypatch.setattr("app.compiled.state", lambda: state)
+    budget = POSITIONS_PER_SECOND[state] * 10
+    body = CHECKED | {"samples": 100_000, "percentiles": [50]}
+    most = budget // (12 * 60)
     assert refusal(body, 10) == ("samples", "service_limit", {"limit": most})
     ToleranceStudyRequest.model_validate(body | {"samples": most}).refuse_beyond(Settings())
-    ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=300))
+    ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=3000))
     lost = body | {"quantities": ["lost_motion_arcmin"], "limits": {}}
     assert refusal(lost, 10)[2] == {"limit": most // 3}
     ranked = body | {"include": ["contributions"]}
-    assert refusal(ranked, 10)[2] == {"limit": POSITIONS_PER_SECOND * 10 // (12 * 60 * 15)}
-    many = body | {"mechanism": {"pins": 400, "ratio": 20}, "samples": 1, "percentiles": []}
-    limit = {"limit": POSITIONS_PER_SECOND * 10 // (60 * 20 * 2), "satellites": 2}
+    assert refusal(ranked, 10)[2] == {"limit": budget // (12 * 60 * 15)}
+    many = body | {"mechanism": {"pins": 4000, "ratio": 20}, "samples": 1, "percentiles": []}
+    limit = {"limit": budget // (60 * 20 * 2), "satellites": 2}
     assert refusal(many, 10) == ("pins", "too_many_pairs", limit)
     fits = body | {"mechanism": {"pins": limit["limit"], "ratio": 20}}
     fits |= {"samples": 20, "percentiles": []}
     ToleranceStudyRequest.model_validate(fits).refuse_beyond(Settings())
+
+
+def test_the_usual_study_is_answered_once_the_loops_are_compiled(monkeypatch):
+    """4,096 samples at 60 angles; until then it is to be asked again, and told so."""
+    body = {name: value for name, value in CHECKED.items() if name != "limits"}
+    usual = ToleranceStudyRequest.model_validate(body)
+    assert (usual.samples, usual.crank_angles) == (4096, 60)
+    monkeypatch.setattr("app.compiled.state", lambda: "ready")
+    usual.refuse_beyond(Settings())
+    monkeypatch.setattr("app.compiled.state", lambda: "preparing")
+    with pytest.raises(Problem) as caught:
+        usual.refuse_beyond(Settings())
+    assert caught.value.status == 503 and int(caught.value.headers["retry-after"]) > 0
+
+
+@pytest.mark.parametrize("state", ["preparing", "missing"])
+def test_small_studies_are_answered_without_the_compiled_loops(monkeypatch, state):
+    monkeypatch.setattr("app.compiled.state", lambda: state)
+    body = ToleranceStudyRequest.model_validate(changed())
+    body.refuse_beyond(Settings())
+    answer = CALCULATIONS[PATH].solve(body)
+    assert [each["code"] for each in answer["warnings"]] == [f"compiled_{state}"]
 
 
 def test_the_percentile_is_judged_by_its_own_number():

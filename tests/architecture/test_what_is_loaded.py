@@ -6,7 +6,7 @@ import sys
 
 import core
 
-HEAVY = {"mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
+HEAVY = {"numba", "mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
 
 
 def test_importing_every_calculation_loads_no_plotting_no_web_and_no_mpmath() -> None:
@@ -15,6 +15,22 @@ def test_importing_every_calculation_loads_no_plotting_no_web_and_no_mpmath() ->
     code = f"import sys, {', '.join(every)}; print(*sorted({HEAVY} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
+
+
+WORK = """
+import sys
+from core.output.loaded_position import loaded_position
+from core.output.over_turn import over_turn
+from tests.oracles.real_mechanisms import design
+loaded_position(real=design(), crank_angle=0.0, output_torque=30.0)
+over_turn(real=design(), output_torque=30.0)
+print("numba" in sys.modules)
+"""
+
+
+def test_a_position_and_an_interpreted_turn_load_no_compiler() -> None:
+    done = subprocess.run([sys.executable, "-c", WORK], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["False"]
 
 
 def test_the_check_would_see_what_is_loaded() -> None:

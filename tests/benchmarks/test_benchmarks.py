@@ -18,6 +18,7 @@ SAYS = {
     "page": "a frame",
     "peaks": "0 peaks missed",
     "service": "parts of a request",
+    "sharing": "compiling is not timed",
     "soak": "most processes",
     "speed": "contact line",
     "stability": "right to their stated error",

@@ -59,7 +59,7 @@ def test_the_first_pieces() -> None:
     assert ideal == pytest.approx(1666.67, abs=5e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.usefixtures("compiled_loops")
 def test_the_whole_run() -> None:
     found = run(4096)
     for percent, value, low, high in (

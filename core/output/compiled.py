@@ -1,0 +1,120 @@
+"""The loops over pairs, compiled from their own source, where that is wanted.
+
+Nothing is imported and nothing compiled before `load`; without it, or without numba, the loops run
+as they are and give the same bits.
+"""
+
+import functools
+import os
+import types
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from core.output import sharing_kernel as source
+
+
+def _copies(made: Callable[[Any], Any], others: dict[str, Any]) -> dict[str, Any]:
+    """The source's functions, made anew: they see each other and the others, not the plain ones."""
+    names = vars(source) | others
+    for name, plain in vars(source).items():
+        own = isinstance(plain, types.FunctionType) and plain.__module__ == source.__name__
+        if own and name not in others:
+            copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
+            copy.__module__, copy.__qualname__ = plain.__module__, plain.__qualname__
+            names[name] = made(copy)
+    return names
+
+
+def in_place_of(**others: Callable[..., Any]) -> Any:
+    """The loops, interpreted, with other functions in the place of some.
+
+    Parameters
+    ----------
+    **others : callable
+        By the names of those that they stand for.
+
+    Returns
+    -------
+    namespace
+        As `at_hand` gives it.
+    """
+    names = _copies(lambda copy: copy, others)
+    return types.SimpleNamespace(**names, row=list, table=np.ndarray.tolist, threads=1)
+
+
+PLAIN = in_place_of()
+
+_at_hand: types.SimpleNamespace = PLAIN
+
+
+def at_hand() -> Any:
+    """The functions of `core.output.sharing_kernel`: compiled once `load` was called, else as they
+    are.
+
+    Returns
+    -------
+    namespace
+        Its `row` and `table` make what they take, lists or arrays; `threads` says how many can
+        run at once.
+    """
+    return _at_hand
+
+
+def load() -> None:
+    """Have the loops compiled from now on: each with its first call, or read from numba's cache.
+
+    The cache is numba's, beside the source or in ``NUMBA_CACHE_DIR``; it is compiled for any
+    processor of its kind, and may be moved to another machine.
+
+    Raises
+    ------
+    ImportError
+        If numba is not installed.
+    """
+    global _at_hand
+    _at_hand = _compiled()
+
+
+@functools.cache
+def _compiled() -> types.SimpleNamespace:
+    os.environ.setdefault("NUMBA_CPU_NAME", "generic")
+    os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
+    import numba
+
+    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), {})
+    return types.SimpleNamespace(
+        **names,
+        row=functools.partial(np.array, dtype=float),
+        table=np.ascontiguousarray,
+        threads=len(os.sched_getaffinity(0)),
+    )
+
+
+class Place:
+    """Where numba keeps what it has compiled; it may be read where it cannot be written."""
+
+    @staticmethod
+    def from_function(function: types.FunctionType, file: str) -> Any:
+        """What numba asks for the place of a function.
+
+        Parameters
+        ----------
+        function : function
+            To be compiled.
+        file : str
+            Its source.
+
+        Returns
+        -------
+        locator
+        """
+        from numba.core import caching, config
+
+        beside = caching.InTreeCacheLocator(function, file)
+        own = caching.UserProvidedCacheLocator(function, file) if config.CACHE_DIR else beside
+        with suppress(OSError):
+            own.ensure_cache_path()
+        return own

@@ -1,0 +1,100 @@
+"""The compiled loops in the service: compiled once, told, and never waited for."""
+
+import asyncio
+import subprocess
+import sys
+
+import pytest
+
+from app import compiled
+from core.output import compiled as loops
+from core.output import sharing_kernel
+
+
+@pytest.fixture
+def elsewhere(monkeypatch, tmp_path):
+    """A cache of its own."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    compiled._mark.cache_clear()
+    yield tmp_path
+    compiled._mark.cache_clear()
+
+
+def test_an_installation_prepares_once(elsewhere, monkeypatch):
+    done = []
+    monkeypatch.setattr(compiled, "run_once", lambda: done.append(1))
+    monkeypatch.setattr(loops, "load", lambda: None)
+    assert compiled.state() == "preparing"
+    assert compiled.use() == "preparing"
+    compiled.prepare()
+    compiled.prepare()
+    assert (compiled.state(), done) == ("ready", [1])
+
+
+def test_what_failed_is_not_ready(elsewhere, monkeypatch):
+    def fails():
+        raise RuntimeError
+
+    monkeypatch.setattr(compiled, "run_once", fails)
+    monkeypatch.setattr(loops, "load", lambda: None)
+    with pytest.raises(RuntimeError):
+        compiled.prepare()
+    assert compiled.state() == "preparing"
+
+
+def test_a_cache_that_cannot_be_written_is_not_waited_for(elsewhere, monkeypatch):
+    monkeypatch.setattr("os.access", lambda path, mode: False)
+    assert compiled.state() == "missing"
+
+
+def test_without_numba_all_is_answered_as_it_is():
+    code = """
+import sys
+sys.modules["numba"] = None
+import importlib.metadata as installed
+version = installed.version
+def without(name):
+    if name == "numba":
+        raise installed.PackageNotFoundError
+    return version(name)
+installed.version = without
+from app.compiled import prepare, state, use, run_once
+import app.loaded, app.main
+prepare()
+run_once()
+print(state(), use())
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["missing", "missing"]
+
+
+@pytest.mark.usefixtures("compiled_loops")
+def test_a_cache_can_be_read_where_it_cannot_be_written(monkeypatch):
+    """As in an image, whose files are another user's: no locator of numba's own takes that."""
+
+    def refuse(path):
+        raise PermissionError(path)
+
+    from numba.core.caching import UserProvidedCacheLocator
+
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(compiled._mark().parent))
+    monkeypatch.setattr(UserProvidedCacheLocator, "ensure_cache_path", refuse)
+    found = loops.Place.from_function(sharing_kernel.solve, sharing_kernel.__file__)
+    assert found.get_cache_path()
+
+
+@pytest.mark.anyio
+@pytest.mark.parametrize("failed", [False, True])
+async def test_the_service_compiles_beside_itself_and_says_so(
+    elsewhere, monkeypatch, caplog, failed
+):
+    monkeypatch.setattr(sys, "executable", "/bin/false" if failed else "/bin/true")
+    with caplog.at_level("INFO", logger="khv.compiled"):
+        async with compiled.prepared():
+            for _ in range(600):
+                if len(caplog.records) == 2:
+                    break
+                await asyncio.sleep(0.1)
+    first, last = (record.message for record in caplog.records)
+    assert "until then" in first
+    assert ("was not compiled" in last) == failed
