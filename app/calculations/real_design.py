@@ -45,6 +45,7 @@ def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
         {"not": {"allOf": [supported, coupled]}},
     ]
 
+
 LEFT_OUT = (
     "bearing_elasticity",
     "bodies_rigid",
