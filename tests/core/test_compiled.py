@@ -13,6 +13,8 @@ from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
+from core.output.satellite_support import CrankSupport
+from core.output.sharing_kernel import FORCE
 from core.output.turn import Turn
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, Study
@@ -119,3 +121,17 @@ def test_a_refusal_says_why_in_both(loaded: bool) -> None:
         with pytest.raises(ImpossibleMechanism) as caught:
             calculate()
         assert caught.value.code == "lost_in_space"
+
+
+def test_a_study_of_satellites_that_give_is_that_of_its_pieces() -> None:
+    support = CrankSupport(stiffness=1e8, radial_clearance=1e-5)
+    real = pair_of_discs(exact=False, support=support)
+    study = Study(real, WIDE, Evaluation(("peak_force",), 30.0, 6), samples=3)
+    pieces = study.pieces()
+    places = [2 * math.pi * k / 6 for k in range(6)]
+    peaks = [
+        Turn(study.piece(pieces, i), 30.0).values(FORCE, places).heights.max() for i in range(3)
+    ]
+    assert study.values(pieces)[0][:, 0].tolist() == peaks
+    rigid = replace(study, real=replace(real, support=None))
+    assert rigid.values(pieces)[0][:, 0].tolist() != peaks
