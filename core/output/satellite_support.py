@@ -20,6 +20,7 @@ from core.output.sharing_kernel import (
     NOT_SOLVED,
     SOLVED,
     STEPS,
+    TINY,
     Pairs,
     Position,
     Room,
@@ -390,7 +391,7 @@ class HeldSatellites:
             for i in rows:
                 lever = v[i]
                 approach = q[i] + turned * lever + back
-                if approach <= 0:
+                if approach <= TINY:  # below it powers leave the range of numbers
                     force[i] = levers[i] = contact[i] = 0.0
                     continue
                 force[i], contact[i] = law(kind, approach, a[i], b[i], exponent, 0.0, 0.0)

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.contact_law import LinearLaw
+from core.output.contact_law import LinearLaw, PinSupport, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import real_curves
@@ -20,7 +20,16 @@ from core.output.satellite_support import (
     SatelliteSupport,
     Shares,
 )
-from tests.oracles.real_mechanisms import crank_angles, design, flat, held, reals, solved, torques
+from tests.oracles.real_mechanisms import (
+    STEEL,
+    crank_angles,
+    design,
+    flat,
+    held,
+    reals,
+    solved,
+    torques,
+)
 
 ONE = design(exact=False)
 TWO = replace(ONE, mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0))
@@ -112,6 +121,18 @@ def test_more_torque_turns_further_and_play_is_what_none_leaves(
         assert found.rotation == pytest.approx(found.play[1], abs=soft)
 
 
+@example(  # beside a dead angle by next to nothing: a contact of 1e-193 m, whose square is none
+    real=design(
+        mechanism=Mechanism(3, (0.0,), 2.0),
+        law=PowerLaw(0.5, 1000.0, 1e-5),
+        clearance=0.0,
+        pin=PinSupport("cantilever", 0.010, (0.025,), STEEL),
+        support=ElasticMesh(1e4),
+        exact=False,
+    ),
+    angle=5e-191,
+    torque=-20.0,
+)
 @given(held(), crank_angles, st.sampled_from([1.0, -200.0]))
 def test_the_stiffness_is_the_slope_of_the_torque(
     real: RealMechanism, angle: float, torque: float
