@@ -142,12 +142,13 @@ def test_against_integral_and_search_at_30_digits(
     assert found.accuracy.relative_error < 1e-8
 
 
+@example(mechanism=Mechanism(pins=8, crank_angles=(0.0,), ratio=1.0), exponent=0.125, place=0.0)
 @given(mechanism=mechanisms(), exponent=exponents, place=st.floats(0, 1))
 def test_the_total_force_lies_between_its_extremes(
     mechanism: Mechanism, exponent: float, place: float
 ) -> None:
     found = total_force(mechanism=mechanism, force_exponent=exponent)
-    angles = mechanism.crank_angle_per_wave * (place + np.arange(64) / 64)
+    angles = mechanism.crank_angle_per_wave * (place + np.arange(4096) / 4096)
     sums = force_ratios(mechanism=mechanism, crank_angles=angles, force_exponent=exponent).sum(
         axis=(1, 2)
     )
@@ -157,8 +158,8 @@ def test_the_total_force_lies_between_its_extremes(
         return  # the sum jumps where pairs switch, and just there neither of them drives
     assert found.least - room <= sums.min()
     assert sums.max() <= found.largest + room
-    # a mean over 64 places is off by no more than what changes between neighbours
-    assert sums.mean() == pytest.approx(found.mean, abs=0.1 * (found.largest - found.least) + room)
+    # a mean over so many places is off by no more than what changes between neighbours
+    assert sums.mean() == pytest.approx(found.mean, abs=0.02 * (found.largest - found.least) + room)
 
 
 @example(  # pairs of both satellites switch at the same place, but for rounding
