@@ -19,8 +19,10 @@ Figure = dict[str, Any]
 Numbers = Sequence[float] | NDArray[np.floating[Any]]
 
 TEXTS = {
+    "across_crank": "Across the crank",
     "along_arc": "Place along the arc of the pin",
     "along_axis": "Along the axis z",
+    "along_crank": "Along the crank, to the axis",
     "along_shaft": "Along the shaft from C to the clamp",
     "amount": "{amount}",
     "arc_on_roller": "Arc on the roller x = ρφ",
@@ -28,6 +30,7 @@ TEXTS = {
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
     "backlash_max": "Largest backlash",
+    "bearing_load": "Load of the bearing",
     "bending_moment": "Bending moment",
     "bending_stress": "Bending stress",
     "body_limit": "Limit of the {body}",
@@ -53,6 +56,7 @@ TEXTS = {
     "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
+    "equivalent_load": "Equivalent load",
     "gaps_times": "Gaps × {factor}",
     "hertz": "Hertz",
     "hole": "hole",

@@ -16,7 +16,7 @@ from itertools import count
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.output.pin_turn import PinTurn, combine
+from core.output.pin_turn import Turn, combine
 
 ROUNDS = 9
 """Rounds over the turn that are always enough: where the forces are not smooth a summit may be much
@@ -56,13 +56,13 @@ Measure = Callable[..., FloatArray]
 
 
 def largest(
-    *, turn: PinTurn, arms: tuple[FloatArray, ...], measure: Measure, rounds: int = ROUNDS
+    *, turn: Turn, arms: tuple[FloatArray, ...], measure: Measure, rounds: int = ROUNDS
 ) -> FloatArray:
     """The largest of a measure over the turn.
 
     Parameters
     ----------
-    turn : PinTurn
+    turn : Turn
         Forces over the turn.
     arms : tuple of array, each shape (rows, K)
         What unit forces of the satellites do; complex where the direction counts.
@@ -112,9 +112,17 @@ def largest(
         end = (place == 0) | (place == 1)
         stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
         width = width * np.where(stuck, 2.0, 1 / CELLS)
-        low, high = np.maximum(index - 1, 0), np.minimum(index + 1, 2 * CELLS)
-        settled = best - np.minimum(found[every, low], found[every, high]) <= SETTLED * best
-        if (settled | (end & turn.smooth)).all():
+        beside, beyond = (
+            np.minimum(
+                found[every, np.maximum(index - step, 0)],
+                found[every, np.minimum(index + step, 2 * CELLS)],
+            )
+            for step in (1, 2)
+        )
+        settled = best - beside <= SETTLED * best
+        if turn.smooth:  # and steep at the end of its arc: no summit lies within the last cell
+            settled |= end & (best - beside > (beside - beyond) / 2)
+        if settled.all():
             break
     result = np.asarray(values.max(axis=(1, 2)))
     np.maximum.at(result, row, best)

@@ -1,0 +1,8 @@
+"""The crank: bearings of the satellites.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+bearing_life        life of a rolling bearing: equivalent load, rating life, reliability
+ring_mesh           the force of the ring on a satellite, along the crank
+satellite_bearing   load of the satellites' bearings by pins and ring, and their life
+"""
