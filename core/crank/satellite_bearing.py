@@ -11,6 +11,7 @@ for its ripple:
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,8 +29,7 @@ from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import largest
-from core.output.pin_turn import SatelliteTurn, satellite_turn
-from core.quadrature import tanh_sinh_rule
+from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 COARSEST, FINEST = 3, 9
@@ -179,15 +179,12 @@ def satellite_bearings(
         for each in (radial_force_ratio, arm)
     )
     exponent = EXPONENTS[kind]
-    turns = [
-        satellite_turn(mechanism, force_exponent, satellite + 1)
-        for satellite in range(mechanism.satellites)
-    ]
-    found = [_Loads.of(turn, rho, along, exponent) for turn in turns]
+    turn = satellite_turn(mechanism, force_exponent)
+    found = [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
     scale = np.asarray(across)[..., None]
     most, least, mean, ring = (
-        scale * np.stack([getattr(each, name) for each in found], axis=-1).reshape(*shape, -1)
-        for name in ("most", "least", "mean", "ring")
+        scale * np.stack(each, axis=-1).reshape(*shape, -1)
+        for each in zip(*(loads for loads, _ in found), strict=True)
     )
     ring = ring * np.sqrt(1 + np.square(radial_force_ratio))[..., None]
     equivalent = np.asarray(ring_factor)[..., None] * mean
@@ -207,8 +204,8 @@ def satellite_bearings(
     error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
     # the ring's part may take away that of the pins, but never the part across the crank
     error *= 1 + 2 * float(np.abs(radial_force_ratio).max())
-    error = 4 * (error + mesh.error + max(each.truncation for each in found))
-    accuracy = Accuracy("segments_tanh_sinh", error, sum(turn.forces[0].size for turn in turns))
+    error = 4 * (error + mesh.error + max(truncation for _, truncation in found))
+    accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
     return SatelliteBearings(
         relative_speed=relative_speed,
         radial_force_ratio=radial_force_ratio,
@@ -226,55 +223,64 @@ def satellite_bearings(
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _Loads:
-    """Loads of one satellite over that of a force ``T/(e*u)``, one a design."""
-
-    most: FloatArray
-    least: FloatArray
-    mean: FloatArray
-    ring: FloatArray
-    truncation: float
-
-    @classmethod
-    def of(
-        cls, turn: SatelliteTurn, rho: FloatArray, along: FloatArray, exponent: float
-    ) -> "_Loads":
-        """Largest, least and mean load, and the largest force of the ring across the crank."""
-        across = np.array([[1.0, 0.0]])
-        arms = np.repeat(across, len(rho), axis=0), np.stack((rho, along), axis=1)
-        most = largest(turn=turn, arms=arms, measure=np.hypot)
-        least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
-        ring = largest(turn=turn, arms=(across,), measure=np.real)
-        mean, truncation = _mean_power(turn, rho, along, most, exponent)
-        return cls(most, np.maximum(least, 0.0), most * mean, np.repeat(ring, len(rho)), truncation)
+def _loads(
+    turn: SatelliteTurn, satellite: int, rho: FloatArray, along: FloatArray, exponent: float
+) -> tuple[tuple[FloatArray, ...], float]:
+    """Largest, least and equivalent load of a satellite, and the largest force of the ring across
+    the crank, over that of all the torque, one a design; and the error of the mean.
+    """
+    channels = np.eye(len(turn.forces))
+    own, pins = channels[satellite], channels[satellite + len(channels) // 2]
+    arms = np.repeat(own[None], len(rho), axis=0), np.outer(rho, own) + np.outer(along, pins)
+    most = largest(turn=turn, arms=arms, measure=np.hypot)
+    least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
+    ring = largest(turn=turn, arms=(own[None],), measure=np.real)
+    mean, truncation = mean_power(
+        turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
+    )
+    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), truncation
 
 
-def _mean_power(
-    turn: SatelliteTurn, rho: FloatArray, along: FloatArray, most: FloatArray, exponent: float
+def mean_power(
+    *,
+    turn: SatelliteTurn,
+    arms: tuple[FloatArray, ...],
+    measure: Callable[..., FloatArray],
+    largest: FloatArray,
+    exponent: float,
 ) -> tuple[FloatArray, float]:
-    """``<(Q/most)^p>^(1/p)`` over the turn, one a design, and its error."""
-    start, stop = turn.tangents(turn.arcs)
-    whole = float((turn.ends[1] - turn.ends[0]).sum()) * 2 * math.pi
-    at = turn.at(turn.arcs)
-    before = np.zeros(len(rho))
+    """Equivalent load ``<Q^p>^(1/p)`` over the turn.
+
+    Parameters
+    ----------
+    turn : SatelliteTurn
+        Forces over the turn.
+    arms : tuple of array, each shape (rows, 2*K)
+        What the satellites' shares and forces do.
+    measure : callable
+        The load by the sums, each shape (1, n).
+    largest : array, shape (rows,)
+        Largest loads, > 0.
+    exponent : float
+        p.
+
+    Returns
+    -------
+    loads : array, shape (rows,)
+    error : float
+        Relative difference of the last two rules.
+    """
+    before = np.zeros(len(largest))
     for level in range(COARSEST, FINEST + 1):
-        near, weights = tanh_sinh_rule(level)
-        way = np.tile(np.concatenate((near, 1 - near[::-1])), (len(turn.arcs), 1))
-        weights = np.concatenate((weights, weights[::-1]))
-        tangents = start * (1 - way) + stop * way
-        weights = (weights * (stop - start) / (1 + tangents**2) / whole).ravel()
-        share, force = at(way).swapaxes(0, 1).reshape(2, -1)
-        mean = np.array(
-            [
-                weights @ (np.hypot(share, r * share + k * force) / top) ** exponent
-                for r, k, top in zip(rho.tolist(), along.tolist(), most.tolist(), strict=True)
-            ]
-        )
+        values, weights = turn.nodes_of(level)
+        mean = np.zeros(len(largest))
+        for row, top in enumerate(largest.tolist()):
+            sums = (combine(arms=each[row : row + 1], forces=values) for each in arms)
+            mean[row] = weights @ (measure(*sums)[0] / top) ** exponent
         off, before = np.abs(mean - before), mean
         if (off <= CONVERGED * mean).all():
             break
-    return mean ** (1 / exponent), float((off / mean).max())
+    return largest * mean ** (1 / exponent), float((off / mean).max())
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,7 @@ from core.arrays import FloatArray, IntArray
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
+from core.quadrature import tanh_sinh_rule
 
 ComplexArray = NDArray[np.complex128]
 
@@ -205,7 +206,7 @@ class PinTurn(Turn):
 
 
 class SatelliteTurn(Turn):
-    """What a satellite does: its share ``T_j/T`` of the torque, and its pins' force ``S_j/F0``.
+    """What the satellites do: their shares ``T_j/T`` of the torque, then their pins' ``S_j/F0``.
 
     Parameters
     ----------
@@ -213,15 +214,14 @@ class SatelliteTurn(Turn):
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
-    satellite : int
-        Number of the satellite, from 1.
     """
 
-    def __init__(self, mechanism: Mechanism, force_exponent: float, satellite: int) -> None:
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         phases = mechanism.phases
-        first = phases.satellite_phase[satellite - 1]
-        own = [first + pin / phases.pins for pin in range(phases.pins)]
-        super().__init__(mechanism, force_exponent, own, phases.symmetry)
+        pins = np.arange(phases.pins) / phases.pins
+        own = np.add.outer(phases.satellite_phase, pins).ravel()
+        self.pins = phases.pins
+        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry)
 
     def tangents(self, arcs: IntArray) -> FloatArray:
         """Tangents of the best placed pair's pressure angle at both ends of arcs.
@@ -238,8 +238,31 @@ class SatelliteTurn(Turn):
         found: FloatArray = np.tan(2 * np.pi * self.ends[:, arcs])[..., None]
         return found
 
+    def nodes_of(self, level: int) -> tuple[FloatArray, FloatArray]:
+        """Shares and forces at the nodes of a rule of the whole turn, and its weights.
+
+        Parameters
+        ----------
+        level : int
+            Of the tanh-sinh rule of each arc.
+
+        Returns
+        -------
+        values : array, shape (2*K, n)
+        weights : array, shape (n,)
+        """
+        start, stop = self.tangents(self.arcs)
+        near, weights = tanh_sinh_rule(level)
+        way = np.tile(np.concatenate((near, 1 - near[::-1])), (len(self.arcs), 1))
+        weights = np.concatenate((weights, weights[::-1]))
+        tangents = _between(start, stop, way)
+        whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
+        weights = weights * (stop - start) / ((1 + tangents**2) * whole)
+        values = self.at(self.arcs)(way).swapaxes(0, 1)
+        return values.reshape(len(values), -1), weights.ravel()
+
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], FloatArray]:
-        """T times share and force."""
+        """T times shares and forces."""
         low, high = self.own.real[:, arcs, :, None]
         drives = self.drives[arcs, :, None]
         start, stop = self.tangents(arcs)
@@ -248,8 +271,9 @@ class SatelliteTurn(Turn):
             cosines = _between(low, high, way[:, None])
             powers = self._power(cosines) * drives
             secant = np.sqrt(1 + _between(start, stop, way) ** 2)
-            shares, forces = (powers * cosines).sum(axis=1), powers.sum(axis=1) * secant
-            return np.stack((shares, forces), axis=1)
+            both = np.stack((powers * cosines, powers * secant[:, None]), axis=1)
+            summed = both.reshape(len(way), -1, self.pins, way.shape[1]).sum(axis=2)
+            return np.asarray(summed)
 
         return own
 
@@ -330,8 +354,8 @@ def pin_turn(mechanism: Mechanism, force_exponent: float) -> PinTurn:
 
 
 @lru_cache(maxsize=256)
-def satellite_turn(mechanism: Mechanism, force_exponent: float, satellite: int) -> SatelliteTurn:
-    """What a satellite of a mechanism does, looked at once.
+def satellite_turn(mechanism: Mechanism, force_exponent: float) -> SatelliteTurn:
+    """What the satellites of a mechanism do, looked at once.
 
     Parameters
     ----------
@@ -339,11 +363,9 @@ def satellite_turn(mechanism: Mechanism, force_exponent: float, satellite: int) 
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
-    satellite : int
-        Number of the satellite, from 1.
 
     Returns
     -------
     SatelliteTurn
     """
-    return SatelliteTurn(mechanism, force_exponent, satellite)
+    return SatelliteTurn(mechanism, force_exponent)
