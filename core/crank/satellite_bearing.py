@@ -13,8 +13,10 @@ for its ripple:
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.arrays import FloatArray, Number, check_positive
 from core.crank.bearing_life import (
@@ -244,7 +246,7 @@ def _loads(
 def mean_power(
     *,
     turn: SatelliteTurn,
-    arms: tuple[FloatArray, ...],
+    arms: tuple[NDArray[Any], ...],
     measure: Callable[..., FloatArray],
     largest: FloatArray,
     exponent: float,

@@ -12,8 +12,10 @@ the best point near it, and drops only what cannot hold it:
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import count
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.arrays import BoolArray, FloatArray
 from core.output.pin_turn import Turn, combine
@@ -56,7 +58,7 @@ Measure = Callable[..., FloatArray]
 
 
 def largest(
-    *, turn: Turn, arms: tuple[FloatArray, ...], measure: Measure, rounds: int = ROUNDS
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, rounds: int = ROUNDS
 ) -> FloatArray:
     """The largest of a measure over the turn.
 

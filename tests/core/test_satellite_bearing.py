@@ -17,6 +17,7 @@ from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import pin_geometry
+from tests.oracles.satellites import exponents, forces, mechanisms
 
 LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
 INVOLUTE = involute_mesh(
@@ -89,30 +90,6 @@ def test_a_published_bearing_load() -> None:
     assert along / across == pytest.approx(0.351049, abs=1e-6)
     mesh = cycloid_mesh(eccentricity=1.250025e-3, ratio=29.0, ring_pin_circle_radius=0.0525)
     assert mesh.radial_force_ratio == pytest.approx(-0.343755, abs=1e-6)
-
-
-mechanisms = st.builds(
-    lambda pins, degrees, start: Mechanism(
-        pins=pins,
-        crank_angles=tuple(math.radians(each) for each in degrees),
-        ratio=20.0,
-        initial_crank_angle=math.radians(start),
-    ),
-    pins=st.integers(3, 8),
-    degrees=st.lists(st.integers(0, 359), min_size=1, max_size=3),
-    start=st.integers(0, 359),
-)
-exponents = st.sampled_from([0.0, 0.5, 1.0, 10 / 9, 1.5, 6.0])
-
-
-def forces(mechanism: Mechanism, exponent: float, psi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Sum of a satellite's forces and of their moments over F0 and T, from the law itself."""
-    pins = 2 * np.pi * np.arange(mechanism.pins) / mechanism.pins
-    cranks = np.array(mechanism.crank_angles) + mechanism.initial_crank_angle
-    cosine = np.maximum(-np.sin(psi + np.add.outer(cranks, pins)[..., None]), 0)
-    powers = np.where(cosine > 0, cosine**exponent, 0)
-    force = powers / (powers * cosine).sum(axis=(0, 1))
-    return force.sum(axis=1), (force * cosine).sum(axis=1)
 
 
 @given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
