@@ -109,14 +109,13 @@ class BearingFields(RequestModel):
     )
 
 
-class SatelliteBearingRequest(RequestModel):
-    """Mechanism, load, crank, ring and bearing."""
+class CrankedRequest(RequestModel):
+    """Mechanism, load, crank and ring."""
 
     mechanism: MechanismFields
     load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
-    bearing: BearingFields
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in pairs."""
@@ -144,11 +143,21 @@ class SatelliteBearingRequest(RequestModel):
             "eccentricity": to_si("eccentricity_mm", self.contact.eccentricity_mm),
         }
 
-    def solve(self) -> SatelliteBearings:
-        """Loads and lives."""
+    def refuse_long(self) -> None:
+        """Refuse more pairs than there is time for."""
         if self.mechanism.pairs > MAX_PAIRS:
             most = self.mechanism.most_pins(MAX_PAIRS)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
+
+
+class SatelliteBearingRequest(CrankedRequest):
+    """Mechanism, load, crank, ring and bearing."""
+
+    bearing: BearingFields
+
+    def solve(self) -> SatelliteBearings:
+        """Loads and lives."""
+        self.refuse_long()
         return satellite_bearings(
             **self.design,
             mesh=self.mesh,

@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import mean_power
+from core.crank.satellite_bearing import bearing_curves, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -173,10 +173,7 @@ def crankshaft(
     first, last = bearing_positions
     if not last > first:
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
-    cranks: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
-    # what each bearing carries of a force at z
-    on_last = (np.array(satellite_positions) - first) / (last - first)
-    carried = np.stack((1 - on_last, on_last))
+    carried, cranks = _carried(satellite_positions, bearing_positions), _cranks(mechanism)
     rho = float(mesh.radial_force_ratio)
     across = output_torque / (eccentricity * mechanism.ratio)
     pins = output_torque / pin_circle_radius
@@ -217,6 +214,18 @@ def crankshaft(
     return Crankshaft(most, equivalent, tuple(lives), balance, accuracy, notices)
 
 
+def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
+    """What each bearing carries of a force at each satellite, shape (2, K)."""
+    on_last = (np.array(positions) - bearings[0]) / (bearings[1] - bearings[0])
+    return np.stack((1 - on_last, on_last))
+
+
+def _cranks(mechanism: Mechanism) -> ComplexArray:
+    """Directions of the cranks in the crank's frame."""
+    found: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
+    return found
+
+
 def _balance(
     carried: FloatArray, unbalances: ComplexArray, speed: float, distance: float
 ) -> Balance:
@@ -231,3 +240,73 @@ def _balance(
 def _turned(value: complex) -> float:
     """Direction from 0 to less than a turn."""
     return math.atan2(value.imag, value.real) % (2 * math.pi)
+
+
+@dataclass(frozen=True, slots=True)
+class ReactionCurves:
+    """Reactions at crank angles, in the crank's frame.
+
+    Attributes
+    ----------
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+    reaction : array of complex, shape (n, 2)
+        Of both bearings: along the direction from which crank angles are counted, and i times
+        that ahead of it, N.
+    """
+
+    crank_angle: FloatArray
+    reaction: ComplexArray
+
+
+def reaction_curves(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    output_torque: float,
+    pin_circle_radius: float,
+    eccentricity: float,
+    radial_force_ratio: float,
+    satellite_positions: tuple[float, ...],
+    bearing_positions: tuple[float, float],
+    crank_angle: FloatArray,
+) -> ReactionCurves:
+    """Reactions of the crankshaft's bearings at given crank angles.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    output_torque : float
+        Torque T on the output link, N*m.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m.
+    eccentricity : float
+        Eccentricity e of the cranks, m.
+    radial_force_ratio : float
+        Ratio rho of the ring's force along the crank to that across it.
+    satellite_positions : tuple of float
+        Middle planes z of the satellites along the shaft, m.
+    bearing_positions : tuple of float
+        Places A and B of the bearings, m.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    ReactionCurves
+    """
+    loads = bearing_curves(
+        mechanism=mechanism,
+        force_exponent=force_exponent,
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+        eccentricity=eccentricity,
+        radial_force_ratio=radial_force_ratio,
+        crank_angle=crank_angle,
+    )
+    held = (loads.along + 1j * loads.across) * _cranks(mechanism)
+    carried = _carried(satellite_positions, bearing_positions)
+    return ReactionCurves(crank_angle, (held[:, None, :] * carried).sum(axis=2))

@@ -124,9 +124,11 @@ export default {
   },
   "figures": {
     "across_crank": "Across the crank",
+    "across_first_crank": "Across, from angle 0 of the cranks",
     "along_arc": "Place along the arc of the pin",
     "along_axis": "Along the axis z",
     "along_crank": "Along the crank, to the axis",
+    "along_first_crank": "Along angle 0 of the cranks",
     "along_shaft": "Along the shaft from C to the clamp",
     "amount": "{amount}",
     "arc_on_roller": "Arc on the roller x = ρφ",
@@ -134,6 +136,7 @@ export default {
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
     "backlash_max": "Largest backlash",
+    "bearing": "Bearing {letter}",
     "bearing_load": "Load of the bearing",
     "bending_moment": "Bending moment",
     "bending_stress": "Bending stress",
@@ -203,6 +206,7 @@ export default {
     "play_to": "Play, to",
     "position_error": "Relative position error δ",
     "pressure_hover": "{name}<br>{pressure} at {place}",
+    "reaction": "Reaction",
     "relative_error": "Relative error",
     "reverse_lag": "Lag under reverse torque",
     "roller_angle": "φ₁ = {angle}",
@@ -303,6 +307,10 @@ export default {
       "Bearing distance",
       "Distance of the satellite's bearings, from C to B."
     ],
+    "bearing_positions_mm": [
+      "Places of the bearings",
+      "Of both bearings along the shaft, ascending; satellites may lie beyond."
+    ],
     "bending_safety": [
       "Safety against bending",
       "Yield strength over bending stress."
@@ -350,6 +358,10 @@ export default {
     "crank_spacing_deg": [
       "Crank spacing",
       "Angle between neighbouring cranks; 360°/K where not given."
+    ],
+    "crankshaft.satellite_positions_mm": [
+      "Places of the satellites",
+      "Middle plane of each satellite along the shaft."
     ],
     "criterion": [
       "Criterion",
@@ -583,6 +595,10 @@ export default {
       "Pin diameter",
       "Diameter of the pin itself, inside its sleeve where it has one."
     ],
+    "pin.satellite_positions_mm": [
+      "Places of the satellites",
+      "Middle plane of each satellite, from the face of the carrier."
+    ],
     "pin_circle_radius_mm": [
       "Pin circle radius",
       "Radius of the circle of pin centres."
@@ -731,9 +747,9 @@ export default {
       "Pin rotates",
       "Whether the pin turns in the carrier: then its bending is fully reversed."
     ],
-    "satellite_positions_mm": [
-      "Places of the satellites",
-      "Middle plane of each satellite, from the face of the carrier."
+    "satellite_mass_kg": [
+      "Mass of a satellite",
+      "With its bearing; without it no balance is answered."
     ],
     "satellite_teeth": [
       "Satellite teeth",
@@ -1129,6 +1145,7 @@ export default {
     "load-sharing": "Load sharing with clearance and errors",
     "pin-strength": "Strength of the pins",
     "satellite-bearing": "Bearings of the satellites",
+    "crankshaft": "Crankshaft",
     "tolerance-study": "Tolerances and their effect",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",

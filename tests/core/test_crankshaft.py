@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.crank.crankshaft import crankshaft
+from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh, involute_mesh
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
@@ -39,6 +39,15 @@ def test_loads_stand_still_in_the_crank() -> None:
     across, along = 12_500 * shares, MESH.radial_force_ratio * 12_500 * shares + 10_000 * pins
     assert along.min() > 0.9 * along.max() > 0
     assert across.min() > 0
+
+
+def test_curves_are_the_reactions() -> None:
+    design = LOAD | PLACES | {"mechanism": spaced(3, 2)}
+    angles = np.linspace(0, 2 * math.pi, 20_001)
+    curves = reaction_curves(**design, radial_force_ratio=-0.3, crank_angle=angles)
+    found = crankshaft(**design, mesh=RingMesh(-0.3))
+    sizes = np.abs(curves.reaction)
+    assert sizes.max(axis=0) == pytest.approx(found.peak_reaction, rel=1e-6)
 
 
 def test_life() -> None:
