@@ -203,7 +203,9 @@ def highest(
         best = max(best, (float(values[top]), float(x[top]), float(chi[top])))
         if rounds == ROUNDS and room.max() <= ENOUGH * best[0]:
             break
-        kept = np.flatnonzero(values + room >= best[0] * (1 if rounds else SAMPLED))
+        # no more than rounding may have put the best of all above the best of these
+        least = min(best[0] * (1 if rounds else SAMPLED), float(values[top]))
+        kept = np.flatnonzero(values + room >= least)
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
         x = (x[kept, None] + length[kept, None] * move_x).ravel()
         chi = (chi[kept, None] + angle * move_chi).ravel()
