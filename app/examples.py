@@ -303,6 +303,33 @@ REQUESTS: dict[str, dict[str, Any]] = {
         "fatigue": {"surface": "ground", "reliability_percent": 99.0, "fatigue_notch_factor": 1.2},
         "include": ["deflection"],
     },
+    "satellite-bearing": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {
+            "output_torque_Nm": 500.0,
+            "pin_circle_radius_mm": 50.0,
+            "input_speed_rpm": 1500.0,
+        },
+        "contact": {"eccentricity_mm": 2.0},
+        "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+        "bearing": {"kind": "roller", "dynamic_rating_N": 60000.0, "static_rating_N": 50000.0},
+    },
+    "crankshaft": {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {
+            "output_torque_Nm": 500.0,
+            "pin_circle_radius_mm": 50.0,
+            "input_speed_rpm": 1500.0,
+        },
+        "contact": {"eccentricity_mm": 2.0},
+        "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+        "crankshaft": {
+            "satellite_positions_mm": [20.0, 42.0],
+            "bearing_positions_mm": [0.0, 62.0],
+            "satellite_mass_kg": 1.5,
+            "bearings": [{"kind": "ball", "dynamic_rating_N": 30000.0}] * 2,
+        },
+    },
     "tolerance-study": {
         "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
         "load": {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 40.0},

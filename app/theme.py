@@ -19,8 +19,12 @@ Figure = dict[str, Any]
 Numbers = Sequence[float] | NDArray[np.floating[Any]]
 
 TEXTS = {
+    "across_crank": "Across the crank",
+    "across_first_crank": "Across, from angle 0 of the cranks",
     "along_arc": "Place along the arc of the pin",
     "along_axis": "Along the axis z",
+    "along_crank": "Along the crank, to the axis",
+    "along_first_crank": "Along angle 0 of the cranks",
     "along_shaft": "Along the shaft from C to the clamp",
     "amount": "{amount}",
     "arc_on_roller": "Arc on the roller x = ρφ",
@@ -28,6 +32,8 @@ TEXTS = {
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
     "backlash_max": "Largest backlash",
+    "bearing": "Bearing {letter}",
+    "bearing_load": "Load of the bearing",
     "bending_moment": "Bending moment",
     "bending_stress": "Bending stress",
     "body_limit": "Limit of the {body}",
@@ -53,6 +59,7 @@ TEXTS = {
     "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
+    "equivalent_load": "Equivalent load",
     "gaps_times": "Gaps × {factor}",
     "hertz": "Hertz",
     "hole": "hole",
@@ -95,6 +102,7 @@ TEXTS = {
     "play_to": "Play, to",
     "position_error": "Relative position error δ",
     "pressure_hover": "{name}<br>{pressure} at {place}",
+    "reaction": "Reaction",
     "relative_error": "Relative error",
     "reverse_lag": "Lag under reverse torque",
     "roller_angle": "φ₁ = {angle}",

@@ -29,6 +29,7 @@ output              the output mechanism: pins in the holes of satellites on cra
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
+crank               bearings of the satellites, reactions and balance of the crankshaft
 exploration         an input solved for a result
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check

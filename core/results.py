@@ -41,6 +41,8 @@ NOTICES = {
     "formulas are those of small deflections.",
     "large_rotation": "The output turns by {share:.2g} of the eccentricity under load: clearance "
     "or compliance is large for such a mechanism.",
+    "no_ring_force": "The ring's force along the crank is left out: with involute teeth bearings "
+    "carry more, with a ring of pins less.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for "
     "the others is left out, 1 to 2 % of the largest force.",
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life "
@@ -67,6 +69,8 @@ NOTICES = {
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
     "strength_beyond_size": "The strengths of the material hold up to {limit:.4g} mm of diameter: "
     "thicker pins are weaker.",
+    "steep_mesh": "The operating pressure angle of the teeth is above 55°: the ring presses the "
+    "satellites more than it turns them.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
     "loaded one is half a turn of phi further, with the same force.",
 }

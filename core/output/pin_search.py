@@ -12,11 +12,13 @@ the best point near it, and drops only what cannot hold it:
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import count
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.arrays import BoolArray, FloatArray
-from core.output.pin_turn import PinTurn, combine
+from core.output.pin_turn import Turn, combine
 
 ROUNDS = 9
 """Rounds over the turn that are always enough: where the forces are not smooth a summit may be much
@@ -56,13 +58,13 @@ Measure = Callable[..., FloatArray]
 
 
 def largest(
-    *, turn: PinTurn, arms: tuple[FloatArray, ...], measure: Measure, rounds: int = ROUNDS
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, rounds: int = ROUNDS
 ) -> FloatArray:
     """The largest of a measure over the turn.
 
     Parameters
     ----------
-    turn : PinTurn
+    turn : Turn
         Forces over the turn.
     arms : tuple of array, each shape (rows, K)
         What unit forces of the satellites do; complex where the direction counts.
@@ -112,9 +114,17 @@ def largest(
         end = (place == 0) | (place == 1)
         stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
         width = width * np.where(stuck, 2.0, 1 / CELLS)
-        low, high = np.maximum(index - 1, 0), np.minimum(index + 1, 2 * CELLS)
-        settled = best - np.minimum(found[every, low], found[every, high]) <= SETTLED * best
-        if (settled | (end & turn.smooth)).all():
+        beside, beyond = (
+            np.minimum(
+                found[every, np.maximum(index - step, 0)],
+                found[every, np.minimum(index + step, 2 * CELLS)],
+            )
+            for step in (1, 2)
+        )
+        settled = best - beside <= SETTLED * best
+        if turn.smooth:  # and steep at the end of its arc: no summit lies within the last cell
+            settled |= end & (best - beside > (beside - beyond) / 2)
+        if settled.all():
             break
     result = np.asarray(values.max(axis=(1, 2)))
     np.maximum.at(result, row, best)
@@ -193,7 +203,9 @@ def highest(
         best = max(best, (float(values[top]), float(x[top]), float(chi[top])))
         if rounds == ROUNDS and room.max() <= ENOUGH * best[0]:
             break
-        kept = np.flatnonzero(values + room >= best[0] * (1 if rounds else SAMPLED))
+        # no more than rounding may have put the best of all above the best of these
+        least = min(best[0] * (1 if rounds else SAMPLED), float(values[top]))
+        kept = np.flatnonzero(values + room >= least)
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
         x = (x[kept, None] + length[kept, None] * move_x).ravel()
         chi = (chi[kept, None] + angle * move_chi).ravel()

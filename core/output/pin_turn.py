@@ -1,7 +1,7 @@
-"""The forces that one pin feels over a turn of the wave: as functions of the place, and sampled.
+"""The forces on one pin, or of one satellite, over a turn of the wave: at any place, and sampled.
 
 Between the places at which a pair starts or stops driving, or another becomes the best placed, the
-forces are smooth; such a stretch of a pin's turn is an arc. With t the tangent of the pressure
+forces are smooth; such a stretch of a turn is an arc. With t the tangent of the pressure
 angle of the best placed pair and d the phase of another against it, that one's cosine over the best
 is ``u = cos(d) - t*sin(d)``, and its sine ``s = sin(d) + t*cos(d)``, so that its force is
 
@@ -14,7 +14,7 @@ All pins of a mechanism are alike but for the time at which they feel the forces
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -25,6 +25,7 @@ from core.arrays import FloatArray, IntArray
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
+from core.quadrature import tanh_sinh_rule
 
 ComplexArray = NDArray[np.complex128]
 
@@ -46,8 +47,8 @@ NOTHING = 1e-30
 """Force of a pair, over that of the best placed one, that no sum feels."""
 
 
-class PinTurn:
-    """Forces on a pin over the turn of the wave, over F0, arc by arc.
+class Turn:
+    """What some of the pairs do over the turn of the wave, arc by arc.
 
     Parameters
     ----------
@@ -55,6 +56,10 @@ class PinTurn:
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+    own : sequence of float
+        Phases of these pairs, in turns.
+    repeats : int
+        How often they meet the segments of one repeat of the pattern before all is as it was.
 
     Attributes
     ----------
@@ -63,24 +68,25 @@ class PinTurn:
     nodes : array, shape (n,)
         Places of the samples, as parts of the way along an arc, by the tangent.
     arcs : array of int, shape (a,)
-        Arcs over which the pin feels anything, and one of the others.
+        Arcs over which any of the pairs drives, and one of the others.
     forces : array, shape (K, a, n)
-        Forces of the satellites on the pin at the samples of these.
+        What is asked of the pairs at the samples of these.
     """
 
-    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+    def __init__(
+        self, mechanism: Mechanism, force_exponent: float, own: Sequence[float], repeats: int
+    ) -> None:
         phases = mechanism.phases
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
         self.least = NOTHING ** (1 / force_exponent) if force_exponent > 1 else 0.0
         parts = list(segments(phases))
         ends = np.array([[part.low for part in parts], [part.high for part in parts]])
         self._all_pairs([part.driving.pairs() for part in parts], ends)
-        # over a turn a pin meets the segments of one repeat as often as there are repeats
-        repeats = phases.pins * phases.symmetry
         part = np.repeat(np.arange(len(parts)), repeats)
-        turn = np.tile(np.arange(repeats) / repeats, len(parts))
+        sectors = phases.pins * phases.symmetry
+        turn = np.tile(np.arange(repeats) / sectors, len(parts))
         shift = turn - np.array([each.phase for each in parts])[part]
-        self._own_pairs(np.add.outer(shift, np.array(phases.satellite_phase)), ends[:, part])
+        self._own_pairs(np.add.outer(shift, np.array(own)), ends[:, part])
         self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
         self.ends, self.part = ends[:, part], part
         felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
@@ -90,7 +96,7 @@ class PinTurn:
         every = np.arange(len(parts))
         total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[part[self.arcs]]
         forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
-        self.forces: ComplexArray = np.ascontiguousarray(forces.swapaxes(0, 1))
+        self.forces: NDArray[Any] = np.ascontiguousarray(forces.swapaxes(0, 1))
 
     def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
         """Relative cosines of all driving pairs of each segment at its ends, and their weights."""
@@ -102,7 +108,7 @@ class PinTurn:
         self.cosines = _relative_cosines(phase, ends[..., None])
 
     def _own_pairs(self, phase: FloatArray, ends: FloatArray) -> None:
-        """Relative cosines + i*sines of the pin's own pairs at the ends of each arc."""
+        """Relative cosines + i*sines of the pairs at the ends of each arc."""
         middle = ends.mean(axis=0)[:, None]
         phase = phase - np.rint(phase + middle)
         self.drives = np.abs(phase + middle) < 0.25
@@ -132,6 +138,43 @@ class PinTurn:
 
         return total
 
+    def _own(self, arcs: IntArray) -> Callable[[FloatArray], NDArray[Any]]:
+        """T times what is asked of the pairs, at parts of the way along arcs."""
+        raise NotImplementedError
+
+    def at(self, arcs: IntArray) -> Callable[[FloatArray], NDArray[Any]]:
+        """What is asked of the pairs, along arcs.
+
+        Parameters
+        ----------
+        arcs : array of int, shape (rows,)
+            Arcs.
+
+        Returns
+        -------
+        callable
+            Of parts of the way along each, shape (rows, m): shape (rows, K, m).
+        """
+        own, total = self._own(arcs), self._total(self.part[arcs])
+        return lambda way: own(way) / total(way)
+
+
+class PinTurn(Turn):
+    """Forces of the satellites on a pin over F0, tangential + i*radial.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    """
+
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+        phases = mechanism.phases
+        repeats = phases.pins * phases.symmetry
+        super().__init__(mechanism, force_exponent, phases.satellite_phase, repeats)
+
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
         """T times the forces of the satellites on the pin, shape (rows, K, m)."""
         low, high = self.own[:, arcs, :, None]
@@ -143,22 +186,6 @@ class PinTurn:
             return found
 
         return own
-
-    def at(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
-        """Forces of the satellites on the pin over F0, along arcs.
-
-        Parameters
-        ----------
-        arcs : array of int, shape (rows,)
-            Arcs.
-
-        Returns
-        -------
-        callable
-            Of parts of the way along each, shape (rows, m): forces, shape (rows, K, m).
-        """
-        own, total = self._own(arcs), self._total(self.part[arcs])
-        return lambda way: own(way) / total(way)
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
         """Forces over the turn, both sides of every switching angle.
@@ -176,6 +203,79 @@ class PinTurn:
         forces[:, self.arcs] = self.forces
         order = np.argsort(self.middle, kind="stable")
         return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
+
+
+class SatelliteTurn(Turn):
+    """What the satellites do: their shares ``T_j/T`` of the torque, then their pins' ``S_j/F0``.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    """
+
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+        phases = mechanism.phases
+        pins = np.arange(phases.pins) / phases.pins
+        own = np.add.outer(phases.satellite_phase, pins).ravel()
+        self.pins = phases.pins
+        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry)
+
+    def tangents(self, arcs: IntArray) -> FloatArray:
+        """Tangents of the best placed pair's pressure angle at both ends of arcs.
+
+        Parameters
+        ----------
+        arcs : array of int, shape (rows,)
+            Arcs.
+
+        Returns
+        -------
+        array, shape (2, rows, 1)
+        """
+        found: FloatArray = np.tan(2 * np.pi * self.ends[:, arcs])[..., None]
+        return found
+
+    def nodes_of(self, level: int) -> tuple[FloatArray, FloatArray]:
+        """Shares and forces at the nodes of a rule of the whole turn, and its weights.
+
+        Parameters
+        ----------
+        level : int
+            Of the tanh-sinh rule of each arc.
+
+        Returns
+        -------
+        values : array, shape (2*K, n)
+        weights : array, shape (n,)
+        """
+        start, stop = self.tangents(self.arcs)
+        near, weights = tanh_sinh_rule(level)
+        way = np.tile(np.concatenate((near, 1 - near[::-1])), (len(self.arcs), 1))
+        weights = np.concatenate((weights, weights[::-1]))
+        tangents = _between(start, stop, way)
+        whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
+        weights = weights * (stop - start) / ((1 + tangents**2) * whole)
+        values = self.at(self.arcs)(way).swapaxes(0, 1)
+        return values.reshape(len(values), -1), weights.ravel()
+
+    def _own(self, arcs: IntArray) -> Callable[[FloatArray], FloatArray]:
+        """T times shares and forces."""
+        low, high = self.own.real[:, arcs, :, None]
+        drives = self.drives[arcs, :, None]
+        start, stop = self.tangents(arcs)
+
+        def own(way: FloatArray) -> FloatArray:
+            cosines = _between(low, high, way[:, None])
+            powers = self._power(cosines) * drives
+            secant = np.sqrt(1 + _between(start, stop, way) ** 2)
+            both = np.stack((powers * cosines, powers * secant[:, None]), axis=1)
+            summed = both.reshape(len(way), -1, self.pins, way.shape[1]).sum(axis=2)
+            return np.asarray(summed)
+
+        return own
 
 
 def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:
@@ -214,7 +314,7 @@ def _nodes(exponent: float, pairs: int) -> FloatArray:
     return np.concatenate((half, 1 - half[-2::-1]))
 
 
-def combine(*, arms: NDArray[Any], forces: ComplexArray) -> ComplexArray:
+def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     """Sums of the satellites' forces times what each does.
 
     Parameters
@@ -229,7 +329,7 @@ def combine(*, arms: NDArray[Any], forces: ComplexArray) -> ComplexArray:
     array, shape (rows, m)
         Summed here, as a library of linear algebra would wake its threads for products this small.
     """
-    found: ComplexArray = arms[:, :1] * forces[..., 0, :]
+    found: NDArray[Any] = arms[:, :1] * forces[..., 0, :]
     for k in range(1, arms.shape[1]):
         found = found + arms[:, k : k + 1] * forces[..., k, :]
     return found
@@ -251,3 +351,21 @@ def pin_turn(mechanism: Mechanism, force_exponent: float) -> PinTurn:
     PinTurn
     """
     return PinTurn(mechanism, force_exponent)
+
+
+@lru_cache(maxsize=256)
+def satellite_turn(mechanism: Mechanism, force_exponent: float) -> SatelliteTurn:
+    """What the satellites of a mechanism do, looked at once.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+
+    Returns
+    -------
+    SatelliteTurn
+    """
+    return SatelliteTurn(mechanism, force_exponent)

@@ -692,6 +692,18 @@ export default {
       why: "So close to its seat a pin is sheared more than bent, and the seat gives way.",
       mend: "Take the bending for a rough guide and look at the equivalent stress.",
     },
+    no_ring_force: {
+      title: "Ring left out",
+      tests: "Whether the ring's force along the crank is known.",
+      why: "With involute teeth it adds to the force of the pins, with a ring of pins it opposes it: the life differs several times.",
+      mend: "Give the teeth, the circle of the ring's pins, or the ratio of the forces.",
+    },
+    steep_mesh: {
+      title: "Steep teeth",
+      tests: "Whether the operating pressure angle of the teeth is at most 55°.",
+      why: "Few teeth of difference need a large angle; then the ring presses the satellites apart more than it turns them.",
+      mend: "Make the eccentricity smaller or the module larger.",
+    },
     strength_beyond_size: {
       title: "Strength beyond its size",
       tests: "Whether the pin is as thin as the strengths of its material hold for.",

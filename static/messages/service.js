@@ -15,10 +15,12 @@ export default {
     "larger_than": "must be larger than {field}",
     "less_than": "must be less than {limit}",
     "less_than_equal": "must be at most {limit}",
+    "no_cycloid": "must be larger than eccentricity times {field} + 1: there is no such cycloid",
     "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
+    "no_mesh": "must be larger: teeth of this {field} do not mesh at so small a distance",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
@@ -85,6 +87,7 @@ export default {
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
     "large_rotation": "The output turns by {share} of the eccentricity under load: clearance or compliance is large for such a mechanism.",
+    "no_ring_force": "The ring's force along the crank is left out: with involute teeth bearings carry more, with a ring of pins less.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for the others is left out, 1 to 2 % of the largest force.",
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
@@ -98,7 +101,8 @@ export default {
     "small_arm": "A contact line comes close to phi = 0, where the load has no arm: the line load is concentrated there, more than elastic rollers would let it be.",
     "sphere_below_roller": "The sphere is smaller than the cylinder: the formulas take the sphere for rigid and the cylinder for the weak section.",
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
-    "strength_beyond_size": "The strengths of the material hold up to {limit} of diameter: thicker pins are weaker.",
+    "strength_beyond_size": "The strengths of the material hold up to {limit} mm of diameter: thicker pins are weaker.",
+    "steep_mesh": "The operating pressure angle of the teeth is above 55°: the ring presses the satellites more than it turns them.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is half a turn of phi further, with the same force."
   },
   "neglected": {
@@ -124,8 +128,12 @@ export default {
     "shear": "the shear of the shaft"
   },
   "figures": {
+    "across_crank": "Across the crank",
+    "across_first_crank": "Across, from angle 0 of the cranks",
     "along_arc": "Place along the arc of the pin",
     "along_axis": "Along the axis z",
+    "along_crank": "Along the crank, to the axis",
+    "along_first_crank": "Along angle 0 of the cranks",
     "along_shaft": "Along the shaft from C to the clamp",
     "amount": "{amount}",
     "arc_on_roller": "Arc on the roller x = ρφ",
@@ -133,6 +141,8 @@ export default {
     "at_place": "{name}: {value} at {place}",
     "axis": "{title}, {unit}",
     "backlash_max": "Largest backlash",
+    "bearing": "Bearing {letter}",
+    "bearing_load": "Load of the bearing",
     "bending_moment": "Bending moment",
     "bending_stress": "Bending stress",
     "body_limit": "Limit of the {body}",
@@ -158,6 +168,7 @@ export default {
     "efficiency": "Efficiency",
     "error_in_time": "{method}, {setting}<br>error {error} in {time}",
     "error_in_time_chosen": "{method}: error {error} in {time}",
+    "equivalent_load": "Equivalent load",
     "gaps_times": "Gaps × {factor}",
     "hertz": "Hertz",
     "hole": "hole",
@@ -200,6 +211,7 @@ export default {
     "play_to": "Play, to",
     "position_error": "Relative position error δ",
     "pressure_hover": "{name}<br>{pressure} at {place}",
+    "reaction": "Reaction",
     "relative_error": "Relative error",
     "reverse_lag": "Lag under reverse torque",
     "roller_angle": "φ₁ = {angle}",
@@ -288,9 +300,21 @@ export default {
       "Limit of the backlash",
       "Limit whose yield is asked; its quantity is calculated too."
     ],
+    "bearing.kind": [
+      "Rolling elements",
+      "Balls: the life falls with the cube of the load; rollers: with its power 10/3."
+    ],
+    "bearing.reliability_percent": [
+      "Reliability",
+      "90, 95, 96, 97, 98 or 99 %: the share of bearings that reach the life."
+    ],
     "bearing_distance_mm": [
       "Bearing distance",
       "Distance of the satellite's bearings, from C to B."
+    ],
+    "bearing_positions_mm": [
+      "Places of the bearings",
+      "Of both bearings along the shaft, ascending; satellites may lie beyond."
     ],
     "bending_safety": [
       "Safety against bending",
@@ -348,6 +372,10 @@ export default {
       "Stiffness of a bearing",
       "Radial stiffness of the bearing of one satellite; rigid where not given."
     ],
+    "crankshaft.satellite_positions_mm": [
+      "Places of the satellites",
+      "Middle plane of each satellite along the shaft."
+    ],
     "criterion": [
       "Criterion",
       "How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."
@@ -388,6 +416,10 @@ export default {
       "Dynamic factor",
       "Factor of the dynamic load."
     ],
+    "dynamic_rating_N": [
+      "Dynamic load rating",
+      "Basic dynamic load rating; without it no life is answered."
+    ],
     "edition": [
       "Edition",
       "Edition of Shigley whose constants of the surface are taken."
@@ -403,6 +435,10 @@ export default {
     "exponent": [
       "Exponent",
       "Force ∝ approachⁿ, for the power law."
+    ],
+    "fatigue.reliability_percent": [
+      "Reliability",
+      "50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."
     ],
     "fatigue_notch_factor": [
       "Fatigue notch factor",
@@ -423,6 +459,10 @@ export default {
     "gaps_mm": [
       "Gaps",
       "Gap of each roller before it carries, instead of the worst case of a tolerance."
+    ],
+    "gear.kind": [
+      "Ring",
+      "Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is left out."
     ],
     "geometry": [
       "Geometry",
@@ -540,6 +580,10 @@ export default {
       "Least wall",
       "Least wall between holes, to the rim and to the bore."
     ],
+    "module_mm": [
+      "Module",
+      "Of the teeth."
+    ],
     "nutation_angle_deg": [
       "Nutation angle",
       "Angle between the axes of the central wheel and the satellite."
@@ -575,6 +619,10 @@ export default {
     "pin.diameter_mm": [
       "Pin diameter",
       "Diameter of the pin itself, inside its sleeve where it has one."
+    ],
+    "pin.satellite_positions_mm": [
+      "Places of the satellites",
+      "Middle plane of each satellite, from the face of the carrier."
     ],
     "pin_circle_radius_mm": [
       "Pin circle radius",
@@ -632,6 +680,10 @@ export default {
       "Clearance of a bearing",
       "Radial internal clearance, as catalogues give it: half of it to either side."
     ],
+    "radial_force_ratio": [
+      "Ratio of the ring's forces",
+      "Force along the crank over that across it: positive towards the reducer's axis, as with involute teeth, negative outwards, as with a ring of pins."
+    ],
     "radius_mm": [
       "Notch radius",
       "Radius of the notch."
@@ -656,6 +708,10 @@ export default {
       "Reference force",
       "A force whose approach is known, for the power law."
     ],
+    "reference_pressure_angle_deg": [
+      "Reference pressure angle",
+      "Of the teeth; 20° where not given."
+    ],
     "reference_z_mm": [
       "Place of C",
       "Place of the bearing C along the axis, from the precession centre."
@@ -664,13 +720,17 @@ export default {
       "Reliability factor",
       "Its factor instead."
     ],
-    "reliability_percent": [
-      "Reliability",
-      "50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."
-    ],
     "revolutions": [
       "Crank revolutions",
       "Length of the cyclogram, in turns of the crank."
+    ],
+    "ring_factor": [
+      "Factor of the rings",
+      "Of the equivalent load: 1.2 is usual where the outer ring turns against the load."
+    ],
+    "ring_pin_circle_radius_mm": [
+      "Circle of the ring's pins",
+      "Radius of the circle of the ring's pins, on which a cycloid disc rolls."
     ],
     "ring_teeth": [
       "Ring teeth",
@@ -720,9 +780,9 @@ export default {
       "Coupling of the satellites",
       "Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a given share."
     ],
-    "satellite_positions_mm": [
-      "Places of the satellites",
-      "Middle plane of each satellite, from the face of the carrier."
+    "satellite_mass_kg": [
+      "Mass of a satellite",
+      "With its bearing; without it no balance is answered."
     ],
     "satellite_teeth": [
       "Satellite teeth",
@@ -772,6 +832,10 @@ export default {
       "Sphere width",
       "Width of a spherical part along the roller."
     ],
+    "static_rating_N": [
+      "Static load rating",
+      "Basic static load rating, for the static safety."
+    ],
     "stiffness_Nm_per_arcmin": [
       "Stiffness of a mesh",
       "Torque of one satellite over what its mesh lets it turn, for elastic coupling."
@@ -803,6 +867,10 @@ export default {
     "surface_factor": [
       "Surface factor",
       "Its factor instead."
+    ],
+    "teeth_difference": [
+      "Difference of teeth",
+      "Teeth of the ring less those of a satellite."
     ],
     "tensile_strength_MPa": [
       "Tensile strength",
@@ -851,6 +919,10 @@ export default {
     "wear_rate_mm3_per_Nm": [
       "Wear coefficient",
       "Worn volume over force and sliding distance (Archard)."
+    ],
+    "weibull_slope": [
+      "Weibull slope",
+      "Slope of the distribution of lives, for the life of all bearings together."
     ],
     "wheel": [
       "Wheel",
@@ -1124,6 +1196,8 @@ export default {
     "output-efficiency": "Efficiency of the output mechanism",
     "load-sharing": "Load sharing with clearance and errors",
     "pin-strength": "Strength of the pins",
+    "satellite-bearing": "Bearings of the satellites",
+    "crankshaft": "Crankshaft",
     "tolerance-study": "Tolerances and their effect",
     "precession/contact-line": "Contact lines of the precessional gear",
     "precession/meshing-load": "Load of the precessional mesh",

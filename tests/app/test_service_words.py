@@ -27,7 +27,9 @@ HEAD = "// Written by tests/app/test_service_words.py: what the service says in 
 
 def plain(texts: dict[str, str]) -> dict[str, str]:
     """Texts whose places are named only, without a format or the unit that the page adds."""
-    return {code: re.sub(r":[^{}]*}( mm)?", "}", text) for code, text in texts.items()}
+    return {
+        code: re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", text) for code, text in texts.items()
+    }
 
 
 def fields() -> dict[str, list[str]]:

@@ -231,6 +231,31 @@ def output_efficiency(r: Draw) -> Body:
     return body | {"contact": contact, "friction": friction}
 
 
+def satellite_bearing(r: Draw) -> Body:
+    """Any ring and bearing; teeth that do not mesh at times."""
+    number = r.number
+    torque = load(r)
+    for name in ("include", "samples"):
+        torque.pop(name, None)
+    torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    gear: Body = r.choice(
+        (
+            {"kind": "none"},
+            {"radial_force_ratio": r.uniform(-2, 2)},
+            {"kind": "involute", "module_mm": r.uniform(1, 5), "teeth_difference": r.randint(1, 4)},
+            {"kind": "cycloid", "ring_pin_circle_radius_mm": r.uniform(10, 500)},
+        )
+    )
+    bearing: Body = {"kind": r.choice(("ball", "roller"))}
+    if r.chance(0.5):
+        bearing["dynamic_rating_N"] = number("BearingFields", "dynamic_rating_N", (1e3, 1e6))
+    contact = {"eccentricity_mm": number("CrankContactFields", "eccentricity_mm", (1, 5))}
+    return {"mechanism": mechanism(r), "load": torque, "contact": contact} | {
+        "gear": gear,
+        "bearing": bearing,
+    }
+
+
 def real_design(r: Draw) -> Body:
     """Clearance, any law, and satellites that give at times."""
     number = r.number
@@ -464,6 +489,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "load-sharing": load_sharing,
     "pin-strength": pin_strength,
     "tolerance-study": tolerance_study,
+    "satellite-bearing": satellite_bearing,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -1,5 +1,6 @@
 """Random requests as people type them, and the exact value of every number of the answer."""
 
+from tests.oracles.answers.bearings import SATELLITE_BEARING
 from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
 from tests.oracles.answers.hertz import HERTZ
@@ -17,6 +18,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     OUTPUT_EFFICIENCY,
     LOAD_SHARING,
     PIN_STRENGTH,
+    SATELLITE_BEARING,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,

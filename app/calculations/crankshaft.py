@@ -1,0 +1,249 @@
+"""Reactions and balance of the crankshaft: request, answer, figure."""
+
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.satellite_bearing import CrankedRequest
+from app.model import (
+    SIZE,
+    AccuracyOut,
+    Calculation,
+    Forms,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Values,
+    WarningOut,
+    quantity,
+    result,
+)
+from app.running import run
+from app.sources import ISO_281, YANCHEVSKIY_2021
+from app.theme import Amount, Figure, Theme, axis, curve, layout, text
+from app.units import from_si, to_si
+from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
+from core.output.contact_force import drawing_angles
+
+Place = Annotated[float, Field(ge=-1e12, le=1e12)]
+
+
+class ShaftBearingFields(RequestModel):
+    """A bearing of the crankshaft."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+
+    kind: Literal["ball", "roller"] = quantity(
+        "Rolling elements",
+        symbol="",
+        group="bearing",
+        help="Balls: the life falls with the cube of the load; rollers: with its power 10/3.",
+    )
+    dynamic_rating_N: Maybe[float] = quantity(
+        "Dynamic load rating",
+        symbol="C",
+        group="bearing",
+        default=None,
+        **SIZE,
+        step=100,
+        help="Basic dynamic load rating; without it no life is answered.",
+    )
+
+
+class CrankshaftFields(RequestModel):
+    """The shaft: where its loads and bearings are."""
+
+    satellite_positions_mm: list[Place] = quantity(
+        "Places of the satellites",
+        symbol="z₁ … z_K",
+        group="crankshaft",
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        help="Middle plane of each satellite along the shaft.",
+    )
+    bearing_positions_mm: list[Place] = quantity(
+        "Places of the bearings",
+        symbol="A, B",
+        group="crankshaft",
+        min_length=2,
+        max_length=2,
+        help="Of both bearings along the shaft, ascending; satellites may lie beyond.",
+    )
+    satellite_mass_kg: Maybe[float] = quantity(
+        "Mass of a satellite",
+        symbol="m",
+        group="crankshaft",
+        default=None,
+        **SIZE,
+        step=0.1,
+        help="With its bearing; without it no balance is answered.",
+    )
+    bearings: Maybe[list[ShaftBearingFields]] = Field(
+        default=None,
+        min_length=2,
+        max_length=2,
+        description="Both bearings, in the housing; ball bearings where not given.",
+    )
+
+
+class CrankshaftRequest(CrankedRequest):
+    """Mechanism, load, crank, ring and shaft."""
+
+    crankshaft: CrankshaftFields
+
+    @property
+    def shaft(self) -> dict[str, Any]:
+        """Where the loads and the bearings are, in SI units."""
+        own = self.crankshaft
+        return {
+            "satellite_positions": tuple(to_si("position_mm", own.satellite_positions_mm)),
+            "bearing_positions": tuple(to_si("position_mm", own.bearing_positions_mm)),
+        }
+
+    def solve(self) -> Crankshaft:
+        """Reactions and balance."""
+        self.refuse_long()
+        own = self.crankshaft
+        given: dict[str, Any] = {}
+        if own.bearings is not None:
+            given = {
+                "kinds": tuple(each.kind for each in own.bearings),
+                "dynamic_ratings": tuple(each.dynamic_rating_N for each in own.bearings),
+            }
+        return crankshaft(
+            **self.design,
+            **self.shaft,
+            mesh=self.mesh,
+            input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
+            satellite_mass=own.satellite_mass_kg,
+            **given,
+        )
+
+    def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
+        """The same, and curves over the turn."""
+        angles, _ = drawing_angles(mechanism=self.built)
+        ratio = self.mesh.radial_force_ratio
+        found = self.solve()
+        return found, reaction_curves(
+            **self.design, **self.shaft, radial_force_ratio=ratio, crank_angle=angles
+        )
+
+
+class ShaftBearingOut(ResponseModel):
+    """A bearing of the shaft."""
+
+    peak_N: float = result("Largest reaction over the turn.", symbol="R_max")
+    equivalent_N: float = result("Equivalent load, ⟨Rᵖ⟩^(1/p).", symbol="P")
+    basic_life_h: Maybe[float] = result(
+        "Time that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
+        symbol="L_10h",
+        default=None,
+    )
+
+
+class CorrectionOut(ResponseModel):
+    """What balances the shaft in the plane of a bearing."""
+
+    unbalance_kg_mm: float = result("Mass times radius.", symbol="U")
+    angle_deg: float = result("Its direction, counted as the crank angles are.", symbol="α")
+
+
+class BalanceOut(ResponseModel):
+    """Centrifugal forces of the satellites."""
+
+    unbalance_kg_mm: float = result("Mass times radius that is left.", symbol="U")
+    force_N: float = result("Its force, U·ω₁².", symbol="F")
+    couple_Nm: float = result(
+        "Couple of the satellites about the middle of the bearings.", symbol="M"
+    )
+    corrections: list[CorrectionOut]
+
+
+class CrankshaftResponse(ResponseModel):
+    """Reactions of the shaft's bearings, and its balance."""
+
+    bearings: list[ShaftBearingOut]
+    balance: Maybe[BalanceOut] = None
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+    @classmethod
+    def values(cls, result: Crankshaft, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's arrays, a row for each bearing."""
+        rows = []
+        for peak, equivalent, life in zip(
+            result.peak_reaction.tolist(),
+            result.equivalent_reaction.tolist(),
+            result.basic_life,
+            strict=True,
+        ):
+            row = {"peak_N": peak, "equivalent_N": equivalent}
+            rows.append(row if life is None else row | {"basic_life_h": from_si("life_h", life)})
+        return super().values(result, run_time_us, bearings=rows, **given)
+
+
+def reaction_figure(curves: ReactionCurves, theme: Theme) -> Figure:
+    """Reactions in the crank's frame at the left, over the turn at the right.
+
+    Parameters
+    ----------
+    curves : ReactionCurves
+        Reactions over the turn.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    angles = from_si("crank_angle_deg", curves.crank_angle)
+    force = Amount("%{y:.5g}", "N")
+    data = []
+    for index, letter in enumerate("AB"):
+        name = text("bearing", letter=letter)
+        own = curves.reaction[:, index]
+        hovered = text("locus_hover", name=name, along=Amount("%{x:.5g}", "N"), across=force)
+        data.append(curve(name, own.imag, own.real, index, theme, hovered, legendgroup=letter))
+        hovered = text("at_angle", name=name, value=force, angle=Amount("%{x:.2f}", "°"))
+        more: dict[str, Any] = {"xaxis": "x2", "yaxis": "y2", "legendgroup": letter}
+        more["showlegend"] = False
+        data.append(curve(name, angles, np.abs(own), index, theme, hovered, **more))
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=420,
+            xaxis=axis(theme, text("across_first_crank"), "N", domain=[0, 0.42]),
+            yaxis=axis(theme, text("along_first_crank"), "N", scaleanchor="x"),
+            xaxis2=axis(theme, text("crank_angle"), "°", domain=[0.58, 1], anchor="y2"),
+            yaxis2=axis(theme, text("reaction"), "N", anchor="x2", rangemode="tozero"),
+        ),
+    }
+
+
+def solve(body: CrankshaftRequest) -> Values:
+    """Reactions of the crankshaft's bearings, their life, and its balance."""
+    return CrankshaftResponse.values(*run(body, body.solve))
+
+
+def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
+    """Reactions in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
+    run(body, body.mechanism.refuse_undrawable)
+    (_, curves), _ = run(body, body.solve_for_drawing)
+    return reaction_figure(curves, theme)
+
+
+CALCULATION = Calculation(
+    name="crankshaft",
+    title="Crankshaft",
+    tag="crank-planetary",
+    request=CrankshaftRequest,
+    answer=CrankshaftResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, ISO_281),
+    neglects=("clearance", "deviations", "equal_discs", "friction", "bearing_elasticity"),
+)

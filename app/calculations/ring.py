@@ -1,0 +1,135 @@
+"""The ring as a request gives it: what presses the satellites along their cranks."""
+
+from typing import Any, ClassVar, Literal, Self, get_args
+
+from pydantic import ConfigDict, model_validator
+
+from app.model import SIZE, Forms, Maybe, RequestModel, Whole, field_error, quantity, request_schema
+from app.units import to_si
+from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
+from core.results import Notice
+
+Kind = Literal["involute", "cycloid", "none"]
+
+NEEDED: dict[Kind | None, tuple[str, ...]] = {
+    "involute": ("module_mm", "teeth_difference"),
+    "cycloid": ("ring_pin_circle_radius_mm",),
+    "none": (),
+    None: (),
+}
+"""What each kind of ring needs; a ratio that is given needs nothing."""
+
+OPTIONAL: dict[Kind | None, tuple[str, ...]] = {"involute": ("reference_pressure_angle_deg",)}
+
+REFERENCE_ANGLE_DEG = 20.0
+
+
+def _strange(kind: Kind | None) -> list[str]:
+    """Fields of other kinds."""
+    every = [name for names in (*NEEDED.values(), *OPTIONAL.values()) for name in names]
+    own = (*NEEDED[kind], *OPTIONAL.get(kind, ()))
+    return [name for name in every if name not in own]
+
+
+def _ring_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What each kind needs, and that it takes nothing of the others."""
+    request_schema(schema, model)
+    ratio = {"not": {"required": ["kind"]}}
+    schema["allOf"] = [
+        {
+            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]}
+            if kind
+            else ratio,
+            "then": ({"required": [*needed]} if needed else {})
+            | {"not": {"anyOf": [{"required": [name]} for name in _strange(kind)]}},
+        }
+        for kind, needed in NEEDED.items()
+    ]
+
+
+class RingFields(RequestModel):
+    """Teeth or pins of the ring, or the ratio of its forces itself."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
+
+    kind: Maybe[Kind] = quantity(
+        "Ring",
+        symbol="",
+        group="gear",
+        default=None,
+        help="Involute teeth, pins on which a cycloid disc rolls, or none: its force along the "
+        "crank is left out.",
+    )
+    module_mm: Maybe[float] = quantity(
+        "Module", symbol="m", group="gear", default=None, **SIZE, step=0.5, help="Of the teeth."
+    )
+    teeth_difference: Maybe[Whole] = quantity(
+        "Difference of teeth",
+        symbol="z₃ − z₂",
+        group="gear",
+        default=None,
+        ge=1,
+        le=1000,
+        help="Teeth of the ring less those of a satellite.",
+    )
+    reference_pressure_angle_deg: Maybe[float] = quantity(
+        "Reference pressure angle",
+        symbol="α",
+        group="gear",
+        default=None,
+        ge=1,
+        le=60,
+        step=0.5,
+        help="Of the teeth; 20° where not given.",
+    )
+    ring_pin_circle_radius_mm: Maybe[float] = quantity(
+        "Circle of the ring's pins",
+        symbol="R_p",
+        group="gear",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Radius of the circle of the ring's pins, on which a cycloid disc rolls.",
+    )
+    radial_force_ratio: Maybe[float] = quantity(
+        "Ratio of the ring's forces",
+        symbol="ρ",
+        group="gear",
+        default=None,
+        ge=-100,
+        le=100,
+        step=0.05,
+        help="Force along the crank over that across it: positive towards the reducer's axis, as "
+        "with involute teeth, negative outwards, as with a ring of pins.",
+    )
+
+    model_config = ConfigDict(json_schema_extra=_ring_schema)
+
+    @model_validator(mode="after")
+    def _fields_of_the_kind(self) -> Self:
+        for name in NEEDED[self.kind]:
+            if getattr(self, name) is None:
+                raise field_error(name, "needed_beside", field="kind")
+        for name in _strange(self.kind):
+            if getattr(self, name) is not None:
+                raise field_error(name, "of_another_kind", kind=self.kind or get_args(Kind)[-1])
+        return self
+
+    def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
+        """The ring's force on a satellite."""
+        if self.radial_force_ratio is not None:
+            return RingMesh(self.radial_force_ratio)
+        if self.kind == "involute":
+            angle = self.reference_pressure_angle_deg
+            return involute_mesh(
+                module=to_si("module_mm", self.module_mm),
+                teeth_difference=self.teeth_difference,
+                pressure_angle=to_si("angle_deg", REFERENCE_ANGLE_DEG if angle is None else angle),
+                eccentricity=eccentricity,
+            )
+        if self.kind == "cycloid":
+            radius = to_si("ring_pin_circle_radius_mm", self.ring_pin_circle_radius_mm)
+            return cycloid_mesh(
+                eccentricity=eccentricity, ratio=ratio, ring_pin_circle_radius=radius
+            )
+        return RingMesh(0.0, notices=(Notice("no_ring_force"),))

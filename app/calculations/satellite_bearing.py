@@ -1,0 +1,331 @@
+"""Load and life of the satellites' bearings: request, answer, figure."""
+
+from functools import cached_property
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+
+from app.calculations.hertz import eccentricity
+from app.calculations.mechanism import MechanismFields
+from app.calculations.output_efficiency import DrivenLoadFields
+from app.calculations.ring import RingFields
+from app.model import (
+    SIZE,
+    AccuracyOut,
+    Calculation,
+    Forms,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Values,
+    WarningOut,
+    quantity,
+    result,
+)
+from app.running import run
+from app.settings import Settings
+from app.sources import ISO_281, YANCHEVSKIY_2021
+from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
+from app.units import from_si, in_units, to_si, unit_size
+from core.arrays import FloatArray
+from core.crank.ring_mesh import RingMesh
+from core.crank.satellite_bearing import (
+    BearingCurves,
+    SatelliteBearings,
+    bearing_curves,
+    satellite_bearings,
+)
+from core.errors import InvalidInput
+from core.output.contact_force import drawing_angles
+from core.output.mechanism import Mechanism
+
+MAX_PAIRS = 2000
+"""Most pairs whose forces are integrated over the turn."""
+
+
+class CrankContactFields(RequestModel):
+    """Size of the crank."""
+
+    eccentricity_mm: float = eccentricity()
+
+
+class BearingFields(RequestModel):
+    """A rolling bearing as its catalogue gives it."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+
+    kind: Literal["ball", "roller"] = quantity(
+        "Rolling elements",
+        symbol="",
+        group="bearing",
+        help="Balls: the life falls with the cube of the load; rollers: with its power 10/3.",
+    )
+    dynamic_rating_N: Maybe[float] = quantity(
+        "Dynamic load rating",
+        symbol="C",
+        group="bearing",
+        default=None,
+        **SIZE,
+        step=100,
+        help="Basic dynamic load rating; without it no life is answered.",
+    )
+    static_rating_N: Maybe[float] = quantity(
+        "Static load rating",
+        symbol="C₀",
+        group="bearing",
+        default=None,
+        **SIZE,
+        step=100,
+        help="Basic static load rating, for the static safety.",
+    )
+    reliability_percent: float = quantity(
+        "Reliability",
+        symbol="",
+        group="bearing",
+        default=90.0,
+        ge=90,
+        le=99,
+        help="90, 95, 96, 97, 98 or 99 %: the share of bearings that reach the life.",
+    )
+    ring_factor: float = quantity(
+        "Factor of the rings",
+        symbol="V",
+        group="bearing",
+        default=1.0,
+        ge=0.1,
+        le=10,
+        step=0.1,
+        help="Of the equivalent load: 1.2 is usual where the outer ring turns against the load.",
+    )
+    weibull_slope: Maybe[float] = quantity(
+        "Weibull slope",
+        symbol="β",
+        group="bearing",
+        default=None,
+        ge=0.1,
+        le=10,
+        step=0.1,
+        help="Slope of the distribution of lives, for the life of all bearings together.",
+    )
+
+
+class CrankedRequest(RequestModel):
+    """Mechanism, load, crank and ring."""
+
+    mechanism: MechanismFields
+    load: DrivenLoadFields
+    contact: CrankContactFields
+    gear: RingFields
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits in pairs."""
+        self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """The mechanism, built once."""
+        return self.mechanism.mechanism()
+
+    @cached_property
+    def mesh(self) -> RingMesh:
+        """The ring's force on a satellite."""
+        return self.gear.mesh(eccentricity=self.design["eccentricity"], ratio=self.built.ratio)
+
+    @property
+    def design(self) -> dict[str, Any]:
+        """What the loads follow from, in SI units."""
+        return {
+            "mechanism": self.built,
+            "force_exponent": self.load.force_exponent,
+            "output_torque": self.load.torque(self.built),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
+            "eccentricity": to_si("eccentricity_mm", self.contact.eccentricity_mm),
+        }
+
+    def refuse_long(self) -> None:
+        """Refuse more pairs than there is time for."""
+        if self.mechanism.pairs > MAX_PAIRS:
+            most = self.mechanism.most_pins(MAX_PAIRS)
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
+
+
+class SatelliteBearingRequest(CrankedRequest):
+    """Mechanism, load, crank, ring and bearing."""
+
+    bearing: BearingFields
+
+    def solve(self) -> SatelliteBearings:
+        """Loads and lives."""
+        self.refuse_long()
+        return satellite_bearings(
+            **self.design,
+            mesh=self.mesh,
+            input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
+            **self.bearing.to_core(),
+        )
+
+    def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
+        """The same, curves over the turn, and the switching angles, rad."""
+        angles, switching = drawing_angles(mechanism=self.built)
+        found = self.solve()
+        ratio = self.mesh.radial_force_ratio
+        curves = bearing_curves(**self.design, radial_force_ratio=ratio, crank_angle=angles)
+        return found, curves, switching
+
+
+class SatelliteBearingOut(ResponseModel):
+    """The bearing of one satellite."""
+
+    peak_load_N: float = result("Largest load over the turn.", symbol="Q_max")
+    min_load_N: float = result("Least load over the turn.", symbol="Q_min")
+    equivalent_load_N: float = result("Equivalent load, V·⟨Qᵖ⟩^(1/p).", symbol="P")
+    peak_ring_force_N: float = result(
+        "Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²).", symbol="F_r"
+    )
+    basic_life_h: Maybe[float] = result(
+        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.",
+        symbol="L_10h",
+        default=None,
+    )
+    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh", default=None)
+    static_safety_factor: Maybe[float] = result(
+        "Static rating over the largest load.", symbol="S₀", default=None
+    )
+
+
+class SatelliteBearingResponse(ResponseModel):
+    """Loads and lives of the satellites' bearings."""
+
+    relative_speed_rpm: float = result(
+        "Speed of a bearing's rings against each other, n₁·(1 + 1/u).", symbol="n"
+    )
+    radial_force_ratio: float = result(
+        "Force of the ring along the crank over that across it; positive towards the axis.",
+        symbol="ρ",
+    )
+    operating_pressure_angle_deg: Maybe[float] = result(
+        "Operating pressure angle of involute teeth.", symbol="α_w", default=None
+    )
+    satellites: list[SatelliteBearingOut]
+    system_life_h: Maybe[float] = result(
+        "Time that 90 % of such reducers reach without a failure of any of these bearings; where "
+        "the slope of the distribution is given.",
+        symbol="L_s",
+        default=None,
+    )
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+    @classmethod
+    def values(
+        cls, result: SatelliteBearings, run_time_us: float | None = None, **given: Any
+    ) -> Values:
+        """Values of the core's arrays, a row for each satellite."""
+        columns = {
+            name: in_units(unit_size(name) or 1.0, values).tolist()
+            for name, field in COLUMNS.items()
+            if (values := getattr(result, field)) is not None
+        }
+        rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+        return super().values(result, run_time_us, satellites=rows, **given)
+
+
+COLUMNS = {
+    "peak_load_N": "peak_load",
+    "min_load_N": "min_load",
+    "equivalent_load_N": "equivalent_load",
+    "peak_ring_force_N": "peak_ring_force",
+    "basic_life_h": "basic_life",
+    "life_h": "life",
+    "static_safety_factor": "static_safety_factor",
+}
+
+
+def load_figure(
+    found: SatelliteBearings, curves: BearingCurves, switching_deg: FloatArray, theme: Theme
+) -> Figure:
+    """Load in the crank's frame at the left, over the turn at the right, with its equivalent.
+
+    Parameters
+    ----------
+    found : SatelliteBearings
+        The equivalent loads.
+    curves : BearingCurves
+        Loads over the turn.
+    switching_deg : array
+        Crank angles at which a pair starts or stops driving, degrees.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    angles = from_si("crank_angle_deg", curves.crank_angle)
+    force = Amount("%{y:.5g}", "N")
+    data = []
+    for index in range(curves.load.shape[1]):
+        name = text("satellite", satellite=index + 1)
+        hovered = text("locus_hover", name=name, along=Amount("%{x:.5g}", "N"), across=force)
+        across, along, load = (
+            each[:, index] for each in (curves.across, curves.along, curves.load)
+        )
+        data.append(curve(name, across, along, index, theme, hovered, legendgroup=str(index)))
+        hovered = text("at_angle", name=name, value=force, angle=Amount("%{x:.2f}", "°"))
+        more: dict[str, Any] = {
+            "xaxis": "x2",
+            "yaxis": "y2",
+            "legendgroup": str(index),
+            "showlegend": False,
+        }
+        data.append(curve(name, angles, load, index, theme, hovered, **more))
+    equivalent = text("equivalent_load")
+    hovered = text("mean_hover", name=equivalent, value=force)
+    largest = float(np.max(found.equivalent_load))
+    ends = [0.0, float(angles[-1])]
+    more = {"xaxis": "x2", "yaxis": "y2"}
+    data.append(
+        curve(equivalent, ends, [largest] * 2, curves.load.shape[1], theme, hovered, **more)
+    )
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=420,
+            xaxis=axis(theme, text("across_crank"), "N", domain=[0, 0.42]),
+            yaxis=axis(theme, text("along_crank"), "N", scaleanchor="x"),
+            xaxis2=axis(theme, text("crank_angle"), "°", domain=[0.58, 1], anchor="y2", range=ends),
+            yaxis2=axis(theme, text("bearing_load"), "N", anchor="x2"),
+            shapes=[
+                vertical_line(theme, place, xref="x2", yref="y2 domain")
+                for place in switching_deg.round(4).tolist()
+            ],
+        ),
+    }
+
+
+def solve(body: SatelliteBearingRequest) -> Values:
+    """Load of the satellites' bearings by pins and ring, static safety and life."""
+    return SatelliteBearingResponse.values(*run(body, body.solve))
+
+
+def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
+    """Load in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
+    run(body, body.mechanism.refuse_undrawable)
+    (found, curves, switching), _ = run(body, body.solve_for_drawing)
+    return load_figure(found, curves, from_si("switching_deg", switching), theme)
+
+
+CALCULATION = Calculation(
+    name="satellite-bearing",
+    title="Bearings of the satellites",
+    tag="crank-planetary",
+    request=SatelliteBearingRequest,
+    answer=SatelliteBearingResponse,
+    solve=solve,
+    figure=figure,
+    sources=(YANCHEVSKIY_2021, ISO_281),
+    neglects=("clearance", "deviations", "equal_discs", "friction", "bearing_elasticity"),
+)

@@ -1,0 +1,9 @@
+"""The crank: bearings of the satellites, reactions and balance of the crankshaft.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+bearing_life        life of a rolling bearing: equivalent load, rating life, reliability
+ring_mesh           the force of the ring on a satellite, along the crank
+satellite_bearing   load of the satellites' bearings by pins and ring, and their life
+crankshaft          reactions of the crankshaft's bearings, and its balance
+"""

@@ -1,0 +1,348 @@
+"""Load and life of the bearing of each satellite on its crank.
+
+All forces of the pins on a satellite act along its crank, towards the axis of the reducer: together
+they are ``S = sum F`` through its centre, besides the couple ``T_j = R*sum F*cos(gamma)``. The ring
+takes the couple: its force has the part ``W = T_j/(e*u)`` across the crank, as every normal of its
+teeth passes the pitch point, and a part ``rho*W`` along it. With involute teeth that part has the
+direction of S, with a cycloid ring the opposite one. In the crank's frame the load stands still but
+for its ripple:
+
+    Q = hypot(W, rho*W + S)
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray, Number, check_positive
+from core.crank.bearing_life import (
+    EXPONENTS,
+    Bearing,
+    rating_life,
+    reliability_factor,
+    system_life,
+)
+from core.crank.ring_mesh import RingMesh
+from core.output.contact_force import force_peak
+from core.output.mechanism import Mechanism
+from core.output.pin_forces import force_ratios, pressure_cosines
+from core.output.pin_search import largest
+from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
+from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+COARSEST, FINEST = 3, 9
+"""Levels of the first and the last rule of the mean: 56 and some 3500 nodes an arc."""
+
+CONVERGED = 1e-14
+"""Relative difference of two rules that ends them."""
+
+
+@dataclass(frozen=True, slots=True)
+class SatelliteBearings:
+    """Load and life of the satellites' bearings; the last axis counts the satellites.
+
+    Attributes
+    ----------
+    relative_speed : float or array, shape (...)
+        Speed of a bearing's rings against each other, rad/s.
+    radial_force_ratio : float or array, shape (...)
+        Ratio rho of the ring's force along the crank to that across it.
+    operating_pressure_angle : float, array or None
+        Of involute teeth, rad.
+    peak_load, min_load : array, shape (..., K)
+        Largest and least load over the turn, N.
+    equivalent_load : array, shape (..., K)
+        Equivalent load P, the factor of the rings in it, N.
+    peak_ring_force : array, shape (..., K)
+        Largest resultant of the ring's forces on the satellite, N.
+    basic_life : array, shape (..., K) or None
+        Time that 90 % of such bearings reach, s, where the rating is known.
+    life : array, shape (..., K) or None
+        The same at the reliability asked.
+    static_safety_factor : array, shape (..., K) or None
+        Static rating over the largest load, where that rating is known.
+    system_life : array, shape (...) or None
+        Basic life of all of them together, s, where the slope of the distribution is given.
+    accuracy : Accuracy
+        Of all numbers; lives have the error of the loads times their exponent in it.
+    notices : tuple of Notice
+        Assumptions that are strained.
+    """
+
+    relative_speed: Number
+    radial_force_ratio: Number
+    operating_pressure_angle: Number | None
+    peak_load: FloatArray
+    min_load: FloatArray
+    equivalent_load: FloatArray
+    peak_ring_force: FloatArray
+    basic_life: FloatArray | None
+    life: FloatArray | None
+    static_safety_factor: FloatArray | None
+    system_life: Number | None
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def satellite_bearings(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    output_torque: Number,
+    pin_circle_radius: Number,
+    eccentricity: Number,
+    mesh: RingMesh,
+    input_speed: Number,
+    kind: Bearing,
+    dynamic_rating: Number | None = None,
+    static_rating: Number | None = None,
+    reliability_percent: float = 90.0,
+    ring_factor: Number = 1.0,
+    weibull_slope: Number | None = None,
+) -> SatelliteBearings:
+    """Load and life of the satellites' bearings under the ideal forces of the pins.
+
+    The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one, and the load stands still
+    against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave, ``L10 = (C/P)^p``.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    output_torque : float or array
+        Torque T on the output link, N*m, > 0.
+    pin_circle_radius : float or array
+        Radius R of the circle of pin centres, m, > 0.
+    eccentricity : float or array
+        Eccentricity e of the cranks, m, > 0.
+    mesh : RingMesh
+        The ring's force along the crank.
+    input_speed : float or array
+        Speed w_in of the crank, rad/s, > 0.
+    kind : {"ball", "roller"}
+        Rolling elements.
+    dynamic_rating, static_rating : float or array, optional
+        Basic load ratings C and C0, N, > 0.
+    reliability_percent : float
+        90, 95, 96, 97, 98 or 99.
+    ring_factor : float or array
+        Factor V of the load for the ring that turns against it, > 0.
+    weibull_slope : float or array, optional
+        Slope of the distribution of lives, for the life of all bearings together.
+
+    Returns
+    -------
+    SatelliteBearings
+
+    Raises
+    ------
+    InvalidInput
+        If a size is out of range.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+
+    Notes
+    -----
+    Derived; Yanchevskiy and Niekhoroshykh 2021, eq. (10) are the forces, ISO 281:2007 the life.
+
+    Examples
+    --------
+    Six pins, two satellites, 500 N*m at 1500 rpm of the crank, involute teeth.
+
+    >>> found = satellite_bearings(
+    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
+    ...     output_torque=500.0, pin_circle_radius=0.05, eccentricity=2e-3, kind="ball",
+    ...     mesh=RingMesh(math.tan(math.radians(34.6912426))), input_speed=50*math.pi)
+    >>> [round(float(each[0]), 2)
+    ...  for each in (found.min_load, found.peak_load, found.equivalent_load)]
+    [11877.22, 12645.46, 12390.15]
+    """
+    check_positive(
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+        eccentricity=eccentricity,
+        input_speed=input_speed,
+        ring_factor=ring_factor,
+    )
+    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    ratio = mechanism.ratio
+    across = output_torque / (eccentricity * ratio)  # W of a satellite that carries all
+    arm = eccentricity * ratio / pin_circle_radius
+    radial_force_ratio = mesh.radial_force_ratio
+    shape = np.broadcast_shapes(np.shape(radial_force_ratio), np.shape(arm))
+    rho, along = (
+        np.broadcast_to(np.asarray(each, dtype=np.float64), shape).ravel()
+        for each in (radial_force_ratio, arm)
+    )
+    exponent = EXPONENTS[kind]
+    turn = satellite_turn(mechanism, force_exponent)
+    found = [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
+    scale = np.asarray(across)[..., None]
+    most, least, mean, ring = (
+        scale * np.stack(each, axis=-1).reshape(*shape, -1)
+        for each in zip(*(loads for loads, _ in found), strict=True)
+    )
+    ring = ring * np.sqrt(1 + np.square(radial_force_ratio))[..., None]
+    equivalent = np.asarray(ring_factor)[..., None] * mean
+    relative_speed = input_speed * ((1 + ratio) / ratio)
+    basic = life = safety = together = None
+    factor = reliability_factor(percent=reliability_percent)
+    if dynamic_rating is not None:
+        rating = np.asarray(dynamic_rating, dtype=np.float64)[..., None]
+        turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
+        basic = turning * rating_life(load=equivalent, rating=rating, kind=kind)
+        life = factor * basic
+        if weibull_slope is not None:
+            together = system_life(lives=basic, weibull_slope=weibull_slope)
+    if static_rating is not None:
+        check_positive(static_rating=static_rating)
+        safety = np.asarray(static_rating, dtype=np.float64)[..., None] / most
+    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
+    # the ring's part may take away that of the pins, but never the part across the crank
+    error *= 1 + 2 * float(np.abs(radial_force_ratio).max())
+    error = 4 * (error + mesh.error + max(truncation for _, truncation in found))
+    accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
+    return SatelliteBearings(
+        relative_speed=relative_speed,
+        radial_force_ratio=radial_force_ratio,
+        operating_pressure_angle=mesh.operating_pressure_angle,
+        peak_load=most,
+        min_load=least,
+        equivalent_load=equivalent,
+        peak_ring_force=ring,
+        basic_life=basic,
+        life=life,
+        static_safety_factor=safety,
+        system_life=together,
+        accuracy=accuracy,
+        notices=(*mesh.notices, *poorly_known(accuracy)),
+    )
+
+
+def _loads(
+    turn: SatelliteTurn, satellite: int, rho: FloatArray, along: FloatArray, exponent: float
+) -> tuple[tuple[FloatArray, ...], float]:
+    """Largest, least and equivalent load of a satellite, and the largest force of the ring across
+    the crank, over that of all the torque, one a design; and the error of the mean.
+    """
+    channels = np.eye(len(turn.forces))
+    own, pins = channels[satellite], channels[satellite + len(channels) // 2]
+    arms = np.repeat(own[None], len(rho), axis=0), np.outer(rho, own) + np.outer(along, pins)
+    most = largest(turn=turn, arms=arms, measure=np.hypot)
+    least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
+    ring = largest(turn=turn, arms=(own[None],), measure=np.real)
+    mean, truncation = mean_power(
+        turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
+    )
+    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), truncation
+
+
+def mean_power(
+    *,
+    turn: SatelliteTurn,
+    arms: tuple[NDArray[Any], ...],
+    measure: Callable[..., FloatArray],
+    largest: FloatArray,
+    exponent: float,
+) -> tuple[FloatArray, float]:
+    """Equivalent load ``<Q^p>^(1/p)`` over the turn.
+
+    Parameters
+    ----------
+    turn : SatelliteTurn
+        Forces over the turn.
+    arms : tuple of array, each shape (rows, 2*K)
+        What the satellites' shares and forces do.
+    measure : callable
+        The load by the sums, each shape (1, n).
+    largest : array, shape (rows,)
+        Largest loads, > 0.
+    exponent : float
+        p.
+
+    Returns
+    -------
+    loads : array, shape (rows,)
+    error : float
+        Relative difference of the last two rules.
+    """
+    before = np.zeros(len(largest))
+    for level in range(COARSEST, FINEST + 1):
+        values, weights = turn.nodes_of(level)
+        mean = np.zeros(len(largest))
+        for row, top in enumerate(largest.tolist()):
+            sums = (combine(arms=each[row : row + 1], forces=values) for each in arms)
+            mean[row] = weights @ (measure(*sums)[0] / top) ** exponent
+        off, before = np.abs(mean - before), mean
+        if (off <= CONVERGED * mean).all():
+            break
+    return largest * mean ** (1 / exponent), float((off / mean).max())
+
+
+@dataclass(frozen=True, slots=True)
+class BearingCurves:
+    """Load of the satellites' bearings at crank angles, in the crank's frame.
+
+    Attributes
+    ----------
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+    across, along : array, shape (n, K)
+        Parts across the crank, and along it towards the reducer's axis, N.
+    load : array, shape (n, K)
+        Both together, N.
+    """
+
+    crank_angle: FloatArray
+    across: FloatArray
+    along: FloatArray
+    load: FloatArray
+
+
+def bearing_curves(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    output_torque: float,
+    pin_circle_radius: float,
+    eccentricity: float,
+    radial_force_ratio: float,
+    crank_angle: FloatArray,
+) -> BearingCurves:
+    """Load of the satellites' bearings at given crank angles.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    output_torque : float
+        Torque T on the output link, N*m.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m.
+    eccentricity : float
+        Eccentricity e of the cranks, m.
+    radial_force_ratio : float
+        Ratio rho of the ring's force along the crank to that across it.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    BearingCurves
+    """
+    ratios = force_ratios(
+        mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
+    )
+    cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angle)
+    across = output_torque / (eccentricity * mechanism.ratio) * (ratios * cosines).sum(axis=2)
+    pins = output_torque / pin_circle_radius * ratios.sum(axis=2)
+    along = radial_force_ratio * across + pins
+    return BearingCurves(crank_angle, across, along, np.hypot(across, along))

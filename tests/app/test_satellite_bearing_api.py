@@ -1,0 +1,90 @@
+"""Bearings of the satellites over REST."""
+
+from copy import deepcopy
+
+import pytest
+
+from app.examples import REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "satellite-bearing"
+
+
+def changed(**sections):
+    return deepcopy(REQUESTS[PATH]) | sections
+
+
+async def test_the_reference_design(api):
+    answer = (await api.post(PATH, json=REQUESTS[PATH])).json()
+    assert round(answer["operating_pressure_angle_deg"], 8) == 34.6912426
+    assert answer["relative_speed_rpm"] == 1575
+    first, second = answer["satellites"]
+    assert (
+        round(first["equivalent_load_N"], 3) == round(second["equivalent_load_N"], 3) == 12390.851
+    )
+    assert first["basic_life_h"] == pytest.approx(
+        (60_000 / first["equivalent_load_N"]) ** (10 / 3) * 1e6 / 60 / 1575, rel=1e-12
+    )
+    assert "system_life_h" not in answer and "warnings" not in answer
+
+
+async def test_only_what_is_known_is_answered(api):
+    body = changed(gear={"kind": "none"}, bearing={"kind": "ball"})
+    answer = (await api.post(PATH, json=body)).json()
+    assert [each["code"] for each in answer["warnings"]] == ["no_ring_force"]
+    assert not {"basic_life_h", "life_h", "static_safety_factor"} & {*answer["satellites"][0]}
+    assert answer["radial_force_ratio"] == 0 and "operating_pressure_angle_deg" not in answer
+
+
+async def test_a_ring_of_pins_relieves_the_bearings(api):
+    ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
+    answer = (await api.post(PATH, json=changed(gear=ring))).json()
+    assert round(answer["radial_force_ratio"], 7) == -0.2241421
+    assert 7340 < answer["satellites"][0]["equivalent_load_N"] < 8000
+    given = changed(gear={"radial_force_ratio": answer["radial_force_ratio"]})
+    again = (await api.post(PATH, json=given)).json()
+    assert again["satellites"][0]["peak_load_N"] == answer["satellites"][0]["peak_load_N"]
+
+
+@pytest.mark.parametrize(
+    ("sections", "pointer", "code"),
+    [
+        (
+            {"gear": {"kind": "involute", "module_mm": 3.5}},
+            "/gear/teeth_difference",
+            "needed_beside",
+        ),
+        ({"gear": {"kind": "none", "module_mm": 3.5}}, "/gear/module_mm", "of_another_kind"),
+        (
+            {"gear": {"kind": "involute", "module_mm": 5, "teeth_difference": 1}},
+            "/contact/eccentricity_mm",
+            "no_mesh",
+        ),
+        (
+            {"gear": {"kind": "cycloid", "ring_pin_circle_radius_mm": 42}},
+            "/gear/ring_pin_circle_radius_mm",
+            "no_cycloid",
+        ),
+        (
+            {"bearing": {"kind": "ball", "reliability_percent": 92}},
+            "/bearing/reliability_percent",
+            "not_in_table",
+        ),
+    ],
+)
+async def test_what_cannot_be_is_refused(api, sections, pointer, code):
+    refused = await api.post(PATH, json=changed(**sections))
+    assert refused.status_code == 422
+    assert [(each["pointer"], each["code"]) for each in refused.json()["errors"]] == [
+        (pointer, code)
+    ]
+
+
+async def test_the_figure_shows_every_satellite(api):
+    figure = (await api.post(f"{PATH}/chart", json=REQUESTS[PATH])).json()
+    assert [each["name"] for each in figure["data"]] == [
+        *["Satellite 1"] * 2,
+        *["Satellite 2"] * 2,
+        "Equivalent load",
+    ]

@@ -1,0 +1,139 @@
+"""Reactions and balance of the crankshaft: reference numbers, balance, the turn by brute force."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from core.crank.crankshaft import crankshaft, reaction_curves
+from core.crank.ring_mesh import RingMesh, involute_mesh
+from core.errors import InvalidInput
+from core.output.mechanism import Mechanism
+from tests.oracles.satellites import exponents, forces, mechanisms
+
+LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
+MESH = involute_mesh(
+    module=3.5e-3, teeth_difference=1, pressure_angle=math.radians(20), eccentricity=2e-3
+)
+PLACES = {"satellite_positions": (0.02, 0.042), "bearing_positions": (0.0, 0.062)}
+
+
+def spaced(pins: int, satellites: int) -> Mechanism:
+    return Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=20.0)
+
+
+REF = LOAD | PLACES | {"mesh": MESH, "mechanism": spaced(6, 2)}
+
+
+def test_the_reference_design() -> None:
+    found = crankshaft(**REF)
+    assert [f"{each:.3f}" for each in found.peak_reaction] == ["4487.098"] * 2
+    assert found.accuracy.relative_error < 1e-11 and found.balance is None
+
+
+def test_loads_stand_still_in_the_crank() -> None:
+    """Rotating bending would go from plus to minus the largest; here it keeps its direction."""
+    pins, shares = forces(spaced(6, 2), 1.0, np.linspace(0, 2 * np.pi, 5000))
+    across, along = 12_500 * shares, MESH.radial_force_ratio * 12_500 * shares + 10_000 * pins
+    assert along.min() > 0.9 * along.max() > 0
+    assert across.min() > 0
+
+
+def test_curves_are_the_reactions() -> None:
+    design = LOAD | PLACES | {"mechanism": spaced(3, 2)}
+    angles = np.linspace(0, 2 * math.pi, 20_001)
+    curves = reaction_curves(**design, radial_force_ratio=-0.3, crank_angle=angles)
+    found = crankshaft(**design, mesh=RingMesh(-0.3))
+    sizes = np.abs(curves.reaction)
+    assert sizes.max(axis=0) == pytest.approx(found.peak_reaction, rel=1e-6)
+
+
+def test_life() -> None:
+    found = crankshaft(**REF, dynamic_ratings=(30e3, None), input_speed=50 * math.pi)
+    millions = (30e3 / found.equivalent_reaction[0]) ** 3
+    assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1500), rel=1e-13)
+    assert found.basic_life[1] is None
+
+
+MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
+
+
+def test_balance() -> None:
+    one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1), "satellite_positions": (0.031,)}
+    found = crankshaft(**one, bearing_positions=(0.0, 0.062), **MASS).balance
+    assert f"{found.force:.4f}" == "74.0220"
+    assert found.couple == pytest.approx(0, abs=1e-12)
+    assert found.unbalance == pytest.approx(0.003, rel=1e-14)
+    assert [each.unbalance for each in found.corrections] == pytest.approx([0.0015] * 2)
+    two = crankshaft(**REF, **MASS).balance
+    assert two.force == pytest.approx(0, abs=1e-12)
+    assert f"{two.couple:.6f}" == "1.628485"
+    three = REF | {"mechanism": spaced(6, 3), "satellite_positions": (0.009, 0.031, 0.053)}
+    found = crankshaft(**three, **MASS).balance
+    assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=1e-6)
+    assert found.force == pytest.approx(0, abs=1e-12)
+
+
+@given(mechanism=mechanisms, speed=st.floats(1, 1e3))
+@settings(max_examples=30)
+def test_corrections_balance(mechanism: Mechanism, speed: float) -> None:
+    places = tuple(0.01 + 0.022 * j for j in range(mechanism.satellites))
+    design = LOAD | {"mesh": MESH, "mechanism": mechanism, "satellite_positions": places}
+    masses = {"satellite_mass": 1.5, "input_speed": speed}
+    found = crankshaft(**design, bearing_positions=(-0.01, 0.09), **masses).balance
+    sizes = [1.5 * 2e-3] * len(places) + [each.unbalance for each in found.corrections]
+    angles = [*mechanism.crank_angles, *(each.angle for each in found.corrections)]
+    vectors = np.array(sizes) * np.exp(1j * np.array(angles))
+    assert abs(vectors.sum()) < 1e-15
+    assert abs((vectors * np.array([*places, -0.01, 0.09])).sum()) < 1e-16
+    own = vectors[: len(places)]
+    assert found.force == pytest.approx(abs(own.sum()) * speed**2, abs=1e-12 * speed**2)
+    couple = abs((own * (np.array(places) - 0.04)).sum()) * speed**2
+    assert found.couple == pytest.approx(couple, abs=1e-14 * speed**2)
+
+
+@given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
+@settings(max_examples=30)
+def test_reactions_by_brute_force(mechanism: Mechanism, exponent: float, rho: float) -> None:
+    """In components, with the torque's balance: the satellites hold the crank back with T/u."""
+    places = np.array([0.01 + 0.022 * j for j in range(mechanism.satellites)])
+    found = crankshaft(
+        **LOAD,
+        mechanism=mechanism,
+        force_exponent=exponent,
+        mesh=RingMesh(rho),
+        satellite_positions=tuple(places.tolist()),
+        bearing_positions=(-0.01, 0.09),
+        kinds=("roller", "ball"),
+    )
+    psi = (np.arange(20_000) + 0.5) * 2 * np.pi / 20_000
+    pins, shares = forces(mechanism, exponent, psi)
+    ahead = np.array(mechanism.crank_angles)[:, None]
+    back, inwards = 12_500 * shares, rho * 12_500 * shares + 10_000 * pins
+    x = -inwards * np.cos(ahead) + back * np.sin(ahead)
+    y = -inwards * np.sin(ahead) - back * np.cos(ahead)
+    torque = 2e-3 * (np.cos(ahead) * y - np.sin(ahead) * x).sum(axis=0)
+    assert torque == pytest.approx(-25.0, rel=1e-12)
+    last = [-(each * (places + 0.01)[:, None]).sum(axis=0) / 0.1 for each in (x, y)]
+    first = [-each.sum(axis=0) - other for each, other in zip((x, y), last, strict=True)]
+    room = 1e-9 + (1e-3 if exponent >= 1 else 3e-2)
+    for bearing, parts in enumerate((first, last)):
+        size = np.hypot(*parts)
+        assert size.max() <= found.peak_reaction[bearing] * (1 + 1e-11)
+        assert found.peak_reaction[bearing] == pytest.approx(size.max(), rel=room)
+        power = (10 / 3, 3)[bearing]
+        mean = (size**power).mean() ** (1 / power)
+        assert found.equivalent_reaction[bearing] == pytest.approx(mean, rel=room)
+
+
+def test_what_cannot_be_is_refused() -> None:
+    for change, name in (
+        ({"satellite_positions": (0.02,)}, "satellite_positions"),
+        ({"bearing_positions": (0.06, 0.0)}, "bearing_positions[1]"),
+        ({"eccentricity": 0.0}, "eccentricity"),
+    ):
+        with pytest.raises(InvalidInput) as refused:
+            crankshaft(**REF | change)
+        assert refused.value.parameter == name
