@@ -155,16 +155,19 @@ class ToleranceStudyRequest(RealDesignFields):
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         self.refuse_other_shares()
-        now = self.loops
-        budget = int(POSITIONS_PER_SECOND[now] * settings.max_seconds)
-        most = budget // (self._positions_of_a_pair * self.mechanism.pairs)
+        loops, positions = self.loops, self._positions_of_a_pair
+        budget, soon = (
+            int(POSITIONS_PER_SECOND[state] * settings.max_seconds)
+            for state in (loops, "ready" if loops == "preparing" else loops)
+        )
+        most = soon // (positions * self.mechanism.pairs)
         if most < FEWEST:
-            limit = self.mechanism.most_pins(budget // (self._positions_of_a_pair * FEWEST))
+            limit = self.mechanism.most_pins(soon // (positions * FEWEST))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
-        if self.samples > most and now == "preparing":
-            raise unavailable("Large studies are being prepared, once after an installation", 10)
         if self.samples > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
+        if self.samples > budget // (positions * self.mechanism.pairs):
+            raise unavailable("Large studies are being prepared, once after an installation", 10)
         self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
 
     @property
@@ -225,7 +228,7 @@ class ToleranceStudyRequest(RealDesignFields):
 
         def count(done: int) -> None:
             nonlocal before, last
-            before += last if done < last else 0
+            before += last if done <= last else 0
             last = done
             report(min((before + done) / self._pieces, 1.0))
 

@@ -123,6 +123,7 @@ async def test_percentiles_are_those_of_the_pieces(api):
     assert found["yield"]["value"] == pytest.approx(kept / 9)
 
 
+@pytest.mark.usefixtures("compiled_loops")  # else there is a warning
 async def test_only_what_is_asked_is_sent(api):
     answer = await answered(api, changed(limits={}))
     assert set(answer["quantities"]) == {"peak_force_N"}
