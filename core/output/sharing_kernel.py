@@ -27,6 +27,9 @@ EPS = 2.0**-52
 TINY = 1e-100
 """Stands for what is positive, but for deviations as large as the mechanism."""
 
+NO_LEVER = 16 * EPS
+"""Lever and approach over the radius that are no more than rounding."""
+
 STEPS = 200
 NEWTON_ALONE = 20
 """Steps of Newton after which the stretch is halved too."""
@@ -258,8 +261,9 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
                 from_, to = -(v + root) / a, -q / (v + root) if v + root > 0 else 0.0
             else:
                 from_, to = q / (root - v), (root - v) / a
-        elif abs(v) * far <= abs(q):  # at its dead angle: open or pressed at any lag
-            if q > 0:
+        elif abs(v) * far <= abs(q) or abs(v) <= NO_LEVER * setup.radius:
+            # at its dead angle: open or pressed at any lag, by more than rounding
+            if q > NO_LEVER * setup.radius:
                 return math.inf, -math.inf, -1, -1
             continue
         elif v > 0:
@@ -359,7 +363,7 @@ def shared(
     """
     x, term = near, 0.0
     for step in range(60):
-        if not x > 0:
+        if not x > TINY:
             one, other = total / first, (total / second) ** (1 / power) / scale
             x = one * other / (one + other)  # below the root: Halley's steps all lead upwards
         term = second * (scale * x) ** power
@@ -396,7 +400,7 @@ def balance(lag: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, 
     torque = slope = gross = 0.0
     for i, (q, u, v) in enumerate(zip(room.q, room.u, room.v)):  # noqa: B905 - not compiled
         approach = q + less * u + sine * v if exact else q + lag * v
-        if approach <= 0:
+        if approach <= TINY:  # below it powers leave the range of numbers
             force[i] = levers[i] = contact[i] = 0.0
             continue
         bend = 0.0

@@ -176,6 +176,20 @@ def test_all_pins_moved_along_the_circle(real: RealMechanism, angle: float, move
     assert abs(again.rotation - expected) <= 2 * (found.rotation_error + again.rotation_error)
 
 
+@example(  # pressed by two pairs, while a third is at its dead angle
+    real=RealMechanism(
+        mechanism=Mechanism(pins=4, crank_angles=(0.0,), ratio=2.0),
+        pin_circle_radius=0.04,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        law=LinearLaw(1e8),
+        clearance=0.0,
+        deviations=Deviations(hole_tangential=((0.0, 0.0, -9.2e-6, 1e-5),)),
+        exact=False,
+    ),
+    angle=0.0,
+)
 @given(reals(), crank_angles)
 def test_more_torque_turns_further(real: RealMechanism, angle: float) -> None:
     lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
