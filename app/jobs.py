@@ -363,18 +363,24 @@ class _Child:
         self.socket.close()
 
 
+STARTING = threading.Lock()
+"""To start a process multiprocessing goes through all that there are: none may be closed then."""
+
+
 def _started(former: BaseProcess | None) -> _Child:
     """A new process, once the one before has ended."""
     if former is not None:
         with suppress(ValueError):  # it is closed already
             former.join(START_S)
-            former.close()
+            with STARTING:
+                former.close()
     ours, theirs = socket.socketpair()
     with theirs:
         ours.setblocking(False)
         process = CONTEXT.Process(target=_serve, args=(theirs,), daemon=True)
         child = _Child(process, ours)
-        process.start()
+        with STARTING:
+            process.start()
     return child
 
 

@@ -94,7 +94,7 @@ def scan(seed: int, positions: int) -> Scan | None:
         setup, room, highest = real.setup(1.0), real.room(), 0.0
         for k in range(positions):
             real.solved(2 * math.pi * (k + 0.5) / positions, torque, setup, room)
-            highest = max(highest, largest(room.force))
+            highest = max(highest, largest(room))
     except ImpossibleMechanism:
         return None
     return Scan(seed, highest / turn.peak_force - 1, turn.accuracy.relative_error)
