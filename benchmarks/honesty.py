@@ -167,4 +167,4 @@ def main(cases: int, smallest: bool = False) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, cases=CASES)
-    sys.exit(main(40, smallest=True) if asked.smallest else main(asked.cases))
+    sys.exit(main(16, smallest=True) if asked.smallest else main(asked.cases))

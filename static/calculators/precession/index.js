@@ -77,7 +77,7 @@ export default {
   path: "/precession/shaft-deflection",
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
-  hidden: ["include", "fixes_for", ...["pitting_safety", "bending_safety", "min_wall_mm"].map((name) => `requirements.${name}`)],
+  hidden: ["include", "fixes_for", ...["pitting_safety", "bending_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`)],
   choices: {
     rollersBy: {
       list: ["rollers"],
