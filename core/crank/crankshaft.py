@@ -280,7 +280,7 @@ def _made_reactions(
     """By the forces of the mechanism as it is made."""
     cases, error = [], 0.0
     for turn in turns:
-        load = made_parts(turn, arm, radial_force_ratio).load
+        load = made_parts(turn=turn, arm=arm, radial_force_ratio=radial_force_ratio).load
         reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
         size = np.abs(reaction)
         mean = [

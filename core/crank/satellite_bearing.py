@@ -305,7 +305,7 @@ def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: 
     """Loads of the mechanism as it is made; of both directions the worse."""
     loads, rings, means, error = [], [], [], 0.0
     for turn in turns:
-        parts = made_parts(turn, arm, float(mesh.radial_force_ratio))
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
         load = np.abs(parts.load)
         loads.append(load)
         rings.append(np.abs(parts.ring))
@@ -339,7 +339,7 @@ class MadeParts:
     ring: FloatArray
 
 
-def made_parts(turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
+def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
     """Forces on the satellites of a mechanism as it is made.
 
     Parameters

@@ -85,7 +85,7 @@ def test_the_crank_carries_what_pins_and_ring_press(real: RealMechanism, torque:
     own = real.deviations.eccentricity or (0.0,) * real.mechanism.satellites
     arms = np.array(own)[:, None] + real.eccentricity
     some = slice(None, None, len(turn.wave) // 7)
-    parts = made_parts(turn, 1.0, 0.0)
+    parts = made_parts(turn=turn, arm=1.0, radial_force_ratio=0.0)
     across = turn.on_satellites.imag + parts.ring / (arms * ratio)
     angles = (turn.wave - real.mechanism.initial_crank_angle) / (1 + 1 / ratio)
     curves = real_curves(real=real, crank_angle=angles[some], output_torque=torque)
