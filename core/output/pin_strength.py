@@ -8,8 +8,6 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -18,16 +16,14 @@ from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
+from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, Support, section_stress
+from core.output.pin_beam import PinBeam, Support
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH, ROUNDS, Points, highest, largest
-from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
+from core.output.pin_search import ENOUGH
+from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
-
-Sharing = Literal["equal", "stiffness"]
-"""How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -261,7 +257,7 @@ def pin_strength(
         span=span if support != "cantilever" else None,
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
-    pin = _Pin(beam, diameter, np.array(satellite_positions))
+    pin = LoadedPin(beam, diameter, np.array(satellite_positions))
     ways = WAYS[torque_direction]
     static = 1.0
     if made is None:
@@ -313,20 +309,6 @@ def pin_strength(
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _Case:
-    """Forces on a pin, in a unit, N, negative in reverse; of ideal ones both ways where it
-    alternates.
-    """
-
-    turn: PinTurn | PinSamples
-    unit: float
-    alternates: bool = False
-    sharing: Sharing | None = None
-    pin: int = 1
-    wave: FloatArray | None = None
-
-
 def _ideal_cases(
     *,
     mechanism: Mechanism,
@@ -334,10 +316,10 @@ def _ideal_cases(
     reference: float,
     ways: tuple[float, ...],
     stiffnesses: tuple[tuple[float, ...] | None, ...],
-) -> list[_Case]:
+) -> list[PinLoads]:
     """All pins are alike; of an alternating torque the reverse is the same the other way."""
     return [
-        _Case(
+        PinLoads(
             turn=pin_turn(mechanism, force_exponent, each),
             unit=ways[0] * reference,
             alternates=len(ways) > 1,
@@ -347,129 +329,24 @@ def _ideal_cases(
     ]
 
 
-def _made_cases(turns: list[SampledTurn]) -> list[_Case]:
+def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
     """Each pin under all directions."""
     wave = np.concatenate([turn.wave for turn in turns])
     return [
-        _Case(
+        PinLoads(
             turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1)),
             unit=1.0,
             pin=n + 1,
+            error=max(turn.error for turn in turns),
             wave=wave,
         )
         for n in range(turns[0].on_pins.shape[1])
     ]
 
 
-@dataclass(frozen=True)
-class _Pin:
-    """A pin as a beam, and where satellites load it."""
-
-    beam: PinBeam
-    diameter: float
-    positions: FloatArray
-
-    @property
-    def area(self) -> float:
-        """Of its section, m^2."""
-        return math.pi * self.diameter**2 / 4
-
-    @property
-    def modulus(self) -> float:
-        """Section modulus W, m^3."""
-        return math.pi * self.diameter**3 / 32
-
-    @cached_property
-    def ends(self) -> FloatArray:
-        """Ends of loads and supports: the root alone of a cantilever, as no other section is
-        worse.
-        """
-        if self.beam.span is None:
-            return np.zeros(1)
-        half = self.beam.contact_length / 2
-        ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
-        return np.unique(np.clip(ends, 0, self.beam.span))
-
-    def moments(self, x: FloatArray, unit: float) -> FloatArray:
-        """Bending stress at sections by unit forces of the satellites."""
-        found: FloatArray = unit / self.modulus * self.beam.moment(x[:, None], self.positions)
-        return found
-
-    def shears(self, x: FloatArray, unit: float) -> FloatArray:
-        """Mean shear stress of the same."""
-        found: FloatArray = unit / self.area * self.beam.shear(x[:, None], self.positions)
-        return found
-
-    def curvature(self, case: _Case) -> float:
-        """Largest second derivative of the bending stress along the pin."""
-        most = float(np.abs(case.turn.forces).sum(axis=0).max())
-        return abs(case.unit) / self.modulus * most / float(self.beam.contact_length)
-
-    def bending(self, case: _Case) -> tuple[float, float]:
-        """Largest bending stress of any section, and its place."""
-        curvature = self.curvature(case)
-
-        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            arms = (self.moments(at.section, case.unit),)
-            values = largest(turn=case.turn, arms=arms, measure=np.abs, rounds=rounds)
-            return values, curvature * at.length**2 / 8
-
-        bent, place, _ = highest(value=value, ends=self.ends)
-        return bent, place
-
-    def equivalent(self, case: _Case) -> float:
-        """Largest equivalent stress of any section."""
-        curvature = self.curvature(case)
-
-        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            arms = self.moments(at.section, case.unit), self.shears(at.section, case.unit)
-            values = largest(turn=case.turn, arms=arms, measure=_stress, rounds=rounds)
-            return values, curvature * at.length**2 / 8
-
-        return highest(value=value, ends=self.ends)[0]
-
-    def cycle(
-        self, case: _Case, strength: FatigueStrength, bent: float
-    ) -> tuple[float, float, float, float]:
-        """Largest and least stress of the worst cycle, its section and direction."""
-        curvature = self.curvature(case)
-        steepest = curvature * float(self.beam.contact_length)
-
-        def cycles(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            """Largest and least stress of points of the edge."""
-            arms = self.moments(at.section, case.unit) * np.exp(-1j * at.direction)[:, None]
-            both = (np.concatenate((arms, -arms)),)
-            found = largest(turn=case.turn, arms=both, measure=np.real, rounds=rounds)
-            top, bottom = found[: len(arms)], -found[len(arms) :]
-            if case.alternates:
-                top = np.maximum(top, -bottom)
-                bottom = -top
-            return top, bottom
-
-        def used(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            top, bottom = cycles(at, rounds)
-            use: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
-            room = (steep * at.length**2 + use * at.angle**2) / 8
-            if strength.criterion == "fkm_haigh" and always_loaded:
-                # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
-                # largest where it has a corner, from which it falls at once
-                reach = (bent * at.angle + steepest * at.length) / 2
-                corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
-                more = strength.utilisation((top - bottom) / 2 + reach, (top + bottom) / 2)
-                room = room + corner * (more - use)
-            return use, room
-
-        always_loaded = bool(np.abs(case.turn.forces).sum(axis=0).min() > 0)
-        steep = strength.utilisation(curvature, 0.0) + strength.utilisation(0.0, curvature)
-        _, seen, angle = highest(value=used, ends=self.ends, around=True)
-        at = Points(np.array([seen]), np.array([angle]), np.zeros(1), 0.0)
-        top, bottom = cycles(at, ROUNDS)
-        return float(top[0]), float(bottom[0]), seen, angle
-
-
 def _strength(
-    pin: _Pin,
-    case: _Case,
+    pin: LoadedPin,
+    case: PinLoads,
     mechanism: Mechanism,
     fatigue: FatigueStrength | None,
     rotates: bool,
@@ -477,16 +354,23 @@ def _strength(
     locus: bool,
 ) -> PinStrength:
     """Strength of a pin under the forces of a case."""
+    beam, z, ends = pin.beam, pin.positions, pin.ends
+    satellites = len(z)
+    rows = [np.eye(satellites), beam.shear(ends[:, None], z) / pin.area]
+    if deflection:
+        rows += [beam.deflection(z[:, None], z), beam.slope(z[:, None], z)]
+    found = pin.largest(case, np.concatenate(rows))
+    forces, shears, bends = np.split(found, (satellites, satellites + len(ends)))
+    mean_shear = float(shears.max())
     bent, place = pin.bending(case)
-    arms = (pin.shears(pin.ends, case.unit),)
-    mean_shear = float(largest(turn=case.turn, arms=arms, measure=np.abs).max())
-    force = largest(turn=case.turn, arms=(np.eye(len(pin.positions)),), measure=np.abs)
-    forces = abs(case.unit) * force
     cycle, chi, seen = None, None, place
     if fatigue is not None:
         top, bottom = bent, -bent
         if not rotates:
-            top, bottom, seen, angle = pin.cycle(case, fatigue, bent)
+            if case.alternates:
+                angle = pin.direction(case, place)
+            else:
+                top, bottom, seen, angle = pin.cycle(case, fatigue, bent)
             chi = _turned(angle)
         cycle = judged(strength=fatigue, direction=chi, position=seen, largest=top, least=bottom)
     return PinStrength(
@@ -499,7 +383,7 @@ def _strength(
         peak_equivalent_stress=pin.equivalent(case),
         static_safety_factor=None,
         fatigue=cycle,
-        deflection=_deflection(pin, case, forces) if deflection else None,
+        deflection=_deflection(bends, forces) if deflection else None,
         locus=_locus(pin, case, mechanism, seen, chi) if locus else None,
         sharing=case.sharing,
         pin=case.pin,
@@ -552,14 +436,8 @@ def _check_positions(
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
 
 
-def _stress(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
-    """Equivalent stress."""
-    found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
-    return found
-
-
 def _locus(
-    pin: _Pin, case: _Case, mechanism: Mechanism, position: float, chi: float | None
+    pin: LoadedPin, case: PinLoads, mechanism: Mechanism, position: float, chi: float | None
 ) -> MomentLocus:
     """The locus of a section, with its stress in a direction, else in that of the largest
     moment.
@@ -599,13 +477,9 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     return found
 
 
-def _deflection(pin: _Pin, case: _Case, forces: FloatArray) -> PinDeflection:
+def _deflection(bends: FloatArray, forces: FloatArray) -> PinDeflection:
     """Deflection and rotation where the pin bends most in the middle of a satellite."""
-    z, beam = pin.positions, pin.beam
-    bent = np.stack((beam.deflection(z[:, None], z), beam.slope(z[:, None], z)))
-    arms = case.unit * bent.reshape(-1, len(z))
-    found = largest(turn=case.turn, arms=(arms,), measure=np.abs)
-    deflections, slopes = found.reshape(2, -1)
+    deflections, slopes = bends.reshape(2, -1)
     satellite = int(deflections.argmax())
     return PinDeflection(
         satellite=satellite + 1,
