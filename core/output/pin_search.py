@@ -23,7 +23,8 @@ from core.output.pin_turn import Turn, combine
 from core.output.sampled_turn import PinSamples
 
 ROUGH, ROUGHLY = 2, 1 - 1e-6
-"""Rounds over the turn while points are still dropped, and what they find of the largest at least."""
+"""Rounds over the turn while points are still dropped, and what part of the largest they find at
+least."""
 
 SMOOTH, ROUNDS = 5, 14
 """Rounds over the turn that are always enough, where the forces are smooth and where not: there a
@@ -34,6 +35,9 @@ CELLS = 8
 
 AFTER = np.maximum(np.arange(-CELLS, CELLS + 1) / CELLS, 0.0)
 BEFORE = AFTER[::-1]
+
+SETTLED = 1e-15
+"""How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
 JOINT_SMOOTH = 8
 """Rounds in all variables at once, where the forces are smooth."""
@@ -184,6 +188,11 @@ def largest(
         stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
         place = np.where(end | stuck, place, _vertex(grid, found, np.clip(index, 1, 2 * CELLS - 1)))
         width = width * np.where(stuck, 2.0, closer)
+        beside = np.minimum(
+            found[every, np.maximum(index - 1, 0)], found[every, np.minimum(index + 1, 2 * CELLS)]
+        )
+        if (found[every, index] - beside <= SETTLED * np.abs(found[every, index])).all():
+            break
     return result
 
 

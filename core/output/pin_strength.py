@@ -278,32 +278,41 @@ def pin_strength(
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
-    wanted = fatigue, rotates, deflection, locus
-    strength = _worst([_strength(pin, case, mechanism, *wanted) for case in cases])
+    found = [_stresses(pin, case) for case in cases]
+    bent = max(found, key=lambda each: each.bent)
+    worst = max(found, key=lambda each: each.equivalent)
+    most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
     if made is not None and static_torque != torque:
-        most = max(
-            pin.equivalent(case)
-            for case in _made_cases([made(way * static_torque) for way in ways])
-        )
-        static = most / strength.peak_equivalent_stress
-    notices = []
-    cycle = strength.fatigue
-    if cycle is not None and cycle.cycles is not None:
-        if input_speed is not None:
+        again = _made_cases([made(way * static_torque) for way in ways])
+        static = max(pin.equivalent(case) for case in again) / most
+    cycle, seen, notices = None, worst.place, []
+    if fatigue is not None:
+        worst, cycle = _fatigue(pin, found, fatigue, rotates)
+        seen = cycle.position
+        if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
         if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
+    chi = None if cycle is None else cycle.direction
     accuracy = Accuracy(method, error + _of_two_supports(beam, satellite_positions), evaluations)
-    safety = None
-    if material.yield_strength is not None:
-        safety = material.yield_strength / (static * strength.peak_equivalent_stress)
-    return replace(
-        strength,
-        static_safety_factor=safety,
+    strength = material.yield_strength
+    return PinStrength(
+        peak_force=float(max(each.forces.max() for each in found)),
+        peak_moment=bent.bent * pin.modulus,
+        peak_moment_position=bent.place,
+        peak_bending_stress=bent.bent,
+        peak_shear_force=mean_shear * pin.area,
+        peak_shear_stress=4 / 3 * mean_shear,
+        peak_equivalent_stress=most,
+        static_safety_factor=None if strength is None else strength / (static * most),
         fatigue=cycle,
+        deflection=_deflection(found) if deflection else None,
+        locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
+        sharing=worst.loads.sharing,
+        pin=worst.loads.pin,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
     )
@@ -344,80 +353,68 @@ def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
     ]
 
 
-def _strength(
-    pin: LoadedPin,
-    case: PinLoads,
-    mechanism: Mechanism,
-    fatigue: FatigueStrength | None,
-    rotates: bool,
-    deflection: bool,
-    locus: bool,
-) -> PinStrength:
-    """Strength of a pin under the forces of a case."""
+@dataclass(frozen=True, slots=True)
+class _Stresses:
+    """Largest over the turn: stresses, Pa, and at each satellite forces, N, deflections, m, and
+    slopes, rad.
+    """
+
+    loads: PinLoads
+    bent: float
+    place: float
+    mean_shear: float
+    equivalent: float
+    forces: FloatArray
+    deflections: FloatArray
+    slopes: FloatArray
+
+
+def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
+    """What a pin bears under loads."""
     beam, z, ends = pin.beam, pin.positions, pin.ends
-    satellites = len(z)
-    rows = [np.eye(satellites), beam.shear(ends[:, None], z) / pin.area]
-    if deflection:
-        rows += [beam.deflection(z[:, None], z), beam.slope(z[:, None], z)]
-    found = pin.largest(case, np.concatenate(rows))
-    forces, shears, bends = np.split(found, (satellites, satellites + len(ends)))
-    mean_shear = float(shears.max())
-    bent, place = pin.bending(case)
-    cycle, chi, seen = None, None, place
-    if fatigue is not None:
-        top, bottom = bent, -bent
+    rows = (
+        np.eye(len(z)),
+        beam.deflection(z[:, None], z),
+        beam.slope(z[:, None], z),
+        beam.shear(ends[:, None], z) / pin.area,
+        beam.moment(np.zeros((1, 1)), z) / pin.modulus,
+    )
+    found = pin.largest(loads, np.concatenate(rows))
+    forces, deflections, slopes, shears, at_root = np.split(
+        found, np.cumsum([len(each) for each in rows[:-1]])
+    )
+    return _Stresses(
+        loads,
+        *((float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)),
+        mean_shear=float(shears.max()),
+        equivalent=pin.equivalent(loads),
+        forces=forces,
+        deflections=deflections,
+        slopes=slopes,
+    )
+
+
+def _fatigue(
+    pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
+) -> tuple[_Stresses, PinFatigue]:
+    """The worst cycle of all cases; none is worse than its largest stress, fully reversed."""
+    worst: tuple[_Stresses, PinFatigue] | None = None
+    for case in sorted(cases, key=lambda each: -each.bent):
+        reversed_use = strength.utilisation(case.bent, 0.0)
+        if worst is not None and reversed_use * worst[1].safety_factor <= 1:
+            break
+        top, bottom, seen, chi = case.bent, -case.bent, case.place, None
         if not rotates:
-            if case.alternates:
-                angle = pin.direction(case, place)
+            if case.loads.alternates:
+                angle = pin.direction(case.loads, case.place)
             else:
-                top, bottom, seen, angle = pin.cycle(case, fatigue, bent)
+                top, bottom, seen, angle = pin.cycle(case.loads, strength, case.bent)
             chi = _turned(angle)
-        cycle = judged(strength=fatigue, direction=chi, position=seen, largest=top, least=bottom)
-    return PinStrength(
-        peak_force=float(forces.max()),
-        peak_moment=bent * pin.modulus,
-        peak_moment_position=place,
-        peak_bending_stress=bent,
-        peak_shear_force=mean_shear * pin.area,
-        peak_shear_stress=4 / 3 * mean_shear,
-        peak_equivalent_stress=pin.equivalent(case),
-        static_safety_factor=None,
-        fatigue=cycle,
-        deflection=_deflection(bends, forces) if deflection else None,
-        locus=_locus(pin, case, mechanism, seen, chi) if locus else None,
-        sharing=case.sharing,
-        pin=case.pin,
-        accuracy=Accuracy("locus_support", 0.0, 0),
-        notices=(),
-    )
-
-
-def _worst(cases: list[PinStrength]) -> PinStrength:
-    """The largest of all, with the fatigue, else the stress, of the worst."""
-    bent = max(cases, key=lambda each: each.peak_moment)
-    most = max(each.peak_equivalent_stress for each in cases)
-    if cases[0].fatigue is None:
-        worst = max(cases, key=lambda each: each.peak_equivalent_stress)
-    else:
-        worst = min(cases, key=lambda each: each.fatigue.safety_factor)  # type: ignore[union-attr]
-    deflections = [each.deflection for each in cases if each.deflection is not None]
-    deflection = max(deflections, key=lambda each: each.deflection, default=None)
-    if deflection is not None:
-        rows = zip(*(each.slopes for each in deflections), strict=True)
-        deflection = replace(deflection, slopes=tuple(max(each) for each in rows))
-        rows = zip(*(each.forces for each in deflections), strict=True)
-        deflection = replace(deflection, forces=tuple(max(each) for each in rows))
-    return replace(
-        worst,
-        peak_force=max(each.peak_force for each in cases),
-        peak_moment=bent.peak_moment,
-        peak_moment_position=bent.peak_moment_position,
-        peak_bending_stress=bent.peak_bending_stress,
-        peak_shear_force=max(each.peak_shear_force for each in cases),
-        peak_shear_stress=max(each.peak_shear_stress for each in cases),
-        peak_equivalent_stress=most,
-        deflection=deflection,
-    )
+        cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
+        if worst is None or cycle.safety_factor < worst[1].safety_factor:
+            worst = case, cycle
+    assert worst is not None
+    return worst
 
 
 def _check_positions(
@@ -477,14 +474,17 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     return found
 
 
-def _deflection(bends: FloatArray, forces: FloatArray) -> PinDeflection:
-    """Deflection and rotation where the pin bends most in the middle of a satellite."""
-    deflections, slopes = bends.reshape(2, -1)
-    satellite = int(deflections.argmax())
+def _deflection(cases: list[_Stresses]) -> PinDeflection:
+    """Deflection and rotation where a pin bends most in the middle of a satellite."""
+    worst = max(cases, key=lambda each: float(each.deflections.max()))
+    satellite = int(worst.deflections.argmax())
+    slopes, forces = (
+        np.max([getattr(each, name) for each in cases], axis=0) for name in ("slopes", "forces")
+    )
     return PinDeflection(
         satellite=satellite + 1,
-        deflection=float(deflections[satellite]),
-        slope=float(slopes[satellite]),
+        deflection=float(worst.deflections[satellite]),
+        slope=float(worst.slopes[satellite]),
         slopes=tuple(slopes.tolist()),
         forces=tuple(forces.tolist()),
     )
