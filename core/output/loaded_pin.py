@@ -25,7 +25,7 @@ from core.output.pin_search import (
     narrowed,
     summits,
 )
-from core.output.pin_turn import ComplexArray, PinTurn
+from core.output.pin_turn import ComplexArray, PinTurn, combine
 from core.output.sampled_turn import PinSamples
 
 Sharing = Literal["equal", "stiffness"]
@@ -230,14 +230,13 @@ class LoadedPin:
             return found
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            both = arms(at)
-            found = largest(
-                turn=turn,
-                arms=(np.concatenate((both, -both)),),
-                measure=np.real,
-                rounds=rounds,
-            )
-            top, bottom = found[: len(both)], -found[len(both) :]
+            if rounds == 0:
+                top, bottom = self._sampled_cycles(loads, at)
+            else:
+                both = arms(at)
+                both = np.concatenate((both, -both))
+                found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
+                top, bottom = found[: len(found) // 2], -found[len(found) // 2 :]
             use = used(top, bottom)
             room = (steep * at.length**2 + use * at.angle**2) / 8
             if corners:
@@ -305,6 +304,19 @@ class LoadedPin:
             value=value, ends=self.ends, around=True, enough=loads.error, climb=climb
         )
         return float(ends[0]), float(ends[1]), section, direction
+
+    def _sampled_cycles(self, loads: PinLoads, at: Points) -> tuple[FloatArray, FloatArray]:
+        """Largest and least sample of the stress, for all sections in few directions."""
+        sections, section = np.unique(at.section, return_inverse=True)
+        directions, direction = np.unique(at.direction, return_inverse=True)
+        samples = loads.turn.forces.reshape(len(self.positions), -1)
+        stress = combine(arms=self.moments(sections, loads.unit), forces=samples)
+        along = [
+            stress.real * math.cos(chi) + stress.imag * math.sin(chi) for chi in directions.tolist()
+        ]
+        place = direction, section
+        tops, bottoms = (np.array([f(each, axis=1) for each in along]) for f in (np.max, np.min))
+        return tops[place], bottoms[place]
 
 
 def _summed(arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:

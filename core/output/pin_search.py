@@ -362,10 +362,21 @@ def highest(
         kept = np.flatnonzero(values + room >= least)
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
         if room.max() <= enough * best:
-            return climb(at.of(kept))
+            return climb(at.of(kept[_apart(at.of(kept))]))
         many = at.of(np.repeat(kept, len(move_x)))
         x = many.section + many.length * np.tile(move_x, len(kept))
         chi = many.direction + at.angle * np.tile(move_chi, len(kept))
         inside = np.flatnonzero((x >= many.low) & (x <= many.high))
         at = Points(x, chi, many.length / 3, at.angle / 3, many.low, many.high).of(inside)
         level += 1
+
+
+def _apart(points: Points) -> IntArray:
+    """Points that are no neighbours of one before them."""
+    chosen: list[int] = []
+    for k, (x, chi) in enumerate(zip(points.section, points.direction, strict=True)):
+        far = np.abs(points.section[chosen] - x) > 1.5 * points.length[chosen]
+        turned = np.abs(points.direction[chosen] - chi) > 1.5 * points.angle
+        if (far | turned).all():
+            chosen.append(k)
+    return np.array(chosen)
