@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, mean_power
+from core.crank.satellite_bearing import MISSED, bearing_curves, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -69,13 +69,14 @@ class Crankshaft:
     ----------
     peak_reaction, equivalent_reaction : array, shape (2,)
         Largest reaction of each bearing over the turn, and its equivalent load, N; without the
-        centrifugal forces.
+        centrifugal forces. 0 where forces that cancel leave nothing but rounding.
     basic_life : tuple of float or None
-        Time that 90 % of such bearings in the housing reach, s, where rating and speed are known.
+        Time that 90 % of such bearings in the housing reach, s, where rating and speed are known
+        and there is a load.
     balance : Balance or None
         Where mass and speed are given.
     accuracy : Accuracy
-        Of the reactions; the balance is as good as its input.
+        Of all numbers; those of the balance over the sum of the sizes that they are made of.
     notices : tuple of Notice
         Those of the ring.
     """
@@ -164,7 +165,7 @@ def crankshaft(
     check_positive(
         output_torque=output_torque, pin_circle_radius=pin_circle_radius, eccentricity=eccentricity
     )
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    force_peak(mechanism, force_exponent)  # refuses what cannot be
     count = mechanism.satellites
     if len(satellite_positions) != count:
         sizes = {"expected": count, "actual": len(satellite_positions)}
@@ -180,44 +181,49 @@ def crankshaft(
     arms = carried * cranks
     both = np.concatenate((across * (1j + rho) * arms, pins * arms), axis=1)
     turn = satellite_turn(mechanism, force_exponent)
+    off = (np.abs(both) * turn.errors).sum(axis=1)
+    share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
+    off += mesh.error * abs(rho) * across * (np.abs(carried) * share).sum(axis=1)
+    arm_error = _carried_error(carried, satellite_positions, bearing_positions)
+    arm_error = arm_error + np.abs(carried) * _crank_error(mechanism)
+    off += (arm_error * (across * math.hypot(1, rho) * share + pins * force)).sum(axis=1)
     most = largest(turn=turn, arms=(both,), measure=np.abs)
-    equivalents = [
-        mean_power(
+    most = np.where(most > off, most, 0.0)
+    equivalent = np.zeros(2)
+    lives: list[float | None] = [None, None]
+    error = 0.0
+    for row, (kind, rating) in enumerate(zip(kinds, dynamic_ratings, strict=True)):
+        if not most[row]:
+            continue
+        exponent = EXPONENTS[kind]
+        found, truncation = mean_power(
             turn=turn,
             arms=(both[row : row + 1],),
             measure=np.abs,
             largest=most[row : row + 1],
-            exponent=EXPONENTS[kind],
+            exponent=exponent,
         )
-        for row, kind in enumerate(kinds)
-    ]
-    equivalent = np.concatenate([load for load, _ in equivalents])
-    truncation = max(off for _, off in equivalents)
-    lives: list[float | None] = [None, None]
-    for row, (kind, rating) in enumerate(zip(kinds, dynamic_ratings, strict=True)):
+        load = equivalent[row] = float(found[0])
+        own = float(off[row]) / load
+        error = max(error, own + MISSED + truncation)
         if rating is not None and input_speed is not None:
-            load = float(equivalent[row])
             million = 1e6 * 2 * math.pi / input_speed
             lives[row] = million * rating_life(load=load, rating=rating, kind=kind)
-    # satellites that oppose each other may leave little of their forces
-    total = (np.abs(carried).sum(axis=1) * (across * (1 + abs(rho)) + pins * count)).max()
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    error = 4 * ((error + mesh.error * abs(rho)) * float(total / most.min()) + truncation)
-    accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
+            error = max(error, exponent * own + truncation)
+    accuracy = Accuracy("segments_tanh_sinh", error + 8 * ROUNDING, turn.forces[0].size)
     balance = None
     if satellite_mass is not None and input_speed is not None:
         check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
-        balance = _balance(
-            carried, satellite_mass * eccentricity * cranks, input_speed, last - first
-        )
+        unbalance = satellite_mass * eccentricity
+        balance = _balance(arms, arm_error, mechanism, unbalance, input_speed, last - first)
     notices = (*mesh.notices, *poorly_known(accuracy))
     return Crankshaft(most, equivalent, tuple(lives), balance, accuracy, notices)
 
 
 def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
     """What each bearing carries of a force at each satellite, shape (2, K)."""
-    on_last = (np.array(positions) - bearings[0]) / (bearings[1] - bearings[0])
-    return np.stack((1 - on_last, on_last))
+    places, (first, last) = np.array(positions), bearings
+    return np.stack((last - places, places - first)) / (last - first)
 
 
 def _cranks(mechanism: Mechanism) -> ComplexArray:
@@ -226,20 +232,52 @@ def _cranks(mechanism: Mechanism) -> ComplexArray:
     return found
 
 
+def _crank_error(mechanism: Mechanism) -> FloatArray:
+    """Error of these directions by rounding, shape (K,)."""
+    found: FloatArray = ROUNDING * (4 + 2 * np.abs(mechanism.crank_angles))
+    return found
+
+
+def _carried_error(
+    carried: FloatArray, positions: tuple[float, ...], bearings: tuple[float, float]
+) -> FloatArray:
+    """Error of what each bearing carries by rounding of places, shape (2, K)."""
+    first, last = (abs(each) for each in bearings)
+    reach = np.array([[last], [first]]) + np.abs(positions) + np.abs(carried) * (first + last)
+    found: FloatArray = ROUNDING * reach / (bearings[1] - bearings[0])
+    return found
+
+
 def _balance(
-    carried: FloatArray, unbalances: ComplexArray, speed: float, distance: float
+    arms: ComplexArray,
+    arm_error: FloatArray,
+    mechanism: Mechanism,
+    unbalance: float,
+    speed: float,
+    distance: float,
 ) -> Balance:
-    """Force and couple of the unbalances, and what balances them in the bearings' planes."""
-    needed = -(carried * unbalances).sum(axis=1)
-    corrections = tuple(Correction(abs(each), _turned(each)) for each in needed.tolist())
-    left = abs(complex(unbalances.sum()))
-    couple = abs(complex(needed[1] - needed[0])) / 2 * distance
-    return Balance(left, left * speed**2, couple * speed**2, corrections)  # type: ignore[arg-type]
+    """Force and couple of unbalances of this size, and what balances them in the bearings' planes;
+    0 where nothing but rounding is left.
+    """
+    needed, error = -arms.sum(axis=1), arm_error.sum(axis=1)
+    needed = np.where(np.abs(needed) > error, needed, 0.0)
+    left = abs(_cranks(mechanism).sum())
+    left = left if left > _crank_error(mechanism).sum() else 0.0
+    couple = abs(needed[1] - needed[0]) / 2 * distance
+    return Balance(
+        unbalance=unbalance * left,
+        force=unbalance * left * speed**2,
+        couple=unbalance * couple * speed**2,
+        corrections=tuple(  # type: ignore[arg-type]
+            Correction(unbalance * abs(each), _turned(each)) for each in needed.tolist()
+        ),
+    )
 
 
 def _turned(value: complex) -> float:
     """Direction from 0 to less than a turn."""
-    return math.atan2(value.imag, value.real) % (2 * math.pi)
+    angle = math.atan2(value.imag, value.real) % (2 * math.pi)
+    return angle if angle < 2 * math.pi else 0.0  # that of a trifle below 0
 
 
 @dataclass(frozen=True, slots=True)

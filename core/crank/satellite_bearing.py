@@ -30,7 +30,7 @@ from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import largest
+from core.output.pin_search import SETTLED, largest
 from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
@@ -39,6 +39,10 @@ COARSEST, FINEST = 3, 9
 
 CONVERGED = 1e-14
 """Relative difference of two rules that ends them."""
+
+MISSED = SETTLED / 8
+"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
+neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +72,7 @@ class SatelliteBearings:
     system_life : array, shape (...) or None
         Basic life of all of them together, s, where the slope of the distribution is given.
     accuracy : Accuracy
-        Of all numbers; lives have the error of the loads times their exponent in it.
+        Of all numbers; where there are lives, the error of the loads times their exponent.
     notices : tuple of Notice
         Assumptions that are strained.
     """
@@ -170,7 +174,7 @@ def satellite_bearings(
         input_speed=input_speed,
         ring_factor=ring_factor,
     )
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    force_peak(mechanism, force_exponent)  # refuses what cannot be
     ratio = mechanism.ratio
     across = output_torque / (eccentricity * ratio)  # W of a satellite that carries all
     arm = eccentricity * ratio / pin_circle_radius
@@ -186,7 +190,7 @@ def satellite_bearings(
     scale = np.asarray(across)[..., None]
     most, least, mean, ring = (
         scale * np.stack(each, axis=-1).reshape(*shape, -1)
-        for each in zip(*(loads for loads, _ in found), strict=True)
+        for each in zip(*(loads for loads, *_ in found), strict=True)
     )
     ring = ring * np.sqrt(1 + np.square(radial_force_ratio))[..., None]
     equivalent = np.asarray(ring_factor)[..., None] * mean
@@ -203,10 +207,13 @@ def satellite_bearings(
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         safety = np.asarray(static_rating, dtype=np.float64)[..., None] / most
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    # the ring's part may take away that of the pins, but never the part across the crank
-    error *= 1 + 2 * float(np.abs(radial_force_ratio).max())
-    error = 4 * (error + mesh.error + max(truncation for _, truncation in found))
+    off = max(each for _, each, _ in found)
+    off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
+    truncation = max(each for *_, each in found)
+    error = off + MISSED + truncation
+    if basic is not None:
+        error = max(error, exponent * off + truncation)
+    error += 8 * ROUNDING
     accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
     return SatelliteBearings(
         relative_speed=relative_speed,
@@ -227,9 +234,10 @@ def satellite_bearings(
 
 def _loads(
     turn: SatelliteTurn, satellite: int, rho: FloatArray, along: FloatArray, exponent: float
-) -> tuple[tuple[FloatArray, ...], float]:
+) -> tuple[tuple[FloatArray, ...], float, float]:
     """Largest, least and equivalent load of a satellite, and the largest force of the ring across
-    the crank, over that of all the torque, one a design; and the error of the mean.
+    the crank, over that of all the torque, one a design; their error by rounding; and the error of
+    the mean of powers.
     """
     channels = np.eye(len(turn.forces))
     own, pins = channels[satellite], channels[satellite + len(channels) // 2]
@@ -240,7 +248,9 @@ def _loads(
     mean, truncation = mean_power(
         turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
     )
-    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), truncation
+    share, force = turn.errors.reshape(2, -1)[:, satellite]
+    off = max(((np.hypot(1, rho) * share + along * force) / mean).max(), share / ring[0])
+    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), float(off), truncation
 
 
 def mean_power(
