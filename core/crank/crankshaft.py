@@ -14,12 +14,13 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import MISSED, bearing_curves, mean_power
+from core.crank.satellite_bearing import MISSED, bearing_curves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import largest
 from core.output.pin_turn import ComplexArray, satellite_turn
+from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
@@ -103,9 +104,14 @@ def crankshaft(
     dynamic_ratings: tuple[float | None, float | None] = (None, None),
     satellite_mass: float | None = None,
     input_speed: float | None = None,
+    torque_direction: Direction = "driving",
+    pair_stiffness: tuple[float, ...] | None = None,
+    made: Made | None = None,
 ) -> Crankshaft:
-    """Reactions of the crankshaft's bearings under the ideal forces, and its balance.
+    """Reactions of the crankshaft's bearings, and its balance.
 
+    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
+    shared by it, and the worse counts; with `made` those of the mechanism as it is made.
     ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B``; unbalance ``U = sum m*e*e_j``.
 
     Parameters
@@ -134,6 +140,13 @@ def crankshaft(
         Mass m of a satellite, kg, > 0.
     input_speed : float, optional
         Speed of the crank against the housing, rad/s, > 0; for balance and life.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of both directions the worse counts.
+    pair_stiffness : tuple of float, K, optional
+        Stiffness of the pairs of each satellite against each other, see
+        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    made : callable, optional
+        Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
     Returns
     -------
@@ -165,7 +178,6 @@ def crankshaft(
     check_positive(
         output_torque=output_torque, pin_circle_radius=pin_circle_radius, eccentricity=eccentricity
     )
-    force_peak(mechanism, force_exponent)  # refuses what cannot be
     count = mechanism.satellites
     if len(satellite_positions) != count:
         sizes = {"expected": count, "actual": len(satellite_positions)}
@@ -174,50 +186,131 @@ def crankshaft(
     first, last = bearing_positions
     if not last > first:
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
-    carried, cranks = _carried(satellite_positions, bearing_positions), _cranks(mechanism)
-    rho = float(mesh.radial_force_ratio)
-    across = output_torque / (eccentricity * mechanism.ratio)
-    pins = output_torque / pin_circle_radius
-    arms = carried * cranks
-    both = np.concatenate((across * (1j + rho) * arms, pins * arms), axis=1)
-    turn = satellite_turn(mechanism, force_exponent)
-    off = (np.abs(both) * turn.errors).sum(axis=1)
-    share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
-    off += mesh.error * abs(rho) * across * (np.abs(carried) * share).sum(axis=1)
+    carried = _carried(satellite_positions, bearing_positions)
     arm_error = _carried_error(carried, satellite_positions, bearing_positions)
     arm_error = arm_error + np.abs(carried) * _crank_error(mechanism)
-    off += (arm_error * (across * math.hypot(1, rho) * share + pins * force)).sum(axis=1)
-    most = largest(turn=turn, arms=(both,), measure=np.abs)
-    most = np.where(most > off, most, 0.0)
-    equivalent = np.zeros(2)
+    ways = WAYS[torque_direction]
+    exponents = [EXPONENTS[kind] for kind in kinds]
+    if made is None:
+        found = _ideal_reactions(
+            mechanism=mechanism,
+            force_exponent=force_exponent,
+            across=output_torque / (eccentricity * mechanism.ratio),
+            pins=output_torque / pin_circle_radius,
+            mesh=mesh,
+            carried=carried,
+            arm_error=arm_error,
+            exponents=exponents,
+            ways=ways,
+            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
+        )
+    else:
+        found = _made_reactions(
+            [made(way * output_torque) for way in ways],
+            eccentricity * mechanism.ratio,
+            float(mesh.radial_force_ratio),
+            carried,
+            exponents,
+        )
     lives: list[float | None] = [None, None]
     error = 0.0
-    for row, (kind, rating) in enumerate(zip(kinds, dynamic_ratings, strict=True)):
-        if not most[row]:
-            continue
-        exponent = EXPONENTS[kind]
-        found, truncation = mean_power(
-            turn=turn,
-            arms=(both[row : row + 1],),
-            measure=np.abs,
-            largest=most[row : row + 1],
-            exponent=exponent,
-        )
-        load = equivalent[row] = float(found[0])
-        own = float(off[row]) / load
-        error = max(error, own + MISSED + truncation)
+    for row in np.flatnonzero(found.most).tolist():
+        load, rating = float(found.equivalent[row]), dynamic_ratings[row]
+        own = float(found.off[row]) / load
+        error = max(error, own + MISSED + found.truncation)
         if rating is not None and input_speed is not None:
             million = 1e6 * 2 * math.pi / input_speed
-            lives[row] = million * rating_life(load=load, rating=rating, kind=kind)
-            error = max(error, exponent * own + truncation)
-    accuracy = Accuracy("segments_tanh_sinh", error + 8 * ROUNDING, turn.forces[0].size)
+            lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
+            error = max(error, exponents[row] * own + found.truncation)
+    accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
     balance = None
     if satellite_mass is not None and input_speed is not None:
         check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
         unbalance = satellite_mass * eccentricity
-        balance = _balance(arms, arm_error, mechanism, unbalance, input_speed, last - first)
+        balance = _balance(carried, arm_error, mechanism, unbalance, input_speed, last - first)
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(most, equivalent, tuple(lives), balance, accuracy, notices)
+    return Crankshaft(found.most, found.equivalent, tuple(lives), balance, accuracy, notices)
+
+
+@dataclass(frozen=True, slots=True)
+class _Reactions:
+    """Largest and equivalent reaction of both bearings and their error, N; 0 where that is all
+    there is; the relative error of the means; how they were found.
+    """
+
+    most: FloatArray
+    equivalent: FloatArray
+    off: FloatArray
+    truncation: float
+    method: str
+    evaluations: int
+
+
+def _ideal_reactions(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float,
+    across: float,
+    pins: float,
+    mesh: RingMesh,
+    carried: FloatArray,
+    arm_error: FloatArray,
+    exponents: list[float],
+    ways: tuple[float, ...],
+    stiffnesses: tuple[tuple[float, ...] | None, ...],
+) -> _Reactions:
+    """By the ideal forces; in reverse the part across the crank changes its sign."""
+    force_peak(mechanism, force_exponent)  # refuses what cannot be
+    rho = float(mesh.radial_force_ratio)
+    arms = carried * _cranks(mechanism.crank_angles)
+    most, equivalent, off, truncation = np.zeros(2), np.zeros(2), np.zeros(2), 0.0
+    for stiffness in stiffnesses:
+        turn = satellite_turn(mechanism, force_exponent, stiffness)
+        share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
+        share_error, force_error = turn.errors.reshape(2, -1)
+        share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
+        own = np.abs(carried) * (across * share_error + pins * force_error)
+        own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
+        off = np.maximum(off, own.sum(axis=1))
+        for way in ways:
+            both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
+            found = largest(turn=turn, arms=(both,), measure=np.abs)
+            for row in np.flatnonzero(found > off).tolist():
+                mean, lost = mean_power(
+                    turn=turn,
+                    arms=(both[row : row + 1],),
+                    measure=np.abs,
+                    largest=found[row : row + 1],
+                    exponent=exponents[row],
+                )
+                most[row] = max(most[row], found[row])
+                equivalent[row] = max(equivalent[row], mean[0])
+                truncation = max(truncation, lost)
+    size = turn.forces[0].size
+    return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
+
+
+def _made_reactions(
+    turns: list[SampledTurn],
+    arm: float,
+    radial_force_ratio: float,
+    carried: FloatArray,
+    exponents: list[float],
+) -> _Reactions:
+    """By the forces of the mechanism as it is made."""
+    most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
+    for turn in turns:
+        load = made_parts(turn, arm, radial_force_ratio).load
+        reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
+        scale = (np.abs(carried) @ np.abs(load)).max(axis=1)
+        for row, size in enumerate(np.abs(reaction)):
+            off[row] = max(off[row], turn.missed(reaction[row]) + turn.error * scale[row])
+            if size.max() > off[row]:
+                mean = turn.mean(size ** exponents[row]) ** (1 / exponents[row])
+                most[row] = max(most[row], size.max())
+                equivalent[row] = max(equivalent[row], mean)
+    evaluations = sum(turn.evaluations for turn in turns)
+    return _Reactions(most, equivalent, off, 0.0, "sampling", evaluations)
 
 
 def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
@@ -226,9 +319,9 @@ def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> Flo
     return np.stack((last - places, places - first)) / (last - first)
 
 
-def _cranks(mechanism: Mechanism) -> ComplexArray:
+def _cranks(angles: tuple[float, ...]) -> ComplexArray:
     """Directions of the cranks in the crank's frame."""
-    found: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
+    found: ComplexArray = np.exp(1j * np.array(angles))
     return found
 
 
@@ -249,7 +342,7 @@ def _carried_error(
 
 
 def _balance(
-    arms: ComplexArray,
+    carried: FloatArray,
     arm_error: FloatArray,
     mechanism: Mechanism,
     unbalance: float,
@@ -259,9 +352,10 @@ def _balance(
     """Force and couple of unbalances of this size, and what balances them in the bearings' planes;
     0 where nothing but rounding is left.
     """
-    needed, error = -arms.sum(axis=1), arm_error.sum(axis=1)
+    cranks = _cranks(mechanism.crank_angles)
+    needed, error = -(carried * cranks).sum(axis=1), arm_error.sum(axis=1)
     needed = np.where(np.abs(needed) > error, needed, 0.0)
-    left = abs(_cranks(mechanism).sum())
+    left = abs(cranks.sum())
     left = left if left > _crank_error(mechanism).sum() else 0.0
     couple = abs(needed[1] - needed[0]) / 2 * distance
     return Balance(
@@ -345,6 +439,6 @@ def reaction_curves(
         radial_force_ratio=radial_force_ratio,
         crank_angle=crank_angle,
     )
-    held = (loads.along + 1j * loads.across) * _cranks(mechanism)
+    held = (loads.along + 1j * loads.across) * _cranks(mechanism.crank_angles)
     carried = _carried(satellite_positions, bearing_positions)
     return ReactionCurves(crank_angle, (held[:, None, :] * carried).sum(axis=2))
