@@ -256,6 +256,23 @@ def satellite_bearing(r: Draw) -> Body:
     }
 
 
+def crankshaft(r: Draw) -> Body:
+    """Satellites anywhere along the shaft."""
+    body = satellite_bearing(r)
+    bearing = body.pop("bearing")
+    own = body["mechanism"]
+    count = len(own["crank_angles_deg"]) if "crank_angles_deg" in own else own.get("satellites", 1)
+    first = r.uniform(-100, 100)
+    last = first + r.choice((r.uniform(1, 200), r.log_uniform(1e-9, 1e6)))
+    places = [r.choice((first, last, r.uniform(-300, 300))) for _ in range(count)]
+    shaft: Body = {"satellite_positions_mm": places, "bearing_positions_mm": [first, last]}
+    if r.chance(0.5):
+        shaft["satellite_mass_kg"] = r.number("CrankshaftFields", "satellite_mass_kg", (0.1, 10))
+    if r.chance(0.5):
+        shaft["bearings"] = [bearing, {"kind": "roller"}]
+    return body | {"crankshaft": shaft}
+
+
 def real_design(r: Draw) -> Body:
     """Clearance, any law, and satellites that give at times."""
     number = r.number
@@ -490,6 +507,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "pin-strength": pin_strength,
     "tolerance-study": tolerance_study,
     "satellite-bearing": satellite_bearing,
+    "crankshaft": crankshaft,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,
