@@ -151,7 +151,7 @@ def test_the_slope_concentrates_the_pressure() -> None:
     (force,), (slope,) = loads.deflection.forces, loads.deflection.slopes  # type: ignore[union-attr]
     factor = math.sqrt(2 * slope * 0.02 * 1e9 / force)
     assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
-    assert found.at == {"satellite": 1}
+    assert found.at["satellite"] == 1
 
 
 def test_friction() -> None:
@@ -410,7 +410,7 @@ def test_fixes_cure(code: str) -> None:
     for fix in solved:
         cured = CRANK[code](vary(design=design, variable=fix.variable, value=fix.after))
         assert cured.status == "pass", fix
-        start = value_of(design, fix.variable)
+        start = value_of(design=design, variable=fix.variable)
         assert start is not None
         if fix.variable in ("pins", "satellites") or not cured.torque_reserve:
             continue
