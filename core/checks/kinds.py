@@ -41,6 +41,7 @@ GROUPS = {
     "play": "Play of the output",
     "body": "Satellite",
     "rollers": "Rollers",
+    "lines": "Contact lines",
     "shaft": "Bending of the shaft",
     "room": "Room for rollers and shaft",
 }
@@ -58,6 +59,7 @@ CHECK_SOURCES = {
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
+    "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
@@ -72,12 +74,15 @@ REASONS = {
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
+    "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
+    "strength where it is a steel",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
     "soft for the load, or the clearance is too large",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
@@ -85,6 +90,7 @@ REASONS = {
     "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
+    "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
     "to the axis",
@@ -127,6 +133,16 @@ _ROLLER = (
     "sphere_width",
     "position_tolerance",
     "gaps",
+)
+_TIRED = (
+    "fatigue.surface",
+    "fatigue.surface_factor",
+    "fatigue.reliability_percent",
+    "fatigue.reliability_factor",
+    "fatigue.fatigue_notch_factor",
+    "fatigue.notch",
+    "fatigue.endurance_limit",
+    "fatigue.criterion",
 )
 _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
 
@@ -226,6 +242,12 @@ CHECKS = {
         (*_ROLLER, "stress_concentration", "yield_strength", "bending_safety"),
         "ovsyannikov_2019",
     ),
+    "roller_fatigue": Kind(
+        "Fatigue of the rollers", "rollers", "", "n ≥ S_D",
+        "Below it the rollers break after some time beside the middle sphere.",
+        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_TIRED,
+         "fatigue_safety"), "shigley",
+    ),
     "roller_sharing": Kind(
         "Rollers that carry", "rollers", "", "n_c = n",
         "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
@@ -259,6 +281,23 @@ CHECKS = {
     "shaft_slope": Kind(
         "Slope of the shaft in its bearings", "shaft", "mrad", "max(θ_B, θ_C) ≤ θ_max",
         "Above it the bearings carry on their edges.", (*_SHAFT, "max_slope"), "beam",
+    ),
+    "shaft_static": Kind(
+        "Static strength of the shaft in bending", "shaft", "MPa", "σ ≤ R_e/S_F",
+        "Above it the shaft bends for good.",
+        (*_SHAFT, "yield_strength", "bending_safety"), "beam",
+    ),
+    "shaft_fatigue": Kind(
+        "Fatigue of the shaft in bending", "shaft", "", "n ≥ S_D",
+        "Below it the shaft breaks after some time where it bends most.",
+        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_TIRED, "fatigue_safety"),
+        "shigley",
+    ),
+    "line_pressure": Kind(
+        "Pressure along the contact lines", "lines", "MPa", "p₀ ≤ p_all/S_H",
+        "Above it rollers or teeth pit in the long run.",
+        ("torque", "roller_radius", "line_contact.mating_radius", "line_contact.roller_material",
+         "line_contact.mating_material", "pitting_safety"), "hertz",
     ),
 }  # fmt: skip
 """Every check by code."""

@@ -78,11 +78,12 @@ export default {
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
-    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
-    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
+    "fatigue_no_basis": "Fatigue is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
     "hertz_impossible": "The half-width of the contact is {ratio} of the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
+    "hertz_line_width": "The half-width of the contact is {ratio} of the roller's radius: Hertz is off by more than 1 %.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
@@ -434,7 +435,7 @@ export default {
     ],
     "endurance_limit_MPa": [
       "Endurance limit",
-      "Endurance limit of the pin itself, all factors in it."
+      "Endurance limit of the part itself, all factors in it."
     ],
     "exponent": [
       "Exponent",
@@ -446,7 +447,7 @@ export default {
     ],
     "fatigue_notch_factor": [
       "Fatigue notch factor",
-      "Of the seat or any notch where the pin bends most; 1 says that there is none."
+      "Of the seat or any notch where the part bends most; 1 says that there is none."
     ],
     "fatigue_safety": [
       "Safety in fatigue",
@@ -540,6 +541,10 @@ export default {
       "Direction of the torque",
       "Driving: the satellites turn the pins; reverse: the load turns them back; alternating: both are solved, and the worse is given."
     ],
+    "load_rotates_with_shaft": [
+      "Load turns with the shaft",
+      "Whether the mesh turns with the shaft and bends it one way all the time; else its bending is fully reversed."
+    ],
     "lost_motion_arcmin": [
       "Limit of the lost motion",
       "Limit whose yield is asked; its quantity is calculated too."
@@ -559,6 +564,14 @@ export default {
     "material": [
       "Material of the pin",
       "A name of the table of materials, or values; that of the contact where it has one."
+    ],
+    "mating_material": [
+      "Material of the satellite",
+      "A name of the table of materials, or values."
+    ],
+    "mating_radius_mm": [
+      "Curvature radius of the teeth",
+      "Radius of curvature of the satellite's teeth across the contact line: negative, and larger than the roller's, where the roller lies in a hollow."
     ],
     "max_backlash_arcmin": [
       "Largest backlash",
@@ -792,9 +805,17 @@ export default {
       "Roller circle radius",
       "Radius of the circle of the roller axes."
     ],
+    "roller_material": [
+      "Material of the rollers",
+      "A name of the table of materials, or values."
+    ],
     "roller_radius_mm": [
       "Roller radius",
       "Radius of a roller."
+    ],
+    "roller_rotates": [
+      "Roller rotates",
+      "Whether the roller spins in its seat: then its bending is fully reversed."
     ],
     "rollers.rollers": [
       "Rollers",
@@ -1109,6 +1130,10 @@ export default {
       "Bending stress of the rollers",
       "Above it the rollers bend for good."
     ],
+    "roller_fatigue": [
+      "Fatigue of the rollers",
+      "Below it the rollers break after some time beside the middle sphere."
+    ],
     "roller_sharing": [
       "Rollers that carry",
       "Otherwise few rollers carry all of the load."
@@ -1140,6 +1165,18 @@ export default {
     "shaft_slope": [
       "Slope of the shaft in its bearings",
       "Above it the bearings carry on their edges."
+    ],
+    "shaft_static": [
+      "Static strength of the shaft in bending",
+      "Above it the shaft bends for good."
+    ],
+    "shaft_fatigue": [
+      "Fatigue of the shaft in bending",
+      "Below it the shaft breaks after some time where it bends most."
+    ],
+    "line_pressure": [
+      "Pressure along the contact lines",
+      "Above it rollers or teeth pit in the long run."
     ]
   },
   "checkGroups": {
@@ -1149,6 +1186,7 @@ export default {
     "play": "Play of the output",
     "body": "Satellite",
     "rollers": "Rollers",
+    "lines": "Contact lines",
     "shaft": "Bending of the shaft",
     "room": "Room for rollers and shaft"
   },
@@ -1157,17 +1195,20 @@ export default {
     "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a drawing of its own",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
+    "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile strength where it is a steel",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
     "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
+    "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
@@ -1184,6 +1225,7 @@ export default {
     "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by load sharing",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
+    "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
