@@ -253,7 +253,8 @@ async def test_fatigue_of_rollers_where_asked(api):
     notched = smooth | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
     cycle = (await api.post("roller-strength", json=notched)).json()["fatigue"]
     assert cycle["safety_factor"] == pytest.approx(1 / (half / endurance + half / 1800), rel=1e-7)
-    spun = (await api.post("roller-strength", json=notched | {"roller_rotates": True})).json()["fatigue"]
+    notched["roller_rotates"] = True
+    spun = (await api.post("roller-strength", json=notched)).json()["fatigue"]
     assert spun["mean_MPa"] == 0 and spun["safety_factor"] < cycle["safety_factor"]
     both = ROLLERS | TIRED | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
     refused = await api.post("roller-strength", json=both)
