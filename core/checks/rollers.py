@@ -99,7 +99,15 @@ def roller_checks(
         growth = None
         if isinstance(fatigue, CycleFatigue):
             growth = reserve(fatigue.safety_factor / fatigue_safety)
-        tired.append(fatigue_check("roller_fatigue", fatigue, fatigue_safety, growth, error))
+        tired.append(
+            fatigue_check(
+                code="roller_fatigue",
+                fatigue=fatigue,
+                safety=fatigue_safety,
+                reserve=growth,
+                error=error,
+            )
+        )
     sharing = judged(
         "roller_sharing",
         float(result.loaded_rollers),
@@ -133,7 +141,12 @@ def roller_checks(
 
 
 def fatigue_check(
-    code: str, fatigue: CycleFatigue | Notice, safety: float, reserve: float | None, error: float
+    *,
+    code: str,
+    fatigue: CycleFatigue | Notice,
+    safety: float,
+    reserve: float | None,
+    error: float,
 ) -> Check:
     """The safety of a stress cycle against the one that is asked.
 

@@ -127,11 +127,13 @@ def _static(
 def _fatigue(strength: ShaftStrength, unknown: Notice | None, safety: float, error: float) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
     code, cycle = "shaft_fatigue", strength.fatigue
-    if unknown is not None:
-        return fatigue_check(code, unknown, safety, None, error)
-    if cycle is None:
+    fatigue = unknown or cycle
+    if fatigue is None:
         return Check(code=code, status="not_applicable", reason="steady_load")
-    return fatigue_check(code, cycle, safety, cycle.safety_factor / safety, 4 * error)
+    reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
+    return fatigue_check(
+        code=code, fatigue=fatigue, safety=safety, reserve=reserve, error=4 * error
+    )
 
 
 def _pressure(contact: LineContact, limits: Sequence[float | None], safety: float) -> Check:

@@ -13,6 +13,18 @@ class PinFatigue(CycleFatigue):
 
     Attributes
     ----------
+    max_stress, min_stress : float
+        Largest and least stress there over the turn, Pa.
+    amplitude, mean : float
+        Of the cycle, Pa.
+    endurance_limit : float
+        Endurance limit Se, Pa.
+    factors : EnduranceFactors or None
+        What the limit was made of.
+    safety_factor : float
+        By the criterion: all stresses may grow by this factor.
+    cycles : float or None
+        Cycles that it stands; None within the endurance limit: as many as there are.
     direction : float or None
         Direction chi of the point of the section's edge from the tangential one, towards growing
         pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
