@@ -358,3 +358,117 @@ def cycles_to_failure(
     power = -3 / math.log10(short / endurance)
     exponent = 6 + power * math.log10(reversed_stress / endurance)
     return float(10.0**exponent)
+
+
+@dataclass(frozen=True, slots=True)
+class FatigueStrength:
+    """What the fatigue of a part is judged by.
+
+    Attributes
+    ----------
+    endurance_limit : float
+        Endurance limit Se, Pa.
+    tensile_strength : float
+        Tensile strength Rm, Pa.
+    yield_strength : float or None
+        Yield strength Re, Pa.
+    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
+        How the mean stress counts.
+    factors : EnduranceFactors or None
+        What the limit was made of; None where it was given.
+    """
+
+    endurance_limit: float
+    tensile_strength: float
+    yield_strength: float | None = None
+    criterion: Criterion = "goodman"
+    factors: EnduranceFactors | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("endurance_limit", "tensile_strength"):
+            if not getattr(self, name) > 0:
+                raise InvalidInput(name, getattr(self, name), "greater_than", limit=0)
+        if self.criterion == "soderberg" and self.yield_strength is None:
+            raise InvalidInput("yield_strength", None, "needed", field="criterion")
+
+    def utilisation(self, amplitude: Number, mean: Number) -> Number:
+        """Share of the strength that a cycle takes."""
+        return utilisation(
+            amplitude=amplitude,
+            mean=mean,
+            endurance=self.endurance_limit,
+            tensile_strength=self.tensile_strength,
+            yield_strength=self.yield_strength,
+            criterion=self.criterion,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CycleFatigue:
+    """A stress cycle of a part, and how it is judged.
+
+    Attributes
+    ----------
+    max_stress, min_stress : float
+        Largest and least stress, Pa.
+    amplitude, mean : float
+        Of the cycle, Pa.
+    endurance_limit : float
+        Endurance limit Se, Pa.
+    factors : EnduranceFactors or None
+        What the limit was made of.
+    safety_factor : float
+        By the criterion: all stresses may grow by this factor.
+    cycles : float or None
+        Cycles that the part stands; None within the endurance limit: as many as there are.
+    """
+
+    max_stress: float
+    min_stress: float
+    amplitude: float
+    mean: float
+    endurance_limit: float
+    factors: EnduranceFactors | None
+    safety_factor: float
+    cycles: float | None
+
+
+def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> CycleFatigue:
+    """The fatigue of a cycle of stress.
+
+    Parameters
+    ----------
+    strength : FatigueStrength
+        What it is judged by.
+    largest, least : float
+        Ends of the cycle, Pa, not equal.
+
+    Returns
+    -------
+    CycleFatigue
+
+    Examples
+    --------
+    From nothing to 300 MPa, an endurance limit of 300 MPa, a strength of 1000 MPa, by Goodman.
+
+    >>> strength = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
+    >>> round(judge_cycle(strength=strength, largest=300e6, least=0.0).safety_factor, 6)
+    1.538462
+    """
+    amplitude, mean = (largest - least) / 2, (largest + least) / 2
+    cycles = cycles_to_failure(
+        amplitude=amplitude,
+        mean=mean,
+        endurance=strength.endurance_limit,
+        tensile_strength=strength.tensile_strength,
+    )
+    return CycleFatigue(
+        max_stress=largest,
+        min_stress=least,
+        amplitude=amplitude,
+        mean=mean,
+        endurance_limit=strength.endurance_limit,
+        factors=strength.factors,
+        safety_factor=1 / float(strength.utilisation(amplitude, mean)),
+        cycles=cycles if cycles < math.inf else None,
+    )

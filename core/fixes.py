@@ -78,6 +78,7 @@ VARIED: dict[str, tuple[str, ...]] = {
         "position_tolerance",
         "output_torque",
     ),
+    "roller_fatigue": ("diameter", "hole_circle_radius", "rollers", "output_torque"),
     "roller_sharing": ("position_tolerance", "output_torque"),
     "roller_spacing": ("hole_circle_radius", "sphere_diameter", "rollers"),
     "roller_room": ("hole_circle_radius", "sphere_diameter"),
@@ -121,6 +122,9 @@ VARIED: dict[str, tuple[str, ...]] = {
     "shaft_in_circle": ("shaft_diameter", "roller_radius", "roller_circle_radius"),
     "shaft_deflection": ("shaft_diameter", "overhang", "bearing_distance"),
     "shaft_slope": ("shaft_diameter", "overhang", "bearing_distance"),
+    "shaft_static": ("shaft_diameter", "overhang"),
+    "shaft_fatigue": ("shaft_diameter", "overhang"),
+    "line_pressure": ("roller_radius", "roller_circle_radius"),
 }
 """Inputs that a fix of a check may change, by their core names."""
 

@@ -21,9 +21,9 @@ NOTICES = {
     "after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
-    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance "
+    "fatigue_no_basis": "Fatigue is not checked: there is no rule for the endurance "
     "limit of what is no steel of known tensile strength; give the limit and that strength.",
-    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is "
+    "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is "
     "given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "
     "{error:.2g}, because rounding of the input is magnified so much.",
@@ -33,6 +33,8 @@ NOTICES = {
     "hertz_impossible": "The half-width of the contact is {ratio:.4g} of the pin's radius: wider "
     "than the pin, so that Hertz does not apply at all, and for very different materials no "
     "conformal solution is at hand: make the hole larger or the load smaller.",
+    "hertz_line_width": "The half-width of the contact is {ratio:.4g} of the roller's radius: "
+    "Hertz is off by more than 1 %.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
     "them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite "

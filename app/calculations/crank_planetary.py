@@ -18,11 +18,11 @@ from app.calculations.contact_force import ContactForceResponse, contact_force_f
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
 from app.calculations.design import DesignLoadFields, DesignPinFields, SatelliteBodyFields
+from app.calculations.fatigue import FatigueFields
 from app.calculations.hertz import HertzResponse, material_of
 from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
-from app.calculations.pin import FatigueFields
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.real_design import LEFT_OUT

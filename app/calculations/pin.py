@@ -1,23 +1,19 @@
-"""The pin as a section of a design: beam, material, and what its fatigue is judged by."""
+"""The pin as a section of a design: beam and material."""
 
 from dataclasses import replace
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
+from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields, MaterialName
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.output_efficiency import SleevedPinFields
-from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
-from core.checks.sections import FatigueBasis
-from core.fatigue import Criterion, Edition, Surface
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.pin_beam import Support
-
-STEEL_GPA = 190.0, 220.0
-"""Young's moduli of steels: for them only there is a rule of the endurance limit."""
 
 
 class PinMaterialFields(MaterialFields):
@@ -148,110 +144,3 @@ class PinSectionFields(HeldPinFields, SleevedPinFields):
         group="pin",
         help="A name of the table of materials, or values; that of the contact where it has one.",
     )
-
-
-class NotchFields(RequestModel):
-    """A notch of the pin where it bends most."""
-
-    theoretical_factor: float = quantity(
-        "Stress concentration",
-        symbol="K_t",
-        group="fatigue",
-        ge=1,
-        le=100,
-        step=0.1,
-        help="Elastic stress concentration factor of the notch.",
-    )
-    radius_mm: float = quantity(
-        "Notch radius", symbol="r", group="fatigue", **SIZE, step=0.1, help="Radius of the notch."
-    )
-
-
-class FatigueFields(RequestModel):
-    """What the fatigue of the pin is judged by."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("surface",), ("surface_factor",), ("endurance_limit_MPa",)),
-        (("reliability_percent",), ("reliability_factor",), ()),
-        (("fatigue_notch_factor",), ("notch",), ()),
-    )
-
-    surface: Maybe[Surface] = quantity(
-        "Surface",
-        symbol="",
-        group="fatigue",
-        default=None,
-        help="How the surface was made; cold-drawn counts as machined.",
-    )
-    surface_factor: Maybe[float] = quantity(
-        "Surface factor",
-        symbol="k_a",
-        group="fatigue",
-        default=None,
-        ge=0.01,
-        le=1,
-        step=0.05,
-        help="Its factor instead.",
-    )
-    edition: Edition = quantity(
-        "Edition",
-        symbol="",
-        group="fatigue",
-        default="shigley_11",
-        advanced=True,
-        help="Edition of Shigley whose constants of the surface are taken.",
-    )
-    reliability_percent: Maybe[float] = quantity(
-        "Reliability",
-        symbol="",
-        group="fatigue",
-        default=None,
-        ge=50,
-        le=99.99,
-        help="50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given.",
-    )
-    reliability_factor: Maybe[float] = quantity(
-        "Reliability factor",
-        symbol="k_e",
-        group="fatigue",
-        default=None,
-        ge=0.01,
-        le=1,
-        step=0.05,
-        help="Its factor instead.",
-    )
-    fatigue_notch_factor: Maybe[float] = quantity(
-        "Fatigue notch factor",
-        symbol="K_f",
-        group="fatigue",
-        default=None,
-        ge=1,
-        le=100,
-        step=0.1,
-        help="Of the seat or any notch where the pin bends most; 1 says that there is none.",
-    )
-    notch: Maybe[NotchFields] = None
-    endurance_limit_MPa: Maybe[float] = quantity(
-        "Endurance limit",
-        symbol="S_e",
-        group="fatigue",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Endurance limit of the pin itself, all factors in it.",
-    )
-    criterion: Criterion = quantity(
-        "Criterion",
-        symbol="",
-        group="fatigue",
-        default="goodman",
-        help="How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM.",
-    )
-
-    def basis(self) -> FatigueBasis:
-        """The same in SI units."""
-        own = self.to_core()
-        if self.notch is not None:
-            radius = to_si("radius_mm", self.notch.radius_mm)
-            own["notch"] = self.notch.theoretical_factor, radius
-        return FatigueBasis(**own)

@@ -9,8 +9,9 @@ import numpy as np
 from pydantic import Field
 
 from app.calculations.contact_force import TorqueFields
+from app.calculations.fatigue import FactorsOut, FatigueFields
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import FatigueFields, PinSectionFields, strengths_of
+from app.calculations.pin import PinSectionFields, strengths_of
 from app.calculations.real_mechanism import torque_direction
 from app.model import (
     SIZE,
@@ -119,15 +120,6 @@ class PinStrengthRequest(RequestModel):
             locus=locus or "locus" in self.include,
         )
         return replace(found, notices=notices + found.notices)
-
-
-class FactorsOut(ResponseModel):
-    """What the endurance limit is made of: k_a·k_b·k_e·S_e′/K_f."""
-
-    surface: float = result("Factor of the surface.", symbol="k_a")
-    size: float = result("Factor of the size.", symbol="k_b")
-    reliability: float = result("Factor of the reliability.", symbol="k_e")
-    notch: float = result("Fatigue notch factor.", symbol="K_f")
 
 
 class PinFatigueOut(ResponseModel):

@@ -1,10 +1,12 @@
 """Swinging rollers: request, answer, figure."""
 
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
     SIZE,
     AccuracyOut,
@@ -18,6 +20,7 @@ from app.model import (
     no_dust,
     quantity,
     result,
+    warning,
 )
 from app.running import run
 from app.sources import OVSYANNIKOV_2019
@@ -34,18 +37,21 @@ from app.theme import (
     text,
     vertical_line,
 )
-from app.units import from_si
+from app.units import from_si, to_si
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
+from core.fatigue import CycleFatigue
 from core.fixes import plain_fixes
+from core.results import Notice
 from core.rollers.roller_curves import RollerCurves, roller_curves
-from core.rollers.roller_strength import RollerStrength, roller_strength
+from core.rollers.roller_strength import RollerStrength, roller_fatigue, roller_strength
 
 MAX_ROLLERS = 1000
 """Most rollers of one mechanism."""
 
 _JUDGED_BY = ("yield_strength", "eccentricity")
-"""What only the checks look at."""
+_TIRED_BY = ("tensile_strength", "roller_rotates", "fatigue")
+"""What only the checks and the fatigue look at."""
 
 _CHECKED = (
     "output_torque",
@@ -211,6 +217,24 @@ class RollerStrengthRequest(JudgedFields):
         help="Eccentricity of the crank: judges the length of the rollers.",
     )
 
+    tensile_strength_MPa: Maybe[float] = quantity(
+        "Tensile strength",
+        symbol="R_m",
+        group="material",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Tensile strength: what fatigue is judged by.",
+    )
+    roller_rotates: bool = quantity(
+        "Roller rotates",
+        symbol="",
+        group="roller",
+        default=False,
+        help="Whether the roller spins in its seat: then its bending is fully reversed.",
+    )
+    fatigue: Maybe[FatigueFields] = None
+
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 
     @model_validator(mode="after")
@@ -218,6 +242,11 @@ class RollerStrengthRequest(JudgedFields):
         if self.gaps_mm is not None and len(self.gaps_mm) != self.rollers:
             count = {"expected": self.rollers, "actual": len(self.gaps_mm)}
             raise field_error("gaps_mm", "different_length", **count)
+        asked = self.fatigue
+        if asked is not None and self.stress_concentration > 1:
+            for name in ("fatigue_notch_factor", "notch"):
+                if getattr(asked, name) is not None:  # a notch counts once
+                    raise field_error("fatigue", "exclusive", field="stress_concentration")
         return self
 
     def solve(self) -> RollerStrength:
@@ -226,18 +255,45 @@ class RollerStrengthRequest(JudgedFields):
 
     def design(self) -> dict[str, Any]:
         """The rollers as the core's arguments, without what only the checks look at."""
-        return {name: each for name, each in self.to_core().items() if name not in _JUDGED_BY}
+        aside = (*_JUDGED_BY, *_TIRED_BY)
+        return {name: each for name, each in self.to_core().items() if name not in aside}
+
+    def tired(self, result: RollerStrength, diameter: float) -> CycleFatigue | Notice | None:
+        """Fatigue of rollers of a diameter, m; why it is not known; None where nobody asked.
+
+        The factor of the stress beside the middle sphere is the notch's, and counts once: a limit
+        that has all factors in it is held against the stress without it.
+        """
+        if self.fatigue is None:
+            return None
+        basis, notch = self.fatigue.basis(), self.stress_concentration
+        stress = float(result.bending_stress)
+        if basis.endurance_limit is not None:
+            stress /= notch
+        elif notch > 1:
+            basis = replace(basis, fatigue_notch_factor=1.0)
+        strength = basis.of(
+            diameter=diameter,
+            tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+        )
+        if isinstance(strength, Notice):
+            return strength
+        return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
 
     def judge(self, result: RollerStrength) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        design = self.to_core()
-        limits: dict[str, Any] = {name: design.pop(name, None) for name in _JUDGED_BY}
+        design, given = self.design(), self.to_core()
+        limits: dict[str, Any] = {name: given.get(name) for name in _JUDGED_BY}
         limits["bending_safety"] = self.requirements.bending_safety
+        limits["fatigue_safety"] = self.requirements.fatigue_safety
 
         def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
             shared: dict[str, Any] = {name: changed.get(name) for name in _CHECKED}
             found = roller_strength(**changed) if result is None else result
-            return roller_checks(result=found, **shared, **limits)
+            fatigue = self.tired(found, changed["diameter"])
+            return roller_checks(result=found, fatigue=fatigue, **shared, **limits)
 
         verdict = checks(design, result)
         fixes = None
@@ -291,6 +347,7 @@ class RollerStrengthResponse(JudgedResponse):
         "That stress over the modulus.", symbol="σ/E", equation="2019, fig. 6"
     )
     loaded_rollers: int = result("Rollers that carry.")
+    fatigue: Maybe[CycleOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
@@ -453,7 +510,12 @@ def solve(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing and bending stress of swinging rollers."""
     result, run_time_us = run(body, body.solve)
     judged, _ = run(body, lambda: body.judge(result))
-    return RollerStrengthResponse.values(result, run_time_us, **judged)
+    tired, _ = run(body, lambda: body.tired(result, to_si("diameter_mm", body.diameter_mm)))
+    cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
+    values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
+    if isinstance(tired, Notice):
+        values["warnings"] = [warning(tired), *values.get("warnings", ())]
+    return values
 
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:

@@ -1,8 +1,11 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
-from typing import Any, ClassVar
+from collections.abc import Callable
+from typing import Any, ClassVar, cast
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
+from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.model import (
     SIZE,
@@ -16,6 +19,7 @@ from app.model import (
     WarningOut,
     quantity,
     result,
+    warning,
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
@@ -23,12 +27,18 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical
 from app.units import core_name, from_si, to_si
 from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
+from core.fatigue import FatigueStrength
 from core.fixes import plain_fixes
+from core.materials import ElasticMaterial
+from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
+from core.precession.shaft_strength import ShaftStrength, shaft_strength
+from core.results import Notice
 
 Plane = tuple[float, float]
+Limit = Callable[[float], FatigueStrength]
 
 
 class ShaftSectionFields(RequestModel):
@@ -36,6 +46,37 @@ class ShaftSectionFields(RequestModel):
 
     length_mm: float = quantity("Length", symbol="", group="shaft", **SIZE, step=1)
     diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
+
+
+class LineContactFields(RequestModel):
+    """What the pressure along the contact lines follows from."""
+
+    mating_radius_mm: float = quantity(
+        "Curvature radius of the teeth",
+        symbol="r_m",
+        group="line_contact",
+        ge=-1e12,
+        le=1e12,
+        step=1,
+        help="Radius of curvature of the satellite's teeth across the contact line: negative, and "
+        "larger than the roller's, where the roller lies in a hollow.",
+    )
+    roller_material: Material = quantity(
+        "Material of the rollers",
+        symbol="",
+        group="line_contact",
+        help="A name of the table of materials, or values.",
+    )
+    mating_material: Material = quantity(
+        "Material of the satellite",
+        symbol="",
+        group="line_contact",
+        help="A name of the table of materials, or values.",
+    )
+
+    def materials(self) -> tuple[ElasticMaterial, ElasticMaterial]:
+        """Of roller and tooth."""
+        return material_of(self.roller_material), material_of(self.mating_material)
 
 
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
@@ -91,6 +132,35 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         step=1,
     )
 
+    yield_strength_MPa: Maybe[float] = quantity(
+        "Yield strength",
+        symbol="R_e",
+        group="shaft",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Yield strength: judges bending, or yield below the surface.",
+    )
+    tensile_strength_MPa: Maybe[float] = quantity(
+        "Tensile strength",
+        symbol="R_m",
+        group="shaft",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Tensile strength: what fatigue is judged by.",
+    )
+    load_rotates_with_shaft: bool = quantity(
+        "Load turns with the shaft",
+        symbol="",
+        group="shaft",
+        default=False,
+        help="Whether the mesh turns with the shaft and bends it one way all the time; else its "
+        "bending is fully reversed.",
+    )
+    fatigue: Maybe[FatigueFields] = None
+    line_contact: Maybe[LineContactFields] = None
+
     def solve_shaft(self, load: MeshingLoad) -> ShaftDeflection:
         """Reactions and deflection of the shaft under the load of the mesh."""
         return shaft_deflection(
@@ -114,17 +184,69 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         load = self.solve_load()
         return load, self.solve_shaft(load)
 
+    def fatigue_strength(self, diameter: float) -> FatigueStrength | Notice | None:
+        """What the fatigue of the shaft is judged by; why it is not known; None where not asked."""
+        if self.fatigue is None:
+            return None
+        return self.fatigue.basis().of(
+            diameter=diameter,
+            tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+        )
+
+    def no_fatigue(self) -> Notice | None:
+        """Why nothing is known of the shaft's fatigue; None where it is, or nobody asked."""
+        known = self.fatigue_strength(1.0)
+        return known if isinstance(known, Notice) else None
+
+    def strength(self, result: ShaftDeflection) -> ShaftStrength | None:
+        """Bending strength of the shaft, where it is asked."""
+        asked = (self.yield_strength_MPa, self.tensile_strength_MPa, self.fatigue)
+        if all(each is None for each in asked):
+            return None
+        judged = self.fatigue is not None and self.no_fatigue() is None
+        return shaft_strength(
+            reaction_B=result.reaction_B,
+            reaction_C=result.reaction_C,
+            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
+            overhang=to_si("overhang_mm", self.overhang_mm),
+            sections=self.sections(),
+            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            fatigue=cast("Limit", self.fatigue_strength) if judged else None,
+            load_rotates_with_shaft=self.load_rotates_with_shaft,
+        )
+
+    def contact(self, load: MeshingLoad) -> LineContact | None:
+        """Pressure along the contact lines, where the curvature of the teeth is given."""
+        if self.line_contact is None:
+            return None
+        roller, mating = self.line_contact.materials()
+        return line_contact(
+            line_load=load.max_line_load,
+            roller_radius=to_si("radius_mm", self.roller_radius_mm),
+            mating_radius=to_si("radius_mm", self.line_contact.mating_radius_mm),
+            roller_material=roller,
+            mating_material=mating,
+            load_error=float(load.accuracy.relative_error),
+        )
+
     def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
         positions = self.positions()
         required = self.requirements.to_core()
+        limits: list[float | None] = []
+        if self.line_contact is not None:
+            bodies = self.line_contact.materials()
+            limits = [None if each.limit is None else each.limit.pressure for each in bodies]
 
         def checks(changed: dict[str, Any], result: ShaftDeflection | None = None) -> Verdict:
             fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
             body = self.model_copy(update=fields)
+            same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
+            own = load if same_gear else body.solve_load()
             if result is None:
-                same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
-                result = body.solve_shaft(load if same_gear else body.solve_load())
+                result = body.solve_shaft(own)
             return shaft_checks(
                 result=result,
                 positions=positions,
@@ -133,6 +255,15 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
                 diameters=[each.diameter for each in body.sections()],
                 max_deflection=required.get("max_deflection"),
                 max_slope=required.get("max_slope"),
+                strength=body.strength(result),
+                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+                fatigue_asked=self.fatigue is not None,
+                no_fatigue=self.no_fatigue(),
+                bending_safety=required["bending_safety"],
+                fatigue_safety=required["fatigue_safety"],
+                contact=body.contact(own),
+                pressure_limits=limits,
+                pitting_safety=required["pitting_safety"],
             )
 
         design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
@@ -193,6 +324,38 @@ class DeflectionOut(ResponseModel):
     total: float = result("In all.")
 
 
+class ShaftStrengthOut(ResponseModel):
+    """Bending of the shaft as its strength has it; torsion is not in it."""
+
+    bending_moment_B_Nm: float = result("Bending moment at B.", symbol="M_B", equation="|C|·a")
+    bending_moment_clamp_Nm: float = result(
+        "Bending moment at the clamp.", symbol="M", equation="|C·(a + b) + B·b|"
+    )
+    peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
+    position_mm: float = result("Its section, from C towards the clamp.")
+    static_safety_factor: Maybe[float] = result(
+        "Yield strength over it, where that is given.", symbol="S", default=None
+    )
+    fatigue: Maybe[CycleOut] = None
+    fatigue_position_mm: Maybe[float] = result(
+        "Section of that cycle, from C towards the clamp.", default=None
+    )
+
+
+class LineContactOut(ResponseModel):
+    """Hertz contact of roller and tooth where the line load is largest."""
+
+    max_pressure_MPa: float = result("Largest pressure.", symbol="p₀")
+    half_width_mm: float = result("Half-width of the contact.", symbol="a")
+    reduced_radius_mm: float = result("Reduced radius of curvature.", symbol="ρ")
+    effective_modulus_GPa: float = result("Effective modulus.", symbol="E*")
+    roller_safety: Maybe[float] = result(
+        "Limit of the roller's material over the pressure, where it is known.", default=None
+    )
+    mating_safety: Maybe[float] = result("The same of the satellite's material.", default=None)
+    accuracy: AccuracyOut
+
+
 class ShaftDeflectionResponse(JudgedResponse):
     """Reactions and deflection of the shaft at the bearings B and C."""
 
@@ -223,6 +386,8 @@ class ShaftDeflectionResponse(JudgedResponse):
         "The simplified deflection at B over the exact one, less 1.", default=None
     )
     simplification_error_C: Maybe[float] = result("The same at C.", default=None)
+    strength: Maybe[ShaftStrengthOut] = None
+    line_contact: Maybe[LineContactOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
@@ -319,7 +484,19 @@ def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
     (load, result), run_time_us = run(body, body.solve_all)
     judged, _ = run(body, lambda: body.judge(load, result))
-    return ShaftDeflectionResponse.values(result, run_time_us, **judged)
+    strength, contact = body.strength(result), body.contact(load)
+    values = ShaftDeflectionResponse.values(
+        result,
+        run_time_us,
+        strength=strength and ShaftStrengthOut.values(strength),
+        line_contact=contact and LineContactOut.values(contact),
+        **judged,
+    )
+    unknown = body.no_fatigue()
+    notices = (() if contact is None else contact.notices) + (() if unknown is None else (unknown,))
+    if notices:
+        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+    return values
 
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:

@@ -46,6 +46,7 @@ GROUPS = {
     "crankshaft": "Crankshaft",
     "body": "Satellite",
     "rollers": "Rollers",
+    "lines": "Contact lines",
     "shaft": "Bending of the shaft",
     "room": "Room for rollers and shaft",
 }
@@ -110,6 +111,7 @@ REASONS = {
     "size_missing": "A size that it needs is not given",
     "speed_missing": "No input speed is given",
     "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
+    "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
     "to the axis",
@@ -193,6 +195,16 @@ _ROLLER = (
     "sphere_width",
     "position_tolerance",
     "gaps",
+)
+_TIRED = (
+    "fatigue.surface",
+    "fatigue.surface_factor",
+    "fatigue.reliability_percent",
+    "fatigue.reliability_factor",
+    "fatigue.fatigue_notch_factor",
+    "fatigue.notch",
+    "fatigue.endurance_limit",
+    "fatigue.criterion",
 )
 _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
 
@@ -380,6 +392,12 @@ CHECKS = {
         (*_ROLLER, "stress_concentration", "yield_strength", "bending_safety"),
         "ovsyannikov_2019",
     ),
+    "roller_fatigue": Kind(
+        "Fatigue of the rollers", "rollers", "", "n ≥ S_D",
+        "Below it the rollers break after some time beside the middle sphere.",
+        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_TIRED,
+         "fatigue_safety"), "shigley",
+    ),
     "roller_sharing": Kind(
         "Rollers that carry", "rollers", "", "n_c = n",
         "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
@@ -413,6 +431,23 @@ CHECKS = {
     "shaft_slope": Kind(
         "Slope of the shaft in its bearings", "shaft", "mrad", "max(θ_B, θ_C) ≤ θ_max",
         "Above it the bearings carry on their edges.", (*_SHAFT, "max_slope"), "beam",
+    ),
+    "shaft_static": Kind(
+        "Static strength of the shaft in bending", "shaft", "MPa", "σ ≤ R_e/S_F",
+        "Above it the shaft bends for good.",
+        (*_SHAFT, "yield_strength", "bending_safety"), "beam",
+    ),
+    "shaft_fatigue": Kind(
+        "Fatigue of the shaft in bending", "shaft", "", "n ≥ S_D",
+        "Below it the shaft breaks after some time where it bends most.",
+        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_TIRED, "fatigue_safety"),
+        "shigley",
+    ),
+    "line_pressure": Kind(
+        "Pressure along the contact lines", "lines", "MPa", "p₀ ≤ p_all/S_H",
+        "Above it rollers or teeth pit in the long run.",
+        ("torque", "roller_radius", "line_contact.mating_radius", "line_contact.roller_material",
+         "line_contact.mating_material", "pitting_safety"), "hertz",
     ),
 }  # fmt: skip
 """Every check by code."""

@@ -4,7 +4,15 @@ import math
 from collections.abc import Sequence
 
 from core.checks.check import Check, Verdict, judged, verdict, wall
+from core.fatigue import CycleFatigue
+from core.results import Notice
 from core.rollers.roller_strength import RollerStrength, roller_gaps
+
+NO_FATIGUE = {
+    "fatigue_no_basis": ("endurance_unknown", ("tensile_strength",)),
+    "fatigue_no_notch": ("notch_unknown", ("fatigue.fatigue_notch_factor",)),
+}
+"""Why a fatigue is not known, as the reason of a check, and what is missing."""
 
 ROLLER_LENGTH = 10.0
 """Usual least length of a swinging roller, from end to end, over the eccentricity."""
@@ -24,6 +32,8 @@ def roller_checks(
     yield_strength: float | None = None,
     eccentricity: float | None = None,
     bending_safety: float = 1.5,
+    fatigue: CycleFatigue | Notice | None = None,
+    fatigue_safety: float = 1.5,
 ) -> Verdict:
     """All checks of swinging rollers.
 
@@ -43,6 +53,10 @@ def roller_checks(
         Eccentricity of the crank, m.
     bending_safety : float
         Required safety against yield.
+    fatigue : CycleFatigue, Notice or None
+        Fatigue of the rollers, or why it is not known; None where nobody asked.
+    fatigue_safety : float
+        Required safety in fatigue.
 
     Returns
     -------
@@ -54,7 +68,19 @@ def roller_checks(
     exceeds the centre distance at least 10 times", a tilt of about 12°. That is the whole length,
     two cylinders and three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
     """
-    stress = float(result.bending_stress)
+    stress, error = float(result.bending_stress), 4 * float(result.accuracy.relative_error)
+
+    def reserve(growth: float) -> float:
+        """Factor on the torque at which the largest force is so many times larger."""
+        # F_i = c*max(0, Delta - g_i): what the rollers carry then
+        largest = float(result.max_force) * growth
+        ahead = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
+        first = min(ahead)
+        carried = math.fsum(
+            max(0.0, largest - float(result.stiffness) * (gap - first)) for gap in ahead
+        )
+        return 2 * hole_circle_radius * carried / output_torque
+
     if yield_strength is None:
         strength = Check(
             code="roller_stress",
@@ -65,19 +91,22 @@ def roller_checks(
         )
     else:
         limit = yield_strength / bending_safety
-        # F_i = c*max(0, Delta - g_i): what the rollers carry when the first is at its limit
-        largest = float(result.max_force) * limit / stress
-        ahead = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
-        first = min(ahead)
-        carried = math.fsum(
-            max(0.0, largest - float(result.stiffness) * (gap - first)) for gap in ahead
-        )
         strength = judged(
-            "roller_stress",
-            stress,
-            limit,
-            reserve=2 * hole_circle_radius * carried / output_torque,
-            error=4 * float(result.accuracy.relative_error),
+            "roller_stress", stress, limit, reserve=reserve(limit / stress), error=error
+        )
+    tired = []
+    if fatigue is not None:
+        growth = None
+        if isinstance(fatigue, CycleFatigue):
+            growth = reserve(fatigue.safety_factor / fatigue_safety)
+        tired.append(
+            fatigue_check(
+                code="roller_fatigue",
+                fatigue=fatigue,
+                safety=fatigue_safety,
+                reserve=growth,
+                error=error,
+            )
         )
     sharing = judged(
         "roller_sharing",
@@ -99,6 +128,53 @@ def roller_checks(
         least = ROLLER_LENGTH * eccentricity
         tilt = judged(code, length, least, keep="above", warning="tilted")
     return verdict(
-        [strength, sharing, spacing, wall("roller_room", width=room, size=sphere_diameter), tilt],
-        ("roller_contact", "fatigue", "friction"),
+        [
+            strength,
+            *tired,
+            sharing,
+            spacing,
+            wall("roller_room", width=room, size=sphere_diameter),
+            tilt,
+        ],
+        ("roller_contact", *(() if tired else ("fatigue",)), "friction"),
     )
+
+
+def fatigue_check(
+    *,
+    code: str,
+    fatigue: CycleFatigue | Notice,
+    safety: float,
+    reserve: float | None,
+    error: float,
+) -> Check:
+    """The safety of a stress cycle against the one that is asked.
+
+    Parameters
+    ----------
+    code : str
+        Which check.
+    fatigue : CycleFatigue or Notice
+        The cycle, or why nothing is known of it.
+    safety : float
+        Required safety.
+    reserve : float or None
+        Factor on the torque at which the safety is the required one.
+    error : float
+        Relative error of the stress.
+
+    Returns
+    -------
+    Check
+    """
+    if isinstance(fatigue, Notice):
+        reason, missing = NO_FATIGUE[fatigue.code]
+        return Check(
+            code=code,
+            status="not_checked",
+            limit=safety,
+            reason=reason,
+            missing=missing,
+            keep="above",
+        )
+    return judged(code, fatigue.safety_factor, safety, keep="above", reserve=reserve, error=error)

@@ -119,8 +119,44 @@ class FatigueBasis:
         InvalidInput
             If the criterion needs a yield strength that is not known.
         """
-        tensile, yields = pin.tensile_strength, pin.material.yield_strength
-        if tensile is None or (self.endurance_limit is None and not pin.steel):
+        return self.of(
+            diameter=pin.diameter,
+            tensile_strength=pin.tensile_strength,
+            yield_strength=pin.material.yield_strength,
+            steel=pin.steel,
+        )
+
+    def of(
+        self,
+        *,
+        diameter: float,
+        tensile_strength: float | None,
+        yield_strength: float | None,
+        steel: bool,
+    ) -> FatigueStrength | Notice:
+        """What the fatigue of a round part is judged by.
+
+        Parameters
+        ----------
+        diameter : float
+            Its diameter, m.
+        tensile_strength, yield_strength : float or None
+            Of its material, Pa.
+        steel : bool
+            Whether that is a steel.
+
+        Returns
+        -------
+        FatigueStrength or Notice
+            The latter where it is not known: why.
+
+        Raises
+        ------
+        InvalidInput
+            If the criterion needs a yield strength that is not known.
+        """
+        tensile, yields = tensile_strength, yield_strength
+        if tensile is None or (self.endurance_limit is None and not steel):
             return Notice("fatigue_no_basis")
         if self.criterion == "soderberg" and yields is None:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
@@ -145,7 +181,7 @@ class FatigueBasis:
         reliability = self.reliability_factor
         if reliability is None:
             reliability = reliability_factor(percent=self.reliability_percent or 50.0)
-        size = size_factor(diameter=pin.diameter)
+        size = size_factor(diameter=diameter)
         factors = EnduranceFactors(surface, size, reliability, notch)
         limit = float(endurance_limit(tensile_strength=tensile, factors=factors))
         return FatigueStrength(limit, tensile, yields, self.criterion, factors)

@@ -11,7 +11,8 @@ EXPONENTS: dict[Bearing, float] = {"ball": 3.0, "roller": 10 / 3}
 """Exponent p of the life over the load."""
 
 RELIABILITIES = {90.0: 1.0, 95.0: 0.64, 96.0: 0.55, 97.0: 0.47, 98.0: 0.37, 99.0: 0.25}
-"""Factor a1 by reliability, percent, of the edition of 2007; earlier ones have 0.62 for 95 %."""
+"""Factor a1 by reliability, percent, of ISO 281:2007; catalogues after earlier editions have 0.62,
+0.53, 0.44, 0.33 and 0.21 from 95 % on: up to a fifth less life for the same bearing."""
 
 
 def rating_life(*, load: Number, rating: Number, kind: Bearing) -> Number:
@@ -75,7 +76,8 @@ def system_life(*, lives: Number, weibull_slope: Number) -> Number:
     lives : array, shape (..., K)
         Lives of one reliability.
     weibull_slope : float or array, shape (...)
-        Slope beta of their distribution, > 0.
+        Slope beta of their distribution, > 0. There is no default: 10/9 of balls and 9/8 of rollers
+        are often named, but no source of them was at hand.
 
     Returns
     -------

@@ -11,6 +11,8 @@ rollers           the rollers, one by one or as a wheel
 contact_curve     where one roller can touch the satellite's teeth, and quadrature along it
 contact_line      the lines between their limits, their lengths, points for drawing
 meshing_load      line load, force and moment that the satellite passes on
+line_contact      Hertz pressure along the lines, where the tooth's curvature is given
 shaft             sections of the input shaft, reactions on it, its diagrams
 shaft_deflection  deflection of the shaft at its bearings
+shaft_strength    bending stress of the shaft, its static safety and fatigue
 """

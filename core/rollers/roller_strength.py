@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
 from core.errors import InvalidInput
+from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.load_sharing import share_load
 from core.materials import check_poissons_ratio
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -252,6 +253,42 @@ def roller_strength(
             evaluations=1,
         ),
     )
+
+
+def roller_fatigue(
+    *, bending_stress: float, strength: FatigueStrength, rotates: bool = False
+) -> CycleFatigue:
+    """Fatigue of a roller at its middle sphere.
+
+    The stress there is taken to come and go, from 0 to the largest: ``sigma_a = sigma_m =
+    sigma/2``; where the roller spins in its seat it is fully reversed.
+
+    Parameters
+    ----------
+    bending_stress : float
+        Largest stress sigma, Pa, > 0: with the factor of the notch where `strength` has none.
+    strength : FatigueStrength
+        What it is judged by.
+    rotates : bool
+        Whether the roller spins in its seat.
+
+    Returns
+    -------
+    CycleFatigue
+
+    Notes
+    -----
+    Derived: cycle of the stress of Ovsyannikov et al. 2019, eq. (12), which is a static one there.
+
+    Examples
+    --------
+    >>> strength = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
+    >>> round(roller_fatigue(bending_stress=300e6, strength=strength).safety_factor, 6)
+    1.538462
+    """
+    check_positive(bending_stress=bending_stress)
+    least = -bending_stress if rotates else 0.0
+    return judge_cycle(strength=strength, largest=bending_stress, least=least)
 
 
 def relative_stiffness(

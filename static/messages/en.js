@@ -662,6 +662,12 @@ export default {
       why: "Hertz's theory assumes a narrow contact; here its pressure is off by more than 1 %.",
       mend: "Use the pressure of the conformal contact where it is given; else take the number as a guide, enlarge the hole or lower the load.",
     },
+    hertz_line_width: {
+      title: "Wide contact of the roller",
+      tests: "Whether the contact is narrow beside the roller's radius.",
+      why: "Hertz assumes a narrow contact.",
+      mend: "Enlarge the radius of the teeth or the roller, or lower the load.",
+    },
     hertz_impossible: {
       title: "No theory for this contact",
       tests: "Whether the calculated contact is wider than the pin.",
@@ -670,14 +676,14 @@ export default {
     },
     fatigue_no_basis: {
       title: "Fatigue not checked: no limit",
-      tests: "Whether an endurance limit is known for the pin.",
+      tests: "Whether an endurance limit is known.",
       why: "There is a rule for steels of known tensile strength only; bronzes, irons and plastics have none.",
       mend: "Give the endurance limit, and the tensile strength where it is not known.",
     },
     fatigue_no_notch: {
       title: "Fatigue not checked: no notch factor",
-      tests: "Whether a notch of the pin or its factor is given.",
-      why: "The edge of a press fit alone takes half of the strength and more: a pin without any notch is not to be assumed.",
+      tests: "Whether a notch or its factor is given.",
+      why: "The edge of a press fit alone takes half of the strength and more: a part without any notch is not to be assumed.",
       mend: "Give the fatigue notch factor of the seat, the notch itself, or the endurance limit.",
     },
     low_cycle_fatigue: {

@@ -78,11 +78,12 @@ export default {
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
-    "fatigue_no_basis": "The fatigue of the pin is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
-    "fatigue_no_notch": "The fatigue of the pin is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
+    "fatigue_no_basis": "Fatigue is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
     "hertz_impossible": "The half-width of the contact is {ratio} of the pin's radius: wider than the pin, so that Hertz does not apply at all, and for very different materials no conformal solution is at hand: make the hole larger or the load smaller.",
+    "hertz_line_width": "The half-width of the contact is {ratio} of the roller's radius: Hertz is off by more than 1 %.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between them.",
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
@@ -439,7 +440,7 @@ export default {
     ],
     "endurance_limit_MPa": [
       "Endurance limit",
-      "Endurance limit of the pin itself, all factors in it."
+      "Endurance limit of the part itself, all factors in it."
     ],
     "exponent": [
       "Exponent",
@@ -451,7 +452,7 @@ export default {
     ],
     "fatigue_notch_factor": [
       "Fatigue notch factor",
-      "Of the seat or any notch where the pin bends most; 1 says that there is none."
+      "Of the seat or any notch where the part bends most; 1 says that there is none."
     ],
     "fatigue_safety": [
       "Safety in fatigue",
@@ -545,6 +546,10 @@ export default {
       "Direction of the torque",
       "Driving: the satellites turn the pins; reverse: the load turns them back; alternating: both are solved, and the worse is given."
     ],
+    "load_rotates_with_shaft": [
+      "Load turns with the shaft",
+      "Whether the mesh turns with the shaft and bends it one way all the time; else its bending is fully reversed."
+    ],
     "lost_motion_arcmin": [
       "Limit of the lost motion",
       "Limit whose yield is asked; its quantity is calculated too."
@@ -564,6 +569,14 @@ export default {
     "material": [
       "Material of the pin",
       "A name of the table of materials, or values; that of the contact where it has one."
+    ],
+    "mating_material": [
+      "Material of the satellite",
+      "A name of the table of materials, or values."
+    ],
+    "mating_radius_mm": [
+      "Curvature radius of the teeth",
+      "Radius of curvature of the satellite's teeth across the contact line: negative, and larger than the roller's, where the roller lies in a hollow."
     ],
     "max_backlash_arcmin": [
       "Largest backlash",
@@ -797,9 +810,17 @@ export default {
       "Roller circle radius",
       "Radius of the circle of the roller axes."
     ],
+    "roller_material": [
+      "Material of the rollers",
+      "A name of the table of materials, or values."
+    ],
     "roller_radius_mm": [
       "Roller radius",
       "Radius of a roller."
+    ],
+    "roller_rotates": [
+      "Roller rotates",
+      "Whether the roller spins in its seat: then its bending is fully reversed."
     ],
     "rollers.rollers": [
       "Rollers",
@@ -1182,6 +1203,10 @@ export default {
       "Bending stress of the rollers",
       "Above it the rollers bend for good."
     ],
+    "roller_fatigue": [
+      "Fatigue of the rollers",
+      "Below it the rollers break after some time beside the middle sphere."
+    ],
     "roller_sharing": [
       "Rollers that carry",
       "Otherwise few rollers carry all of the load."
@@ -1213,6 +1238,18 @@ export default {
     "shaft_slope": [
       "Slope of the shaft in its bearings",
       "Above it the bearings carry on their edges."
+    ],
+    "shaft_static": [
+      "Static strength of the shaft in bending",
+      "Above it the shaft bends for good."
+    ],
+    "shaft_fatigue": [
+      "Fatigue of the shaft in bending",
+      "Below it the shaft breaks after some time where it bends most."
+    ],
+    "line_pressure": [
+      "Pressure along the contact lines",
+      "Above it rollers or teeth pit in the long run."
     ]
   },
   "checkGroups": {
@@ -1227,6 +1264,7 @@ export default {
     "crankshaft": "Crankshaft",
     "body": "Satellite",
     "rollers": "Rollers",
+    "lines": "Contact lines",
     "shaft": "Bending of the shaft",
     "room": "Room for rollers and shaft"
   },
@@ -1257,6 +1295,7 @@ export default {
     "size_missing": "A size that it needs is not given",
     "speed_missing": "No input speed is given",
     "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
+    "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
     "too_large": "There are more pairs of pin and hole than it is calculated for",

@@ -227,3 +227,79 @@ async def test_what_is_hardly_known_is_warned_of(api, path):
     assert [each["code"] for each in answer["warnings"]] == ["hardly_known"]
     known = (await api.post(f"precession/{path}", json=body)).json()
     assert "warnings" not in known
+
+
+TIRED = {"tensile_strength_MPa": 900, "fatigue": {"surface": "machined"}}
+
+
+async def test_fatigue_of_rollers_where_asked(api):
+    """The stress of 508.487 MPa comes and goes; the factor of the notch counts once."""
+    plain = (await api.post("roller-strength", json=ROLLERS)).json()
+    assert "fatigue" not in plain and "fatigue" in plain["not_considered"]
+    own = (await api.post("roller-strength", json=ROLLERS | TIRED)).json()
+    cycle = own["fatigue"]
+    half = 0.0024213655 * 210e3 / 2
+    assert [cycle["amplitude_MPa"], cycle["mean_MPa"]] == pytest.approx([half] * 2, rel=1e-7)
+    assert cycle["factors"]["notch"] == 1
+    endurance = 3.04 * 900**-0.217 * 1.24 * 10**-0.107 * 450
+    safety = 1 / (half / endurance + half / 900)
+    assert cycle["safety_factor"] == pytest.approx(safety, rel=1e-7)
+    given = TIRED | {"fatigue": {"endurance_limit_MPa": endurance}}
+    cycle = (await api.post("roller-strength", json=ROLLERS | given)).json()["fatigue"]
+    assert cycle["amplitude_MPa"] == pytest.approx(half / 2, rel=1e-7)
+    smooth = ROLLERS | TIRED | {"stress_concentration": 1, "include": ["checks"]}
+    unknown = (await api.post("roller-strength", json=smooth)).json()
+    assert unknown["warnings"][0]["code"] == "fatigue_no_notch" and "fatigue" not in unknown
+    notched = smooth | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
+    cycle = (await api.post("roller-strength", json=notched)).json()["fatigue"]
+    assert cycle["safety_factor"] == pytest.approx(1 / (half / endurance + half / 1800), rel=1e-7)
+    notched["roller_rotates"] = True
+    spun = (await api.post("roller-strength", json=notched)).json()["fatigue"]
+    assert spun["mean_MPa"] == 0 and spun["safety_factor"] < cycle["safety_factor"]
+    both = ROLLERS | TIRED | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
+    refused = await api.post("roller-strength", json=both)
+    assert refused.status_code == 422
+    assert [each["pointer"] for each in refused.json()["errors"]] == ["/fatigue"]
+
+
+async def test_strength_of_the_shaft_where_asked(api):
+    path = "precession/shaft-deflection"
+    body = SHAFT | {"overhang_mm": 20}
+    plain = (await api.post(path, json=body)).json()
+    assert "strength" not in plain and "line_contact" not in plain
+    found = (await api.post(path, json=body | {"yield_strength_MPa": 300})).json()["strength"]
+    assert f"{found['bending_moment_clamp_Nm'] * 1e3:.2f}" == "18932.51"
+    assert f"{found['peak_stress_MPa']:.4f}" == "24.1056"
+    assert found["static_safety_factor"] == pytest.approx(300 / 24.1056, rel=1e-5)
+    assert "fatigue" not in found
+    tired = body | TIRED | {"include": ["checks"]}
+    unknown = (await api.post(path, json=tired)).json()
+    assert unknown["warnings"][0]["code"] == "fatigue_no_notch"
+    tired["fatigue"] = TIRED["fatigue"] | {"fatigue_notch_factor": 1.5}
+    answer = (await api.post(path, json=tired)).json()
+    endurance = 3.04 * 900**-0.217 * 1.24 * 20**-0.107 * 300
+    cycle = answer["strength"]["fatigue"]
+    assert cycle["safety_factor"] == pytest.approx(endurance / 24.1056, rel=1e-5)
+    steady = (await api.post(path, json=tired | {"load_rotates_with_shaft": True})).json()
+    assert "fatigue" not in steady["strength"]
+    judged = {each["code"]: each["status"] for each in steady["checks"]}
+    assert judged["shaft_fatigue"] == "not_applicable"
+
+
+async def test_pressure_along_the_lines_where_the_teeth_are_given(api):
+    path = "precession/shaft-deflection"
+    steel = {"youngs_modulus_GPa": 207, "poissons_ratio": 0.292, "allowable_pressure_MPa": 1500}
+    contact = {"mating_radius_mm": 20, "roller_material": steel, "mating_material": steel}
+    body = SHAFT | {"line_contact": contact, "include": ["checks"]}
+    answer = (await api.post(path, json=body)).json()
+    q = (await api.post("precession/meshing-load", json=MESH)).json()["max_line_load_N_per_mm"]
+    found = answer["line_contact"]
+    width = math.sqrt(2 * q / math.pi * 2 * (1 - 0.292**2) / 207e3 / (1 / 8 + 1 / 40))
+    assert found["half_width_mm"] == pytest.approx(width, rel=1e-12)
+    pressure = 2 * q / (math.pi * width)
+    assert found["max_pressure_MPa"] == pytest.approx(pressure, rel=1e-12)
+    check = next(each for each in answer["checks"] if each["code"] == "line_pressure")
+    assert check["torque_reserve"] == pytest.approx((1250 / pressure) ** 2, rel=1e-12)
+    hollow = body | {"line_contact": contact | {"mating_radius_mm": -3}}
+    refused = (await api.post(path, json=hollow)).json()
+    assert refused["errors"][0]["pointer"] == "/line_contact/mating_radius_mm"

@@ -8,29 +8,36 @@ import pytest
 
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
-from core.rollers.roller_strength import roller_strength
+from core.fatigue import CycleFatigue, FatigueStrength
+from core.results import Notice
+from core.rollers.roller_strength import roller_fatigue, roller_strength
 from tests.oracles.checks import says
+
+DESIGN: dict[str, Any] = {
+    "output_torque": 210.0,
+    "hole_circle_radius": 0.03,
+    "rollers": 4,
+    "sphere_diameter": 0.015,
+    "cylinder_length": 0.02,
+    "sphere_width": 0.008,
+    "position_tolerance": 2e-6,
+    "diameter": 0.01,
+    "friction_coefficient": 0.16,
+    "youngs_modulus": 210e9,
+    "poissons_ratio": 0.3,
+    "stress_concentration": 2.0,
+}
 
 
 def rollers(count: int = 4, **changes: Any) -> Verdict:
     """Checks of the rollers of the 2019 paper's fig. 6, d = 10 mm."""
-    sizes: dict[str, Any] = {
-        "output_torque": 210.0,
-        "hole_circle_radius": 0.03,
-        "rollers": count,
-        "sphere_diameter": 0.015,
-        "cylinder_length": 0.02,
-        "sphere_width": 0.008,
-        "position_tolerance": changes.pop("position_tolerance", 2e-6),
-    }
-    result = roller_strength(
-        **sizes,
-        diameter=0.01,
-        friction_coefficient=0.16,
-        youngs_modulus=210e9,
-        poissons_ratio=0.3,
-        stress_concentration=2.0,
-    )
+    design = DESIGN | {"rollers": count}
+    if "position_tolerance" in changes:
+        design["position_tolerance"] = changes.pop("position_tolerance")
+    result = roller_strength(**design)
+    names = ("output_torque", "hole_circle_radius", "rollers", "sphere_diameter")
+    names += ("cylinder_length", "sphere_width", "position_tolerance")
+    sizes = {name: design[name] for name in names}
     return roller_checks(result=result, **sizes, **changes)
 
 
@@ -126,3 +133,45 @@ def test_length_of_rollers(eccentricity: float | None) -> None:
         warning=True,
         reason="" if long else "tilted",
     )
+
+
+def tired(result: Any, **more: Any) -> CycleFatigue:
+    strength = FatigueStrength(endurance_limit=400e6, tensile_strength=1200e6)
+    return roller_fatigue(bending_stress=result.bending_stress, strength=strength, **more)
+
+
+def test_fatigue_of_rollers() -> None:
+    """Shigley, example 6-10: amplitude and mean of 8.38 kpsi, 3.66 by Gerber."""
+    strength = FatigueStrength(33.9, 100.0, criterion="gerber")
+    found = roller_fatigue(bending_stress=2 * 8.38, strength=strength)
+    assert (found.amplitude, found.mean, found.min_stress) == (8.38, 8.38, 0.0)
+    assert f"{found.safety_factor:.2f}" == "3.66"
+    spun = roller_fatigue(bending_stress=2 * 8.38, strength=strength, rotates=True)
+    assert (spun.amplitude, spun.mean) == (16.76, 0.0)
+    assert spun.safety_factor == pytest.approx(33.9 / 16.76, rel=1e-12)
+
+
+def test_fatigue_of_rollers_is_judged_where_asked() -> None:
+    assert "fatigue" in rollers().not_considered
+    for code, reason, missing in (
+        ("fatigue_no_basis", "endurance_unknown", ("tensile_strength",)),
+        ("fatigue_no_notch", "notch_unknown", ("fatigue.fatigue_notch_factor",)),
+    ):
+        verdict = rollers(fatigue=Notice(code))
+        assert "fatigue" not in verdict.not_considered
+        unknown = verdict["roller_fatigue"]
+        assert (unknown.status, unknown.reason, unknown.missing) == (
+            "not_checked",
+            reason,
+            missing,
+        )
+    cycle = tired(roller_strength(**DESIGN))
+    use = STRESS / 2 / 400e6 + STRESS / 2 / 1200e6
+    for safety, status in ((0.9 / use, "pass"), (0.99 / use, "marginal"), (1.01 / use, "fail")):
+        found = rollers(fatigue=cycle, fatigue_safety=safety)["roller_fatigue"]
+        assert (found.status, found.keep, found.limit) == (status, "above", safety)
+        assert found.value == pytest.approx(1 / use, rel=1e-9)
+        # at the torque named the safety is the one that is asked
+        torque = DESIGN["output_torque"] * found.torque_reserve
+        at_limit = tired(roller_strength(**DESIGN | {"output_torque": torque}))
+        assert at_limit.safety_factor == pytest.approx(safety, rel=1e-12)

@@ -8,6 +8,8 @@ import pytest
 
 from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
+from core.fatigue import FatigueStrength, judge_cycle
+from core.results import Notice
 from tests.oracles.checks import says
 
 
@@ -91,3 +93,51 @@ def test_a_deflection_that_is_hardly_known_and_one_that_is_none() -> None:
         assert shaft(error=1e-3, max_deflection=limit)["shaft_deflection"].status == status
     still = shaft(deflections=(0.0, 0.0), max_deflection=1e-5)["shaft_deflection"]
     says(still, status="pass", value=0.0, limit=1e-5, utilisation=0.0)
+
+
+def bent(**changes: Any) -> Any:
+    own = {"peak_stress": 100e6, "fatigue": None} | changes
+    return SimpleNamespace(**own)
+
+
+def test_strength_of_the_shaft_is_judged_where_asked() -> None:
+    alone = shaft()
+    assert {"shaft_strength", "line_pressure"} <= {*alone.not_considered}
+    unknown = shaft(strength=bent())
+    assert "fatigue" in unknown.not_considered and "shaft_strength" not in unknown.not_considered
+    static = unknown["shaft_static"]
+    assert (static.status, static.reason) == ("not_checked", "yield_unknown")
+    for strength, status in ((180e6, "pass"), (151e6, "marginal"), (149e6, "fail")):
+        static = shaft(strength=bent(), yield_strength=strength)["shaft_static"]
+        assert (static.status, static.value, static.limit) == (status, 100e6, strength / 1.5)
+        assert static.torque_reserve == pytest.approx(strength / 150e6)
+
+
+def test_fatigue_of_the_shaft() -> None:
+    for safety, status in ((1.8, "pass"), (1.51, "marginal"), (1.49, "fail")):
+        endurance = FatigueStrength(100e6 * safety, 1e9)
+        cycle = judge_cycle(strength=endurance, largest=100e6, least=-100e6)
+        verdict = shaft(strength=bent(fatigue=cycle), fatigue_asked=True)
+        found = verdict["shaft_fatigue"]
+        assert (found.status, found.limit) == (status, 1.5)
+        assert found.value == pytest.approx(safety) and "fatigue" not in verdict.not_considered
+        assert found.torque_reserve == pytest.approx(safety / 1.5)
+    steady = shaft(strength=bent(), fatigue_asked=True)["shaft_fatigue"]
+    assert (steady.status, steady.reason) == ("not_applicable", "steady_load")
+    unknown = {"fatigue_asked": True, "no_fatigue": Notice("fatigue_no_notch")}
+    found = shaft(strength=bent(), **unknown)["shaft_fatigue"]
+    assert (found.status, found.reason) == ("not_checked", "notch_unknown")
+
+
+def test_pressure_along_the_lines() -> None:
+    accuracy = SimpleNamespace(relative_error=1e-14)
+    contact: Any = SimpleNamespace(max_pressure=1000e6, accuracy=accuracy)
+    for lower, status in ((1400e6, "pass"), (1210e6, "marginal"), (1190e6, "fail")):
+        for limits in ((lower, 2000e6), (2000e6, lower)):
+            verdict = shaft(contact=contact, pressure_limits=limits)
+            found = verdict["line_pressure"]
+            assert (found.status, found.limit) == (status, lower / 1.2)
+            assert found.torque_reserve == pytest.approx((lower / 1200e6) ** 2)
+            assert "line_pressure" not in verdict.not_considered
+    unknown = shaft(contact=contact, pressure_limits=(1e9, None))["line_pressure"]
+    assert (unknown.status, unknown.reason) == ("not_checked", "limit_unknown")

@@ -13,8 +13,8 @@ from mpmath import mp, mpf
 from tests.oracles.crank_planetary import breaks, phases
 from tests.oracles.pin_turn import WAY, Turn, gap, long, narrowed
 
-STEP = 1 / 64
-"""Of the double exponential rule."""
+STEP = 1 / 256
+"""Of the double exponential rule: so fine as the size of a sum that nearly vanishes needs."""
 
 
 def rule() -> tuple[Any, Any]:

@@ -1,0 +1,142 @@
+"""Fatigue of a part: what it is judged by, and its stress cycle."""
+
+from typing import ClassVar
+
+from app.model import SIZE, Forms, Maybe, RequestModel, ResponseModel, quantity, result
+from app.units import to_si
+from core.checks.sections import FatigueBasis
+from core.fatigue import Criterion, Edition, Surface
+
+STEEL_GPA = 190.0, 220.0
+"""Young's moduli of steels: for them only there is a rule of the endurance limit."""
+
+
+class NotchFields(RequestModel):
+    """A notch of the part where it bends most."""
+
+    theoretical_factor: float = quantity(
+        "Stress concentration",
+        symbol="K_t",
+        group="fatigue",
+        ge=1,
+        le=100,
+        step=0.1,
+        help="Elastic stress concentration factor of the notch.",
+    )
+    radius_mm: float = quantity(
+        "Notch radius", symbol="r", group="fatigue", **SIZE, step=0.1, help="Radius of the notch."
+    )
+
+
+class FatigueFields(RequestModel):
+    """What the fatigue of a part is judged by."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("surface",), ("surface_factor",), ("endurance_limit_MPa",)),
+        (("reliability_percent",), ("reliability_factor",), ()),
+        (("fatigue_notch_factor",), ("notch",), ()),
+    )
+
+    surface: Maybe[Surface] = quantity(
+        "Surface",
+        symbol="",
+        group="fatigue",
+        default=None,
+        help="How the surface was made; cold-drawn counts as machined.",
+    )
+    surface_factor: Maybe[float] = quantity(
+        "Surface factor",
+        symbol="k_a",
+        group="fatigue",
+        default=None,
+        ge=0.01,
+        le=1,
+        step=0.05,
+        help="Its factor instead.",
+    )
+    edition: Edition = quantity(
+        "Edition",
+        symbol="",
+        group="fatigue",
+        default="shigley_11",
+        advanced=True,
+        help="Edition of Shigley whose constants of the surface are taken.",
+    )
+    reliability_percent: Maybe[float] = quantity(
+        "Reliability",
+        symbol="",
+        group="fatigue",
+        default=None,
+        ge=50,
+        le=99.99,
+        help="50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given.",
+    )
+    reliability_factor: Maybe[float] = quantity(
+        "Reliability factor",
+        symbol="k_e",
+        group="fatigue",
+        default=None,
+        ge=0.01,
+        le=1,
+        step=0.05,
+        help="Its factor instead.",
+    )
+    fatigue_notch_factor: Maybe[float] = quantity(
+        "Fatigue notch factor",
+        symbol="K_f",
+        group="fatigue",
+        default=None,
+        ge=1,
+        le=100,
+        step=0.1,
+        help="Of the seat or any notch where the part bends most; 1 says that there is none.",
+    )
+    notch: Maybe[NotchFields] = None
+    endurance_limit_MPa: Maybe[float] = quantity(
+        "Endurance limit",
+        symbol="S_e",
+        group="fatigue",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Endurance limit of the part itself, all factors in it.",
+    )
+    criterion: Criterion = quantity(
+        "Criterion",
+        symbol="",
+        group="fatigue",
+        default="goodman",
+        help="How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM.",
+    )
+
+    def basis(self) -> FatigueBasis:
+        """The same in SI units."""
+        own = self.to_core()
+        if self.notch is not None:
+            radius = to_si("radius_mm", self.notch.radius_mm)
+            own["notch"] = self.notch.theoretical_factor, radius
+        return FatigueBasis(**own)
+
+
+class FactorsOut(ResponseModel):
+    """What the endurance limit is made of: k_a·k_b·k_e·S_e′/K_f."""
+
+    surface: float = result("Factor of the surface.", symbol="k_a")
+    size: float = result("Factor of the size.", symbol="k_b")
+    reliability: float = result("Factor of the reliability.", symbol="k_e")
+    notch: float = result("Fatigue notch factor.", symbol="K_f")
+
+
+class CycleOut(ResponseModel):
+    """A stress cycle of a part, and how it is judged."""
+
+    max_stress_MPa: float = result("Largest stress.", symbol="σ_max")
+    min_stress_MPa: float = result("Least stress.", symbol="σ_min")
+    amplitude_MPa: float = result("Amplitude of the cycle.", symbol="σ_a")
+    mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
+    endurance_limit_MPa: float = result("Endurance limit of the part.", symbol="S_e")
+    factors: Maybe[FactorsOut] = None
+    safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
+    cycles: Maybe[float] = result(
+        "Cycles that it stands; absent within the endurance limit.", symbol="N", default=None
+    )

@@ -1,0 +1,120 @@
+"""Hertz pressure along the contact lines of the precessional gear."""
+
+import math
+from dataclasses import dataclass
+
+from core.arrays import check_positive
+from core.errors import InvalidInput
+from core.hertz import HALF_WIDTH_RATIO_LIMIT
+from core.materials import ElasticMaterial, effective_modulus
+from core.results import ROUNDING, Accuracy, Notice
+
+
+@dataclass(frozen=True, slots=True)
+class LineContact:
+    """Contact of a roller and the tooth that it presses on, where the line load is largest.
+
+    Attributes
+    ----------
+    max_pressure : float
+        Largest pressure p0, Pa.
+    half_width : float
+        Half-width a of the contact, m.
+    reduced_radius : float
+        Reduced radius of curvature, m.
+    effective_modulus : float
+        Effective modulus E*, Pa.
+    roller_safety, mating_safety : float or None
+        Limit of the body's own material over the pressure, where it is known.
+    accuracy : Accuracy
+        Of all numbers.
+    notices : tuple of Notice
+        Where the contact is wide for Hertz.
+    """
+
+    max_pressure: float
+    half_width: float
+    reduced_radius: float
+    effective_modulus: float
+    roller_safety: float | None
+    mating_safety: float | None
+    accuracy: Accuracy
+    notices: tuple[Notice, ...]
+
+
+def line_contact(
+    *,
+    line_load: float,
+    roller_radius: float,
+    mating_radius: float,
+    roller_material: ElasticMaterial,
+    mating_material: ElasticMaterial,
+    load_error: float = 0.0,
+) -> LineContact:
+    """Hertz contact of two cylinders: ``p0 = sqrt(q*E*/(pi*rho))``, ``a = sqrt(4*q*rho/(pi*E*))``.
+
+    ``1/rho = 1/r + 1/r_m`` of roller and tooth.
+
+    Parameters
+    ----------
+    line_load : float
+        Load q per length, N/m, > 0.
+    roller_radius : float
+        Radius r of the roller, m, > 0.
+    mating_radius : float
+        Radius of curvature r_m of the tooth across the line, m: positive where it is convex,
+        negative, and larger than the roller's, where the roller lies in a hollow.
+    roller_material, mating_material : ElasticMaterial
+        Materials of roller and satellite.
+    load_error : float
+        Relative error of the load.
+
+    Returns
+    -------
+    LineContact
+
+    Raises
+    ------
+    InvalidInput
+        If load or roller radius are not positive, or the hollow is not larger than the roller.
+
+    Notes
+    -----
+    Source: Johnson, Contact Mechanics, 4.2; the curvature of the tooth is an input, as the source
+    of the gear, Khatetovsky et al. 2020, gives none.
+
+    Examples
+    --------
+    Two equal steel cylinders touch as one of half the radius does a plane.
+
+    >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+    >>> found = line_contact(line_load=1e5, roller_radius=0.008, mating_radius=0.008,
+    ...                      roller_material=steel, mating_material=steel)
+    >>> round(found.reduced_radius, 6), round(found.max_pressure/1e6, 3)
+    (0.004, 958.228)
+    """
+    check_positive(line_load=line_load, roller_radius=roller_radius)
+    if not (mating_radius > 0 or -mating_radius > roller_radius):
+        raise InvalidInput("mating_radius", mating_radius, "larger_than", field="roller_radius")
+    together = mating_radius + roller_radius
+    reduced = mating_radius / together * roller_radius
+    modulus = float(effective_modulus(first=roller_material, second=mating_material))
+    pressure = math.sqrt(line_load / reduced * modulus / math.pi)
+    half_width = 2 * math.sqrt(line_load * reduced / math.pi / modulus)
+    ratio = half_width / roller_radius
+    safeties = [
+        None if each.limit is None else float(each.limit.pressure) / pressure
+        for each in (roller_material, mating_material)
+    ]
+    condition = (abs(mating_radius) + roller_radius) / abs(together)
+    wide = ratio > HALF_WIDTH_RATIO_LIMIT
+    return LineContact(
+        max_pressure=pressure,
+        half_width=half_width,
+        reduced_radius=reduced,
+        effective_modulus=modulus,
+        roller_safety=safeties[0],
+        mating_safety=safeties[1],
+        accuracy=Accuracy("closed_form", load_error / 2 + ROUNDING * (8 + condition), 1),
+        notices=(Notice("hertz_line_width", {"ratio": ratio}),) if wide else (),
+    )

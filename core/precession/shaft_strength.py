@@ -1,0 +1,120 @@
+"""Bending strength of the precessional gear's input shaft."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.precession.shaft import Plane, ShaftSection, shaft_pieces
+
+
+@dataclass(frozen=True, slots=True)
+class ShaftStrength:
+    """Bending stress of the shaft; its torsion is not in it.
+
+    Attributes
+    ----------
+    bending_moment_B, bending_moment_clamp : float
+        Bending moment at B and at the clamp, N*m.
+    peak_stress : float
+        Largest bending stress, Pa, without a notch.
+    position : float
+        Its section, m from C towards the clamp.
+    static_safety_factor : float or None
+        Yield strength over that stress, where it is known.
+    fatigue : CycleFatigue or None
+        Of the section that has the least safety, where the load turns round the shaft.
+    fatigue_position : float or None
+        That section, m from C.
+    """
+
+    bending_moment_B: float
+    bending_moment_clamp: float
+    peak_stress: float
+    position: float
+    static_safety_factor: float | None
+    fatigue: CycleFatigue | None
+    fatigue_position: float | None
+
+
+def shaft_strength(
+    *,
+    reaction_B: Plane,
+    reaction_C: Plane,
+    bearing_distance: float,
+    overhang: float,
+    sections: Sequence[ShaftSection],
+    yield_strength: float | None = None,
+    fatigue: Callable[[float], FatigueStrength] | None = None,
+    load_rotates_with_shaft: bool = False,
+) -> ShaftStrength:
+    """Bending stress of the shaft under the mesh, static safety and fatigue.
+
+    The satellite presses with P_C and P_B, opposite to the reactions: ``M(s) = |P_C*s +
+    P_B*max(s - a, 0)|`` as vectors, ``M_B = |P_C|*a``, ``M_clamp = |P_C*(a + b) + P_B*b|``. Between
+    steps and loads the moment is linear, so that it is largest at an end of such a stretch.
+
+    Parameters
+    ----------
+    reaction_B, reaction_C : tuple of float, shape (2,)
+        Reactions at B and C, N.
+    bearing_distance, overhang : float
+        Distances a from C to B and b from B to the clamp, m.
+    sections : sequence of ShaftSection
+        The shaft from C to the clamp.
+    yield_strength : float, optional
+        Yield strength Re, Pa.
+    fatigue : callable, optional
+        What the fatigue is judged by, of a diameter, m.
+    load_rotates_with_shaft : bool
+        Whether the load turns with the shaft and so bends it one way all the time; else it turns
+        round the shaft, and its stress is fully reversed.
+
+    Returns
+    -------
+    ShaftStrength
+
+    Notes
+    -----
+    Reactions: Khatetovsky et al. 2020, eqs (28)-(31); stress ``32*M/(pi*d^3)``: beam theory.
+
+    Examples
+    --------
+    >>> found = shaft_strength(
+    ...     reaction_B=(2.41639445088, -1.05399681812), reaction_C=(-171.172541156, 338.660950987),
+    ...     bearing_distance=0.03, overhang=0.02, sections=[ShaftSection(0.05, 0.02)])
+    >>> round(found.bending_moment_clamp*1e3, 2), round(found.peak_stress/1e6, 4)
+    (18932.51, 24.1056)
+    """
+    a = bearing_distance
+
+    def moment(place: float, beyond: float) -> float:
+        x, y = (c * place + b * beyond for c, b in zip(reaction_C, reaction_B, strict=True))
+        return math.hypot(x, y)
+
+    places = []
+    for piece in shaft_pieces(sections=sections, bearing_distance=a, overhang=overhang):
+        start = a if piece.behind_b else 0.0
+        for end in (piece.near, piece.far):
+            bent = moment(start + end, end if piece.behind_b else 0.0)
+            stress = bent * 32 / math.pi / piece.diameter**3
+            places.append((stress, start + end, piece.diameter))
+    stress, position, _ = max(places)
+    worst: CycleFatigue | None = None
+    worst_place = None
+    if fatigue is not None and not load_rotates_with_shaft:
+        for each, place, diameter in places:
+            if each > 0:
+                found = judge_cycle(strength=fatigue(diameter), largest=each, least=-each)
+                if worst is None or found.safety_factor < worst.safety_factor:
+                    worst, worst_place = found, place
+    static = None if yield_strength is None or not stress else yield_strength / stress
+    return ShaftStrength(
+        bending_moment_B=moment(a, 0.0),
+        bending_moment_clamp=moment(a + overhang, overhang),
+        peak_stress=stress,
+        position=position,
+        static_safety_factor=static,
+        fatigue=worst,
+        fatigue_position=worst_place,
+    )
