@@ -83,14 +83,17 @@ export function typedIn(state, path, text, time) {
 
 /** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
 export function switched(state, id, on, time) {
-  const { typed, about: { model: { fields }, calculator }, reading: { filled } } = state;
-  const { starts = () => ({}) } = calculator.wanted.find((group) => group.id === id);
-  const values = Object.entries(starts(filled));
-  const empty = values.every(([path]) => typed.texts[path] === "");
-  const texts = {
-    ...typed.texts, [`${id}.on`]: on ? "on" : "",
-    ...(on && empty && Object.fromEntries(values.map(([path, value]) => [path, textIn(fields.get(path), value)]))),
+  const { typed, about: { model: { fields }, calculator: { wanted } }, reading: { filled } } = state;
+  const texts = { ...typed.texts };
+  const turn = ({ id: one, starts = () => ({}), needs }) => {
+    texts[`${one}.on`] = on ? "on" : "";
+    if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
+    const values = Object.entries(starts(filled)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
+    const empty = values.every(([path]) => texts[path] === "" || fields.get(path).wanted !== one);
+    for (const [path, value] of values) if (empty && texts[path] === "") texts[path] = textIn(fields.get(path), value);
+    if (needs && texts[`${needs}.on`] !== "on") turn(wanted.find((group) => group.id === needs));
   };
+  turn(wanted.find((group) => group.id === id));
   return read({ ...state, refusal: null }, recorded(state.history, { ...typed, texts }, undefined, time));
 }
 

@@ -11,11 +11,13 @@ import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { WANTED } from "./wanted.js";
+import { partsOf, WANTED, wantedSections } from "./wanted.js";
 import { pressedBy, workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
-const DESIGN = ["contact_law", "deviations", "pin", "satellite_body", "requirements"]; // parts that are judged beside the contact
+const DESIGN = [ // parts that are judged beside the contact
+  "contact_law", "deviations", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
+];
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
 const TRADE_OFF = {
@@ -33,12 +35,13 @@ function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
   return { ...contact, force_N: force };
 }
 
-/** The design with what it is made to, where that is wanted: the verdict is of it too. */
-async function madeOf({ besides, ...input }, filled, get) {
+/** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
+async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
+  const input = { ...given, ...partsOf({ besides }, sections) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
-  const { contact, contact_law: law, deviations, pin } = await bodyOf(asked({ ...input, besides }, filled), { get });
-  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }), ...(pin && { pin }) };
+  const { contact, contact_law: law, deviations } = await bodyOf(asked({ ...given, besides }, filled), { get });
+  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }) };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -176,7 +179,7 @@ export default {
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
   optional: ["mechanism.crank_spacing_deg"],
-  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials" },
+  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
 
   /** The value that the theory gives for a box, where the other boxes allow it. */
   suggestions: {
@@ -205,10 +208,12 @@ export default {
   },
 
   /** The sections in the order in which each needs the one before. */
-  sections: ["cyclogram", "contact_force", "hertz", "geometry"],
+  sections: ["cyclogram", "contact_force", "hertz", "geometry", ...WANTED.map(({ section }) => section).filter(Boolean)],
 
-  async ask({ post, get, input: given, filled, sections, tables }) {
-    const input = await madeOf(given, filled, get);
+  async ask({ post, get, input: given, filled, sections: all, tables }) {
+    const wanted = wantedSections(given);
+    const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
+    const input = await madeOf(given, filled, get, sections);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
@@ -236,7 +241,7 @@ export default {
   ],
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
-  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
+  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },

@@ -2,6 +2,7 @@
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { cranksOf, eccentricityOf, ratioOf } from "./mechanism.js";
+import { WANTED } from "./wanted.js";
 
 const HALF_TURN = q("180°", 180, "°");
 const TURN = q("360°", 360, "°");
@@ -319,8 +320,8 @@ export function pressedBy(contact, { contact_force: ideal, load_sharing: real })
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N };
 }
 
-/** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values. */
-export function workedSteps({ input, answer, materialOf }) {
+/** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values, `more` are the steps of wanted groups by their ids. */
+export function workedSteps({ input, answer, materialOf, more = {} }) {
   const mechanism = mechanismOf(input.mechanism);
   const { cyclogram, contact_force: force, hertz, geometry } = answer;
   const pressed = hertz && pressedBy(input.contact, answer);
@@ -329,5 +330,8 @@ export function workedSteps({ input, answer, materialOf }) {
     force && { section: "contact_force", steps: forceSteps(force, mechanism, input.load) },
     hertz && { section: "hertz", steps: hertzSteps(hertz, pressed.contact, pressed.force, materialOf) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
+    ...WANTED.map(({ id, section }) => answer[section] && more[id] && {
+      section, steps: more[id](answer[section], { ...input, mechanism }, materialOf),
+    }),
   ].filter(Boolean);
 }
