@@ -5,7 +5,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
-from app.model import Maybe, RequestModel, ResponseModel, Values, quantity, result
+from app.model import SIZE, Maybe, RequestModel, ResponseModel, Values, quantity, result
 from app.problems import pointer
 from app.running import path_of
 from app.units import from_si, shown_unit
@@ -37,6 +37,31 @@ class RequirementsFields(RequestModel):
         default=1.5,
         **SAFETY,
         help="Yield strength over bending stress.",
+    )
+    fatigue_safety: float = quantity(
+        "Safety in fatigue",
+        symbol="S_D",
+        group="requirements",
+        default=1.5,
+        **SAFETY,
+        help="Factor by which all stresses of a pin may grow before it breaks by fatigue.",
+    )
+    static_safety: float = quantity(
+        "Static safety of bearings",
+        symbol="S_0",
+        group="requirements",
+        default=1.0,
+        **SAFETY,
+        help="Static load rating of a bearing over its largest load.",
+    )
+    life_h: float = quantity(
+        "Life",
+        symbol="L",
+        group="requirements",
+        default=5000.0,
+        **SIZE,
+        step=500,
+        help="Time that the reducer has to last.",
     )
     min_wall_mm: Maybe[float] = quantity(
         "Least wall",
@@ -77,7 +102,7 @@ class RequirementsFields(RequestModel):
         ge=1e-12,
         le=1e12,
         step=0.01,
-        help="Largest deflection of the shaft at its bearings.",
+        help="Largest deflection of the shaft at its bearings, or of the pins in the satellites.",
     )
     max_slope_mrad: Maybe[float] = quantity(
         "Largest slope",
@@ -87,7 +112,71 @@ class RequirementsFields(RequestModel):
         ge=1e-12,
         le=1e12,
         step=0.1,
-        help="Largest slope of the shaft in its bearings.",
+        help="Largest slope of the shaft in its bearings, or of the pins in the satellites.",
+    )
+    min_efficiency: Maybe[float] = quantity(
+        "Least efficiency",
+        symbol="η_min",
+        group="requirements",
+        default=None,
+        ge=1e-3,
+        lt=1,
+        step=0.01,
+        help="Least mean efficiency of the output mechanism alone.",
+    )
+    max_wear_mm: Maybe[float] = quantity(
+        "Largest wear",
+        symbol="h_max",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=0.01,
+        help="Largest depth of wear of pin or hole at the end of the life.",
+    )
+    max_pv_MPa_m_per_s: Maybe[float] = quantity(
+        "Largest pv",
+        symbol="(pv)_all",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=0.1,
+        help="Largest pressure on the projected area times sliding speed.",
+    )
+    max_sliding_speed_m_per_s: Maybe[float] = quantity(
+        "Largest sliding speed",
+        symbol="v_max",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=0.1,
+        help="Largest speed at which pins slide in the holes, or in their sleeves.",
+    )
+    max_outer_diameter_mm: Maybe[float] = quantity(
+        "Largest diameter",
+        symbol="D_max",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=5,
+        help="Largest diameter of the space in which the satellites move.",
+    )
+    max_unbalance_N: Maybe[float] = quantity(
+        "Largest unbalanced force",
+        symbol="F_U",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=10,
+        help="Largest force of the satellites' masses on the crankshaft.",
+    )
+    max_unbalance_couple_Nm: Maybe[float] = quantity(
+        "Largest unbalanced couple",
+        symbol="M_U",
+        group="requirements",
+        default=None,
+        **SIZE,
+        step=0.1,
+        help="Largest couple of the satellites' masses on the crankshaft.",
     )
 
 

@@ -1,6 +1,7 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
-from functools import cached_property
+from collections.abc import Callable
+from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
 import numpy as np
@@ -13,21 +14,22 @@ from app.calculations.checks import (
     codes_to_fix,
     judgement,
 )
-from app.calculations.contact_force import ContactForceResponse, LoadFields, contact_force_figure
+from app.calculations.contact_force import ContactForceResponse, contact_force_figure
+from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
+from app.calculations.design import DesignLoadFields, DesignPinFields, SatelliteBodyFields
 from app.calculations.hertz import HertzResponse, material_of
 from app.calculations.load_sharing_answer import OverTurnOut
-from app.calculations.mechanism import Angle
+from app.calculations.mechanism import MAX_PAIRS, Angle
+from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
+from app.calculations.pin import FatigueFields
 from app.calculations.pin_contact import PinContactFields
+from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.real_design import LEFT_OUT
-from app.calculations.real_mechanism import (
-    BentPinFields,
-    ContactLawFields,
-    DeviationsFields,
-    torque_direction,
-)
+from app.calculations.real_mechanism import ContactLawFields, DeviationsFields
+from app.calculations.ring import RingFields
+from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
-    SIZE,
     AccuracyOut,
     Calculation,
     Maybe,
@@ -47,9 +49,15 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import MOST_REAL_PAIRS, CrankDesign
+from core.checks.crank_design import (
+    MOST_BEARING_PAIRS,
+    MOST_PIN_PAIRS,
+    MOST_REAL_PAIRS,
+    CrankDesign,
+)
 from core.checks.crank_planetary import crank_checks
-from core.checks.real_forces import WAYS, Direction, RealForces
+from core.checks.real_forces import WAYS, RealForces
+from core.checks.sections import Friction, RollingBearing
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.fixes import crank_fixes
 from core.hertz import HertzContact
@@ -65,90 +73,112 @@ from core.output.pin_geometry import (
 )
 
 Section = Literal[
-    "cyclogram", "contact_force", "load_sharing", "hertz", "geometry", "checks", "fixes"
+    "cyclogram",
+    "contact_force",
+    "load_sharing",
+    "hertz",
+    "pin_strength",
+    "output_efficiency",
+    "satellite_bearing",
+    "crankshaft",
+    "geometry",
+    "checks",
+    "fixes",
 ]
 
 SECTIONS: tuple[Section, ...] = get_args(Section)
 
+_TOUCHING = ("load", "contact")
+_TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
+
 _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
     "contact_force": ("load",),
-    "load_sharing": ("load", "contact"),
-    "hertz": ("load", "contact"),
-    "geometry": ("load", "contact"),
+    "load_sharing": _TOUCHING,
+    "hertz": _TOUCHING,
+    "pin_strength": (*_TOUCHING, "pin"),
+    "output_efficiency": (*_TURNING, "friction"),
+    "satellite_bearing": (*_TURNING, "gear", "bearing"),
+    "crankshaft": (*_TURNING, "gear", "crankshaft"),
+    "geometry": _TOUCHING,
     "checks": (),
     "fixes": (),
 }
-"""Which parts of the request each section of the answer needs."""
+"""Which parts of the request each section of the answer needs, and which of their fields."""
+
+STRENGTH: dict[Section, str] = {
+    "pin_strength": "pin_strength",
+    "output_efficiency": "losses",
+    "satellite_bearing": "bearings",
+    "crankshaft": "shaft",
+}
+"""Sections of strength and life, and what of a design they answer."""
+
+MOST_PAIRS: dict[Section, int] = {
+    "pin_strength": MOST_PIN_PAIRS,
+    "satellite_bearing": MOST_BEARING_PAIRS,
+    "crankshaft": MOST_BEARING_PAIRS,
+}
+"""Most pairs of which they are calculated."""
+
+
+def _given(*path: str) -> dict[str, Any]:
+    """Schema of a body that has a field."""
+    first, *rest = path
+    inner = {"properties": {first: _given(*rest)}} if rest else {}
+    return {"required": [first], **inner}
 
 
 def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Parts that the sections named in `include` need."""
+    """Parts that the sections named in `include` need; what excludes or needs each other."""
     request_schema(schema, model)
+    sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
     schema["allOf"] = [
+        *(
+            {
+                "if": {
+                    "properties": {"include": {"contains": {"const": section}}},
+                    "required": ["include"],
+                },
+                "then": {"allOf": [_given(*part.split("/")) for part in parts]},
+            }
+            for section, parts in _NEEDS.items()
+            if parts
+        ),
         {
-            "if": {
-                "properties": {"include": {"contains": {"const": section}}},
-                "required": ["include"],
-            },
-            "then": {"required": [*parts]},
-        }
-        for section, parts in _NEEDS.items()
-        if parts
+            "if": {"properties": {"friction": sleeve}, "required": ["friction"]},
+            "then": {"required": ["pin"]},
+        },
+        {
+            "not": {
+                "allOf": [
+                    _given("load", "application_factor"),
+                    _given("contact", "dynamic_factor"),
+                ]
+            }
+        },
     ]
-
-
-class DirectedLoadFields(LoadFields):
-    """Load with the direction of its torque."""
-
-    torque_direction: Direction = torque_direction()
-
-
-class SatelliteBodyFields(RequestModel):
-    """The body of a satellite, as far as it is given."""
-
-    outer_radius_mm: Maybe[float] = quantity(
-        "Outer radius",
-        symbol="r_o",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Outer radius of the satellite.",
-    )
-    root_radius_mm: Maybe[float] = quantity(
-        "Root radius",
-        symbol="r_f",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Radius at the root of the satellite's teeth.",
-    )
-    bore_radius_mm: Maybe[float] = quantity(
-        "Bore radius",
-        symbol="r_b",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Radius of the satellite's bore.",
-    )
 
 
 class CrankPlanetaryRequest(RequestModel):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
-    Where clearance, deviations, a contact law or bending pins are given, the forces that are judged
-    are those of the mechanism as it is made, as by `/load-sharing`.
+    Where clearance, deviations or a contact law are given, the forces that are judged are those of
+    the mechanism as it is made, as by `/load-sharing`, and the pins bend in series with the
+    contacts. The section `pin` alone leaves the ideal forces.
     """
 
     mechanism: CyclogramRequest
-    load: Maybe[DirectedLoadFields] = None
+    load: Maybe[DesignLoadFields] = None
     contact: Maybe[PinContactFields] = None
     contact_law: Maybe[ContactLawFields] = None
     deviations: Maybe[DeviationsFields] = None
-    pin: Maybe[BentPinFields] = None
+    pin: Maybe[DesignPinFields] = None
+    fatigue: Maybe[FatigueFields] = None
+    friction: Maybe[FrictionFields] = None
+    gear: Maybe[RingFields] = None
+    bearing: Maybe[BearingFields] = None
+    crankshaft: Maybe[CrankshaftFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
     crank_angle_deg: Angle = quantity(
@@ -165,9 +195,9 @@ class CrankPlanetaryRequest(RequestModel):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: cyclogram, contact_force and hertz, as far as their input is given, and "
-        "load_sharing where clearance, deviations, a contact law or bending pins are. load_sharing "
-        "and hertz with these are left out then where the forces cannot be solved.",
+        "absent: all but geometry, checks and fixes, as far as their input is given; load_sharing "
+        "where clearance, deviations or a contact law are. load_sharing and hertz with these are "
+        "left out then where the forces cannot be solved.",
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -179,8 +209,28 @@ class CrankPlanetaryRequest(RequestModel):
     def _parts_for_sections(self) -> Self:
         for section in self.include or ():
             for part in _NEEDS[section]:
-                if getattr(self, part) is None:
+                if not self._has(part):
                     raise field_error(part, "needed_for", section=section)
+        return self
+
+    def _has(self, part: str) -> bool:
+        """Whether a part of the request, or a field of one, is given."""
+        value: Any = self
+        for name in part.split("/"):
+            value = None if value is None else getattr(value, name)
+        return value is not None
+
+    @model_validator(mode="after")
+    def _one_factor(self) -> Self:
+        given = self.load is not None and self.load.application_factor is not None
+        if given and self.contact and "dynamic_factor" in self.contact.model_fields_set:
+            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
+        return self
+
+    @model_validator(mode="after")
+    def _pin_in_sleeve(self) -> Self:
+        if self.friction is not None and self.friction.sleeve and self.pin is None:
+            raise field_error("pin", "needed_beside", field="sleeve")
         return self
 
     @model_validator(mode="after")
@@ -191,11 +241,11 @@ class CrankPlanetaryRequest(RequestModel):
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or elasticity are given."""
+        """Whether clearance, deviations or a law of contact are given."""
         loose = self.contact is not None and (
             self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
         )
-        sections = (self.contact_law, self.deviations, self.pin)
+        sections = (self.contact_law, self.deviations)
         return loose or any(each is not None for each in sections)
 
     @property
@@ -212,9 +262,11 @@ class CrankPlanetaryRequest(RequestModel):
         """Sections of the answer."""
         if self.include is not None:
             return self.include
-        usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz")
-        given = [name for name in ("load", "contact") if getattr(self, name) is not None]
-        allowed = [each for each in usual if {*_NEEDS[each]} <= {*given}]
+        usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
+        allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
+        allowed = [
+            each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
+        ]
         if not self.as_made or "hertz" not in allowed:
             return allowed
         if self.design.judged_forces is None:
@@ -244,12 +296,24 @@ class CrankPlanetaryRequest(RequestModel):
             load = load.model_copy(update={"include": []})
         return load.solve_for(self.design.driven)
 
-    def solve_hertz(self, force: ContactForce | None) -> HertzContact:
+    def solve_hertz(self) -> HertzContact:
         """Contact under the ideal peak force, or under those of the mechanism as it is made."""
-        assert self.contact is not None
-        if force is not None:
-            return self.contact.solve_for(force.peak_force)
-        return self._known(self.design.loading).contact_at(1.0)
+        if self.as_made:
+            return self._known(self.design.loading).contact_at(1.0)
+        if isinstance(self.design.force, ImpossibleMechanism):
+            raise self.design.force
+        assert self.design.contact is not None
+        return self.design.contact
+
+    def solve_strength(self, section: Section) -> Any:
+        """Result of a section of strength and life."""
+        found = getattr(self.design, STRENGTH[section])
+        if isinstance(found, ImpossibleMechanism):
+            raise found
+        if found is None:
+            limit = self.mechanism.most_pins(MOST_PAIRS[section])
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+        return found
 
     def solve_sharing(self) -> RealForces:
         """Forces of the mechanism as it is made, under the torque itself."""
@@ -292,13 +356,15 @@ class CrankPlanetaryRequest(RequestModel):
             "crank_angles": own.crank_angles_deg and self.built.crank_angles,
             "initial_crank_angle": self.built.initial_crank_angle,
             "satellite_teeth": own.satellite_teeth,
-            "pitting_safety": self.requirements.pitting_safety,
-            "min_wall": to_si("min_wall_mm", self.requirements.min_wall_mm),
-            "max_backlash": to_si("x_arcmin", self.requirements.max_backlash_arcmin),
-            "max_lost_motion": to_si("x_arcmin", self.requirements.max_lost_motion_arcmin),
             "law": self.contact_law and self.contact_law.law(),
             "deviations": self.deviations and self.deviations.deviations(),
-            "pin": self.pin and self.contact and self.pin.held(self.contact),
+            "pin": self.pin and self.contact and self.pin.pin(self.contact),
+            "fatigue": self.fatigue and self.fatigue.basis(),
+            "friction": self.friction and Friction(**self.friction.to_core()),
+            "gear": self.gear and self.gear.ring(),
+            "bearing": self.bearing and RollingBearing(**self.bearing.to_core()),
+            "crankshaft": self.crankshaft and self.crankshaft.to_shaft(),
+            **self.requirements.to_core(),
         }
         if load is not None:
             given |= {
@@ -306,6 +372,8 @@ class CrankPlanetaryRequest(RequestModel):
                 "pin_circle_radius": to_si("radius_mm", load.pin_circle_radius_mm),
                 "force_exponent": load.force_exponent,
                 "torque_direction": load.torque_direction,
+                "input_speed": to_si("input_speed_rpm", load.input_speed_rpm),
+                "peak_torque": load.peak_torque_Nm,
             }
         if contact is not None:
             materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
@@ -319,6 +387,8 @@ class CrankPlanetaryRequest(RequestModel):
                     name for name, each in materials.items() if not isinstance(each, str)
                 ),
             }
+        if load is not None and load.application_factor is not None:
+            given["dynamic_factor"] = load.application_factor
         if body is not None:
             given |= {"has_body": True, **body.to_core()}
         return CrankDesign(**given)
@@ -470,6 +540,22 @@ class CrankPlanetaryResponse(JudgedResponse):
         "elasticity of the pair and under the force with the largest pressure.",
         default=None,
     )
+    pin_strength: Maybe[PinStrengthResponse] = result(
+        "As `/pin-strength` answers, with the deflection: under the torque times its factor, the "
+        "static safety under the peak torque.",
+        default=None,
+    )
+    output_efficiency: Maybe[OutputEfficiencyResponse] = result(
+        "As `/output-efficiency` answers, under the torque without its factor.", default=None
+    )
+    satellite_bearing: Maybe[SatelliteBearingResponse] = result(
+        "As `/satellite-bearing` answers, under the torque without its factor, the static safety "
+        "under the peak torque.",
+        default=None,
+    )
+    crankshaft: Maybe[CrankshaftResponse] = result(
+        "As `/crankshaft` answers, under the torque without its factor.", default=None
+    )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
     warnings: Maybe[list[WarningOut]] = Field(
         default=None,
@@ -515,8 +601,20 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
     }
 
 
+ANSWERS: dict[Section, Callable[[Any, float], Values]] = {
+    "pin_strength": PinStrengthResponse.values,
+    "output_efficiency": lambda found, run_us: OutputEfficiencyResponse.values(
+        (found, None), run_us
+    ),
+    "satellite_bearing": SatelliteBearingResponse.values,
+    "crankshaft": CrankshaftResponse.values,
+}
+"""Values of the sections of strength and life, by their results."""
+
+
 def solve(body: CrankPlanetaryRequest) -> Values:
-    """Cyclogram, contact force, load sharing, Hertz stress, geometry: the sections that are asked.
+    """Cyclogram, contact force, load sharing, Hertz stress, pins, efficiency, bearings, crankshaft,
+    geometry: the sections that are asked.
 
     Verdict and warnings are there whichever sections are asked.
     """
@@ -524,11 +622,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     sections: Values = {}
     if "cyclogram" in asked:
         sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
-    force = None
-    if "contact_force" in asked or ("hertz" in asked and not body.as_made):
-        force, force_us = run(body, body.solve_force)
-        if "contact_force" in asked:
-            sections["contact_force"] = ContactForceResponse.values(force, force_us)
+    if "contact_force" in asked:
+        sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
         sharing, sharing_us = run(body, body.solve_sharing)
         forces, _ = run(body, lambda: body.design.judged_forces)
@@ -537,8 +632,11 @@ def solve(body: CrankPlanetaryRequest) -> Values:
             sharing, sharing_us, judged_force_N=force_N
         )
     if "hertz" in asked:
-        contact, hertz_us = run(body, lambda: body.solve_hertz(None if body.as_made else force))
-        sections["hertz"] = HertzResponse.values(contact, hertz_us)
+        sections["hertz"] = HertzResponse.values(*run(body, body.solve_hertz))
+    for name, answer in ANSWERS.items():
+        if name in asked:
+            found, run_us = run(body, partial(body.solve_strength, name))
+            sections[name] = answer(found, run_us)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     fit, _ = run(body, body.solve_fit)

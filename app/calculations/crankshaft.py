@@ -24,6 +24,7 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
+from core.checks.sections import RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
 from core.output.contact_force import drawing_angles
 
@@ -86,6 +87,15 @@ class CrankshaftFields(RequestModel):
         max_length=2,
         description="Both bearings, in the housing; ball bearings where not given.",
     )
+
+    def to_shaft(self) -> Shaft:
+        """The shaft in SI units."""
+        own = self.to_core()
+        for name in ("satellite_positions", "bearing_positions"):
+            own[name] = tuple(own[name])
+        if self.bearings is not None:
+            own["bearings"] = tuple(RollingBearing(**each.to_core()) for each in self.bearings)
+        return Shaft(**own)
 
 
 class CrankshaftRequest(CrankedRequest):

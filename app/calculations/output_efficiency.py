@@ -85,8 +85,6 @@ class SleevedPinFields(RequestModel):
 class FrictionFields(RequestModel):
     """Friction and wear of pin and hole, or of pin and sleeve."""
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("wear_rate_mm3_per_Nm", "life_h"), ()),)
-
     coefficient: float = quantity(
         "Friction coefficient",
         symbol="μ",
@@ -126,6 +124,12 @@ class FrictionFields(RequestModel):
     _coefficient_size = field_validator("coefficient")(no_dust)
 
 
+class WornFields(FrictionFields):
+    """The same where a rate of wear needs the time."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("wear_rate_mm3_per_Nm", "life_h"), ()),)
+
+
 def _sleeve_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """Sleeves need the diameter of the pin inside."""
     request_schema(schema, model)
@@ -140,7 +144,7 @@ class OutputEfficiencyRequest(CurveFields):
     mechanism: MechanismFields
     load: DrivenLoadFields
     contact: SlidingContactFields
-    friction: FrictionFields
+    friction: WornFields
     pin: Maybe[SleevedPinFields] = None
     include: list[Literal["curves"]] = Field(
         default=[], max_length=1, description="Optional results: what is not named is not computed."

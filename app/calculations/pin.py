@@ -1,5 +1,7 @@
 """The pin as a section of a design: beam, material, and what its fatigue is judged by."""
 
+from dataclasses import replace
+from functools import partial
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
@@ -8,8 +10,14 @@ from app.calculations.hertz import MaterialFields, MaterialName
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.output_efficiency import SleevedPinFields
 from app.model import SIZE, Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.units import to_si
+from core.checks.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface
+from core.materials import MATERIALS, ElasticMaterial
 from core.output.pin_beam import Support
+
+STEEL_GPA = 190.0, 220.0
+"""Young's moduli of steels: for them only there is a rule of the endurance limit."""
 
 
 class PinMaterialFields(MaterialFields):
@@ -24,6 +32,32 @@ class PinMaterialFields(MaterialFields):
         step=10,
         help="Tensile strength: what fatigue is judged by.",
     )
+
+    def material(self) -> ElasticMaterial:
+        """The material in SI units, without its tensile strength."""
+        return MaterialFields.material(self.model_copy(update={"tensile_strength_MPa": None}))
+
+
+def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
+    """Material of a pin with its yield strength, and what its strength is judged by, as
+    `core.checks.sections.DesignPin` names it.
+    """
+    if isinstance(given, str):
+        entry = MATERIALS[given]
+        strength = entry.strength
+        return {
+            "material": replace(entry.material, yield_strength=strength.yield_strength),
+            "tensile_strength": strength.tensile,
+            "steel": entry.group == "steel",
+            "valid_diameter": strength.valid_diameter,
+        }
+    low, high = STEEL_GPA
+    return {
+        "material": given.material(),
+        "tensile_strength": to_si("strength_MPa", getattr(given, "tensile_strength_MPa", None)),
+        "steel": low <= given.youngs_modulus_GPa <= high,
+        "own_material": True,
+    }
 
 
 def _kind(given: object) -> str:
@@ -84,24 +118,30 @@ class HeldPinFields(RequestModel):
         return self
 
 
+pin_length = partial(
+    quantity,
+    "Contact length",
+    symbol="b",
+    group="pin",
+    **SIZE,
+    step=1,
+    help="Length of the contact along the pin: the width of the satellite.",
+)
+pin_rotates = partial(
+    quantity,
+    "Pin rotates",
+    symbol="",
+    group="pin",
+    default=False,
+    help="Whether the pin turns in the carrier: then its bending is fully reversed.",
+)
+
+
 class PinSectionFields(HeldPinFields, SleevedPinFields):
     """The pin as a beam."""
 
-    contact_length_mm: float = quantity(
-        "Contact length",
-        symbol="b",
-        group="pin",
-        **SIZE,
-        step=1,
-        help="Length of the contact along the pin: the width of the satellite.",
-    )
-    rotates: bool = quantity(
-        "Pin rotates",
-        symbol="",
-        group="pin",
-        default=False,
-        help="Whether the pin turns in the carrier: then its bending is fully reversed.",
-    )
+    contact_length_mm: float = pin_length()
+    rotates: bool = pin_rotates()
     material: PinMaterial = quantity(
         "Material of the pin",
         symbol="",
@@ -207,3 +247,11 @@ class FatigueFields(RequestModel):
         default="goodman",
         help="How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM.",
     )
+
+    def basis(self) -> FatigueBasis:
+        """The same in SI units."""
+        own = self.to_core()
+        if self.notch is not None:
+            radius = to_si("radius_mm", self.notch.radius_mm)
+            own["notch"] = self.notch.theoretical_factor, radius
+        return FatigueBasis(**own)

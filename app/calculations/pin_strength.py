@@ -3,14 +3,14 @@
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field
 
 from app.calculations.contact_force import TorqueFields
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import FatigueFields, PinSectionFields
+from app.calculations.pin import FatigueFields, PinSectionFields, strengths_of
 from app.model import (
     SIZE,
     AccuracyOut,
@@ -27,16 +27,8 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
+from core.checks.sections import DesignPin
 from core.errors import InvalidInput
-from core.fatigue import (
-    EnduranceFactors,
-    endurance_limit,
-    notch_factor,
-    reliability_factor,
-    size_factor,
-    surface_factor,
-)
-from core.materials import MATERIALS, ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, pin_strength
@@ -44,9 +36,6 @@ from core.results import Notice
 
 MAX_PAIRS = 500
 """Most pairs whose locus is looked at."""
-
-STEEL_GPA = 190.0, 220.0
-"""Young's moduli of steels: for them only there is a rule of the endurance limit."""
 
 
 class PinLoadFields(TorqueFields):
@@ -66,8 +55,6 @@ class PinLoadFields(TorqueFields):
 class PinStrengthRequest(RequestModel):
     """Mechanism, load, pin and what its fatigue is judged by."""
 
-    LONG: ClassVar[bool] = True
-
     mechanism: MechanismFields
     load: PinLoadFields
     pin: PinSectionFields
@@ -86,77 +73,42 @@ class PinStrengthRequest(RequestModel):
         """The mechanism, built once."""
         return self.mechanism.mechanism()
 
-    def strengths(self) -> tuple[ElasticMaterial, float | None, bool, float | None]:
-        """Material with its yield strength, tensile strength, whether it is a steel, and the
-        diameter that the strengths hold for.
-        """
-        given = self.pin.material
-        if isinstance(given, str):
-            entry = MATERIALS[given]
-            own = replace(entry.material, yield_strength=entry.strength.yield_strength)
-            strength = entry.strength
-            return own, strength.tensile, entry.group == "steel", strength.valid_diameter
-        modulus = given.youngs_modulus_GPa
-        values = given.model_copy(update={"tensile_strength_MPa": None}).material()
-        tensile = to_si("tensile_strength_MPa", given.tensile_strength_MPa)
-        return values, tensile, STEEL_GPA[0] <= modulus <= STEEL_GPA[1], None
-
-    def judged_by(
-        self, tensile: float | None, yields: float | None, steel: bool, diameter: float
-    ) -> tuple[FatigueStrength | None, tuple[Notice, ...]]:
-        """What the fatigue is judged by; without it the reason."""
-        asked = self.fatigue
-        if asked is None:
-            return None, ()
-        if tensile is None or (asked.endurance_limit_MPa is None and not steel):
-            return None, (Notice("fatigue_no_basis"),)
-        if asked.criterion == "soderberg" and yields is None:
-            raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
-        if asked.endurance_limit_MPa is not None:
-            limit = to_si("endurance_limit_MPa", asked.endurance_limit_MPa)
-            return FatigueStrength(limit, tensile, yields, asked.criterion), ()
-        notch = asked.fatigue_notch_factor
-        if asked.notch is not None:
-            notch = notch_factor(**asked.notch.to_core(), tensile_strength=tensile)
-        if notch is None:
-            return None, (Notice("fatigue_no_notch"),)
-        surface = asked.surface_factor
-        if surface is None:
-            assert asked.surface is not None
-            surface = surface_factor(
-                tensile_strength=tensile, surface=asked.surface, edition=asked.edition
-            )
-        reliability = asked.reliability_factor
-        if reliability is None:
-            reliability = reliability_factor(percent=asked.reliability_percent or 50.0)
-        factors = EnduranceFactors(surface, size_factor(diameter=diameter), reliability, notch)
-        limit = endurance_limit(tensile_strength=tensile, factors=factors)
-        return FatigueStrength(limit, tensile, yields, asked.criterion, factors), ()
+    def design_pin(self) -> DesignPin:
+        """The pin in SI units."""
+        own = self.pin
+        return DesignPin(
+            support=own.support,
+            diameter=to_si("diameter_mm", own.diameter_mm),
+            satellite_positions=tuple(to_si("positions_mm", own.satellite_positions_mm)),
+            span=to_si("span_mm", own.span_mm),
+            contact_length=to_si("contact_length_mm", own.contact_length_mm),
+            rotates=own.rotates,
+            **strengths_of(own.material),
+        )
 
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
         if self.mechanism.pairs > MAX_PAIRS:
             most = self.mechanism.most_pins(MAX_PAIRS)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-        material, tensile, steel, valid = self.strengths()
-        diameter = to_si("diameter_mm", self.pin.diameter_mm)
-        strength, notices = self.judged_by(tensile, material.yield_strength, steel, diameter)
-        if valid is not None and diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        pin = self.design_pin()
+        judged = None if self.fatigue is None else self.fatigue.basis().strength(pin)
+        strength = judged if isinstance(judged, FatigueStrength) else None
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        if pin.valid_diameter is not None and pin.diameter > pin.valid_diameter:
+            notices += (Notice("strength_beyond_size", {"limit": pin.valid_diameter * 1e3}),)
         found = pin_strength(
             mechanism=self.built,
             force_exponent=self.load.force_exponent,
             output_torque=self.load.torque(self.built),
             pin_circle_radius=to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
-            diameter=diameter,
+            diameter=pin.diameter,
             contact_length=to_si("contact_length_mm", self.pin.contact_length_mm),
-            satellite_positions=tuple(
-                to_si("satellite_positions_mm", self.pin.satellite_positions_mm)
-            ),
-            material=material,
-            support=self.pin.support,
-            span=to_si("span_mm", self.pin.span_mm),
-            rotates=self.pin.rotates,
+            satellite_positions=pin.satellite_positions,
+            material=pin.material,
+            support=pin.support,
+            span=pin.span,
+            rotates=pin.rotates,
             fatigue=strength,
             input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
             deflection="deflection" in self.include,

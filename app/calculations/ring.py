@@ -1,15 +1,14 @@
 """The ring as a request gives it: what presses the satellites along their cranks."""
 
-from typing import Any, ClassVar, Literal, Self, get_args
+from typing import Any, ClassVar, Self, get_args
 
 from pydantic import ConfigDict, model_validator
 
 from app.model import SIZE, Forms, Maybe, RequestModel, Whole, field_error, quantity, request_schema
 from app.units import to_si
-from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
-from core.results import Notice
-
-Kind = Literal["involute", "cycloid", "none"]
+from core.checks.sections import Ring
+from core.checks.sections import RingKind as Kind
+from core.crank.ring_mesh import RingMesh
 
 NEEDED: dict[Kind | None, tuple[str, ...]] = {
     "involute": ("module_mm", "teeth_difference"),
@@ -117,19 +116,11 @@ class RingFields(RequestModel):
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """The ring's force on a satellite."""
-        if self.radial_force_ratio is not None:
-            return RingMesh(self.radial_force_ratio)
+        return self.ring().mesh(eccentricity=eccentricity, ratio=ratio)
+
+    def ring(self) -> Ring:
+        """The ring in SI units."""
+        own = self.to_core()
         if self.kind == "involute":
-            angle = self.reference_pressure_angle_deg
-            return involute_mesh(
-                module=to_si("module_mm", self.module_mm),
-                teeth_difference=self.teeth_difference,
-                pressure_angle=to_si("angle_deg", REFERENCE_ANGLE_DEG if angle is None else angle),
-                eccentricity=eccentricity,
-            )
-        if self.kind == "cycloid":
-            radius = to_si("ring_pin_circle_radius_mm", self.ring_pin_circle_radius_mm)
-            return cycloid_mesh(
-                eccentricity=eccentricity, ratio=ratio, ring_pin_circle_radius=radius
-            )
-        return RingMesh(0.0, notices=(Notice("no_ring_force"),))
+            own.setdefault("reference_pressure_angle", to_si("angle_deg", REFERENCE_ANGLE_DEG))
+        return Ring(**own)

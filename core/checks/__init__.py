@@ -9,6 +9,7 @@ Modules, in reading order (each may use those above it)
 kinds               every check by code: title, formula, reasons, sources, what is left out
 check               a value judged against its limit, and the verdict of all checks
 real_forces         forces with clearance, deviations and elasticity, in each direction
+sections            pin, fatigue, friction, ring, bearings, crankshaft, as far as given
 crank_design        a crank-planetary reducer, as far as it is given
 pin_contact         pressure, shakedown and yield where pin and hole touch
 play                backlash and lost motion of the output

@@ -1,27 +1,43 @@
 """A crank-planetary reducer as its checks look at it."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any, TypeVar
 
 from core.checks.real_forces import Direction, RealForces
-from core.errors import ImpossibleMechanism
+from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
+from core.crank.crankshaft import Crankshaft, crankshaft
+from core.crank.ring_mesh import RingMesh
+from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, HertzLaw, PinSupport
+from core.output.contact_law import ContactLaw, HertzLaw
+from core.output.losses import PinLosses, pin_losses
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import FIT_TOLERANCE
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_geometry import FIT_TOLERANCE, PinFit, pin_fit
+from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.results import Notice
 
 MOST_REAL_PAIRS = 100
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
+
+MOST_PIN_PAIRS, MOST_BEARING_PAIRS = 500, 2000
+"""Most pairs of which the locus of a pin's moment is looked at, and of which the forces on the
+satellites are integrated over the turn."""
 
 UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 """Why forces are not known, as the reason of a check, where there is one of its own."""
 
 Forces = RealForces | ContactForce | ImpossibleMechanism | None
 """Forces, or why there are none; None where they are not asked, or of too many pairs."""
+
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,12 +85,48 @@ class CrankDesign:
         Direction of the torque; of both the worse is judged.
     law : ContactLaw or None
         How a pair gives; None where that is not stated: by Hertz.
-    pin : PinSupport or None
-        How the pins are held; rigid where that is not stated.
+    pin : DesignPin or None
+        How the pins are held, and of what they are.
     deviations : Deviations or None
         Of this piece, where they are stated.
     max_backlash, max_lost_motion : float or None
         Largest backlash and lost motion that are asked, rad.
+    input_speed : float or None
+        Speed of the crank, rad/s.
+    peak_torque : float or None
+        Largest torque, for static strength, N*m; the torque times `dynamic_factor` where not given.
+    fatigue : FatigueBasis or None
+        What the fatigue of the pins is judged by.
+    friction : Friction or None
+        Friction and wear of the pins.
+    gear : Ring or None
+        The ring.
+    bearing : RollingBearing or None
+        Bearing of a satellite on its crank.
+    crankshaft : Shaft or None
+        The crankshaft.
+    bending_safety, fatigue_safety : float
+        Required safety of the pins against yield, and in fatigue.
+    static_safety : float
+        Required safety of bearings against their static rating.
+    life : float
+        Required life, s.
+    min_efficiency : float or None
+        Least efficiency of the output mechanism that is asked.
+    max_wear : float or None
+        Largest depth of wear that is asked, m.
+    max_pv : float or None
+        Largest pressure times speed that is asked, Pa*m/s.
+    max_sliding_speed : float or None
+        Largest sliding speed that is asked, m/s.
+    max_slope : float or None
+        Largest slope of the pins that is asked, rad.
+    max_deflection : float or None
+        Largest deflection of the pins that is asked, m.
+    max_outer_diameter : float or None
+        Largest diameter of the reducer that is asked, m.
+    max_unbalance, max_unbalance_couple : float or None
+        Largest force, N, and couple, N*m, of the satellites' masses that are asked.
     """
 
     pins: int
@@ -104,10 +156,30 @@ class CrankDesign:
     own_limits: tuple[str, ...] = ()
     torque_direction: Direction = "driving"
     law: ContactLaw | None = None
-    pin: PinSupport | None = None
+    pin: DesignPin | None = None
     deviations: Deviations | None = None
     max_backlash: float | None = None
     max_lost_motion: float | None = None
+    input_speed: float | None = None
+    peak_torque: float | None = None
+    fatigue: FatigueBasis | None = None
+    friction: Friction | None = None
+    gear: Ring | None = None
+    bearing: RollingBearing | None = None
+    crankshaft: Shaft | None = None
+    bending_safety: float = 1.5
+    fatigue_safety: float = 1.5
+    static_safety: float = 1.0
+    life: float = 5000 * 3600.0
+    min_efficiency: float | None = None
+    max_wear: float | None = None
+    max_pv: float | None = None
+    max_sliding_speed: float | None = None
+    max_slope: float | None = None
+    max_deflection: float | None = None
+    max_outer_diameter: float | None = None
+    max_unbalance: float | None = None
+    max_unbalance_couple: float | None = None
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -164,8 +236,10 @@ class CrankDesign:
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or elasticity are stated."""
-        stated = (self.law, self.pin, self.deviations)
+        """Whether clearance, deviations or a law of contact are stated. Bending pins alone leave
+        the ideal forces.
+        """
+        stated = (self.law, self.deviations)
         return (self.clearance or 0.0) > 0 or any(each is not None for each in stated)
 
     @cached_property
@@ -330,3 +404,211 @@ class CrankDesign:
         if self.pin_circle_radius is None or self.pins < 2:
             return None
         return 2 * self.pin_circle_radius * math.sin(math.pi / self.pins)
+
+    @property
+    def _forced(self) -> dict[str, Any]:
+        """What the ideal forces follow from, as arguments."""
+        return {
+            "mechanism": self.driven,
+            "force_exponent": self.force_exponent,
+            "output_torque": self.output_torque,
+            "pin_circle_radius": self.pin_circle_radius,
+        }
+
+    @property
+    def _turning(self) -> dict[str, Any]:
+        """The same, with what turns."""
+        moving = {"eccentricity": self.eccentricity, "input_speed": self.input_speed}
+        return self._forced | moving
+
+    @property
+    def pairs(self) -> int:
+        """Number of pairs of pin and hole."""
+        return self.pins * self.satellites
+
+    @property
+    def static_torque(self) -> float:
+        """Torque of static strength, N*m."""
+        assert self.output_torque is not None
+        peak = self.peak_torque
+        return self.output_torque * self.dynamic_factor if peak is None else peak
+
+    @cached_property
+    def fatigue_strength(self) -> FatigueStrength | Notice | None:
+        """What the fatigue of the pins is judged by; why it is not known; None without it."""
+        if self.fatigue is None or self.pin is None:
+            return None
+        pin, basis = self.pin, self.fatigue
+        return _named("fatigue", lambda: basis.strength(pin))
+
+    @cached_property
+    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
+        it is not known; None without pins, or of too many.
+        """
+        if not (self.loaded and self.touching and self.pin) or self.pairs > MOST_PIN_PAIRS:
+            return None
+        pin, judged = self.pin, self.fatigue_strength
+        assert self.output_torque is not None and self.contact_length is not None
+        length = self.contact_length if pin.contact_length is None else pin.contact_length
+        torque = self.output_torque * self.dynamic_factor
+        found = _known(
+            "pin",
+            lambda: pin_strength(
+                **self._forced | {"output_torque": torque},
+                diameter=pin.diameter,
+                contact_length=length,
+                satellite_positions=pin.satellite_positions,
+                material=pin.material,
+                support=pin.support,
+                span=pin.span,
+                rotates=pin.rotates,
+                fatigue=judged if isinstance(judged, FatigueStrength) else None,
+                input_speed=self.input_speed,
+                deflection=True,
+            ),
+        )
+        if isinstance(found, ImpossibleMechanism):
+            return found
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid, safety = pin.valid_diameter, found.static_safety_factor
+        if valid is not None and pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(
+            found,
+            static_safety_factor=None if safety is None else safety * torque / self.static_torque,
+            notices=notices + found.notices,
+        )
+
+    @property
+    def fit(self) -> PinFit | None:
+        """How pins and holes fit, as far as their sizes are given."""
+        if self.pin_radius is None or self.hole_radius is None:
+            return None
+        return pin_fit(
+            pins=self.pins,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            eccentricity=self.eccentricity,
+            pin_circle_radius=self.pin_circle_radius,
+        )
+
+    @cached_property
+    def losses(self) -> PinLosses | ImpossibleMechanism | None:
+        """Friction and wear of the pins under the torque; why they are not known; None where
+        friction, speed or eccentricity is not given.
+        """
+        friction = self.friction
+        if friction is None or not (self.loaded and self.input_speed and self.eccentricity):
+            return None
+        inside = self.pin.diameter if friction.sleeve and self.pin else None
+        return _known(
+            "pin",
+            lambda: pin_losses(
+                **self._turning,
+                pin_radius=self.pin_radius,
+                hole_radius=self.hole_radius,
+                contact_length=self.contact_length,
+                friction_coefficient=friction.coefficient,
+                diameter=inside,
+                wear_rate=friction.wear_rate,
+                life=None
+                if friction.wear_rate is None
+                else (self.life if friction.life is None else friction.life),
+            ),
+        )
+
+    @cached_property
+    def mesh(self) -> RingMesh | None:
+        """The ring's force on a satellite; None without a ring or an eccentricity."""
+        gear, eccentricity = self.gear, self.eccentricity
+        if gear is None or eccentricity is None:
+            return None
+        ratio = self.mechanism.ratio
+        return _named("gear", lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio))
+
+    @cached_property
+    def bearings(self) -> SatelliteBearings | ImpossibleMechanism | None:
+        """Load and life of the satellites' bearings under the torque, their static safety under the
+        peak torque; why they are not known; None where ring, bearing, speed or eccentricity is not
+        given, or of too many pairs.
+        """
+        bearing, mesh = self.bearing, self.mesh
+        if bearing is None or mesh is None or not (self.loaded and self.input_speed):
+            return None
+        if self.pairs > MOST_BEARING_PAIRS:
+            return None
+        found = _known(
+            "bearing",
+            lambda: satellite_bearings(
+                **self._turning,
+                mesh=mesh,
+                kind=bearing.kind,
+                dynamic_rating=bearing.dynamic_rating,
+                static_rating=bearing.static_rating,
+                reliability_percent=bearing.reliability_percent,
+                ring_factor=bearing.ring_factor,
+                weibull_slope=bearing.weibull_slope,
+            ),
+        )
+        if isinstance(found, ImpossibleMechanism) or found.static_safety_factor is None:
+            return found
+        assert self.output_torque is not None
+        share = self.output_torque / self.static_torque
+        return replace(found, static_safety_factor=found.static_safety_factor * share)
+
+    @cached_property
+    def shaft(self) -> Crankshaft | ImpossibleMechanism | None:
+        """Reactions and balance of the crankshaft under the torque; why they are not known; None
+        where shaft, ring, speed or eccentricity is not given, or of too many pairs.
+        """
+        own, mesh = self.crankshaft, self.mesh
+        if own is None or mesh is None or not (self.loaded and self.input_speed):
+            return None
+        if self.pairs > MOST_BEARING_PAIRS:
+            return None
+        given = self._turning
+        if own.bearings is not None:
+            given |= {
+                "kinds": tuple(each.kind for each in own.bearings),
+                "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
+            }
+        return _known(
+            "crankshaft",
+            lambda: crankshaft(
+                **given,
+                mesh=mesh,
+                satellite_positions=own.satellite_positions,
+                bearing_positions=own.bearing_positions,
+                satellite_mass=own.satellite_mass,
+            ),
+        )
+
+
+SECTION_OF = {
+    "pin": ("satellite_positions", "span", "diameter"),
+    "fatigue": ("reliability_percent",),
+    "gear": ("module", "teeth_difference", "ring_pin_circle_radius"),
+    "bearing": ("reliability_percent", "ring_factor", "weibull_slope"),
+    "crankshaft": ("satellite_positions", "bearing_positions", "satellite_mass"),
+}
+"""Parameters of calculations that are fields of a section, where others may be called the same."""
+
+
+def _named(section: str, calculation: Callable[[], Result]) -> Result:
+    """A result; a refusal names the section of the field."""
+    try:
+        return calculation()
+    except InvalidInput as error:
+        if error.parameter.startswith(SECTION_OF[section]):
+            name = f"{section}.{error.parameter}"
+            raise InvalidInput(name, error.value, error.code, **error.params) from error
+        raise
+
+
+def _known(section: str, calculation: Callable[[], Result]) -> Result | ImpossibleMechanism:
+    """A result, or why there is none."""
+    try:
+        return _named(section, calculation)
+    except ImpossibleMechanism as refusal:
+        return refusal

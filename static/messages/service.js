@@ -296,6 +296,10 @@ export default {
       "Allowable pressure",
       "Allowable contact pressure: what this body is judged by."
     ],
+    "application_factor": [
+      "Application factor",
+      "Factor on the torque for stresses and pressures, not for losses, wear and the life of bearings; not beside the contact's dynamic factor, which is the same."
+    ],
     "backlash_max_arcmin": [
       "Limit of the backlash",
       "Limit whose yield is asked; its quantity is calculated too."
@@ -444,6 +448,10 @@ export default {
       "Fatigue notch factor",
       "Of the seat or any notch where the pin bends most; 1 says that there is none."
     ],
+    "fatigue_safety": [
+      "Safety in fatigue",
+      "Factor by which all stresses of a pin may grow before it breaks by fatigue."
+    ],
     "force_N": [
       "Contact force",
       "Force between pin and hole."
@@ -451,6 +459,10 @@ export default {
     "force_exponent": [
       "Force exponent",
       "Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."
+    ],
+    "friction.life_h": [
+      "Life",
+      "Time in which it wears."
     ],
     "friction_coefficient": [
       "Friction coefficient",
@@ -516,10 +528,6 @@ export default {
       "Length",
       ""
     ],
-    "life_h": [
-      "Life",
-      "Time in which it wears."
-    ],
     "load.rollers": [
       "Rollers",
       "Number of rollers."
@@ -558,23 +566,51 @@ export default {
     ],
     "max_deflection_mm": [
       "Largest deflection",
-      "Largest deflection of the shaft at its bearings."
+      "Largest deflection of the shaft at its bearings, or of the pins in the satellites."
     ],
     "max_lost_motion_arcmin": [
       "Largest lost motion",
       "Largest rotation of the output mechanism between 3 % of the torque in both directions."
     ],
+    "max_outer_diameter_mm": [
+      "Largest diameter",
+      "Largest diameter of the space in which the satellites move."
+    ],
     "max_pressure_MPa": [
       "Limit of the pressure",
       "Limit whose yield is asked; its quantity is calculated too."
     ],
+    "max_pv_MPa_m_per_s": [
+      "Largest pv",
+      "Largest pressure on the projected area times sliding speed."
+    ],
+    "max_sliding_speed_m_per_s": [
+      "Largest sliding speed",
+      "Largest speed at which pins slide in the holes, or in their sleeves."
+    ],
     "max_slope_mrad": [
       "Largest slope",
-      "Largest slope of the shaft in its bearings."
+      "Largest slope of the shaft in its bearings, or of the pins in the satellites."
+    ],
+    "max_unbalance_N": [
+      "Largest unbalanced force",
+      "Largest force of the satellites' masses on the crankshaft."
+    ],
+    "max_unbalance_couple_Nm": [
+      "Largest unbalanced couple",
+      "Largest couple of the satellites' masses on the crankshaft."
+    ],
+    "max_wear_mm": [
+      "Largest wear",
+      "Largest depth of wear of pin or hole at the end of the life."
     ],
     "mechanism.crank_angle_deg": [
       "Crank angle",
       "Crank angle of the section geometry."
+    ],
+    "min_efficiency": [
+      "Least efficiency",
+      "Least mean efficiency of the output mechanism alone."
     ],
     "min_wall_mm": [
       "Least wall",
@@ -603,6 +639,10 @@ export default {
     "peak_force_N": [
       "Limit of the peak force",
       "Limit whose yield is asked; its quantity is calculated too."
+    ],
+    "peak_torque_Nm": [
+      "Peak torque",
+      "Largest torque, for static strength; the torque times its factor where not given."
     ],
     "percentiles": [
       "Percentiles",
@@ -720,6 +760,10 @@ export default {
       "Reliability factor",
       "Its factor instead."
     ],
+    "requirements.life_h": [
+      "Life",
+      "Time that the reducer has to last."
+    ],
     "revolutions": [
       "Crank revolutions",
       "Length of the cyclogram, in turns of the crank."
@@ -835,6 +879,10 @@ export default {
     "static_rating_N": [
       "Static load rating",
       "Basic static load rating, for the static safety."
+    ],
+    "static_safety": [
+      "Static safety of bearings",
+      "Static load rating of a bearing over its largest load."
     ],
     "stiffness_Nm_per_arcmin": [
       "Stiffness of a mesh",

@@ -166,7 +166,6 @@ async def test_uneven_sharing_may_be_assumed_of_ideal_forces_only(api):
         {"contact__hole_radius_mm": 10.03},
         {"contact_law": {"kind": "hertz"}},
         {"deviations": {}},
-        {"pin": {"support": "cantilever", "satellite_positions_mm": [10, 30]}},
     ):
         body = changed(IDEAL, contact__distribution_factor=1.2, **changes)
         assert (await refused(api, body))[1] == "with_real_forces"
@@ -216,6 +215,7 @@ def test_only_what_solves_the_real_forces_is_long():
         (IDEAL, False),
         (changed(IDEAL, load__torque_direction="reverse"), False),
         (changed(IDEAL, contact__hole_radius_mm=9.9), False),
+        (changed(IDEAL, pin={"satellite_positions_mm": [10, 30]}), False),
         (changed(IDEAL, requirements={"max_backlash_arcmin": 1}), False),
         (DESIGN, True),
         (changed(IDEAL, contact__hole_radius_mm=10.03), True),

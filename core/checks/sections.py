@@ -1,0 +1,275 @@
+"""Sections of a design besides mechanism, load and contact: pin, fatigue, friction, ring, bearings,
+crankshaft; SI units.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from core.crank.bearing_life import Bearing
+from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
+from core.errors import InvalidInput
+from core.fatigue import (
+    Criterion,
+    Edition,
+    EnduranceFactors,
+    Surface,
+    endurance_limit,
+    notch_factor,
+    reliability_factor,
+    size_factor,
+    surface_factor,
+)
+from core.output.contact_law import PinSupport
+from core.output.pin_fatigue import FatigueStrength
+from core.results import Notice
+
+RingKind = Literal["involute", "cycloid", "none"]
+
+
+@dataclass(frozen=True, slots=True)
+class DesignPin(PinSupport):
+    """A pin as it bends and breaks.
+
+    Attributes
+    ----------
+    contact_length : float or None
+        Length of the contact along it, m; that of the contact where not given.
+    rotates : bool
+        Whether it turns in the carrier.
+    tensile_strength : float or None
+        Of its material, Pa; the yield strength is the material's own.
+    steel : bool
+        Whether that is a steel, for which there is a rule of the endurance limit.
+    valid_diameter : float or None
+        Largest diameter that these strengths hold for, m.
+    own_material : bool
+        Whether that is given by values.
+    """
+
+    contact_length: float | None = None
+    rotates: bool = False
+    tensile_strength: float | None = None
+    steel: bool = False
+    valid_diameter: float | None = None
+    own_material: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FatigueBasis:
+    """What the fatigue of a pin is judged by, as far as it is given.
+
+    Attributes
+    ----------
+    surface : {"ground", "machined", "hot_rolled", "forged"} or None
+        How the surface was made.
+    surface_factor : float or None
+        Its factor instead.
+    edition : {"shigley_9", "shigley_11"}
+        Whose constants of the surface.
+    reliability_percent, reliability_factor : float or None
+        Reliability, or its factor; 50 % where neither is given.
+    fatigue_notch_factor : float or None
+        Factor Kf of the seat or a notch.
+    notch : tuple of float or None
+        Its theoretical factor Kt and its radius, m, instead.
+    endurance_limit : float or None
+        Endurance limit Se, Pa, all factors in it.
+    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
+        How the mean stress counts.
+    """
+
+    surface: Surface | None = None
+    surface_factor: float | None = None
+    edition: Edition = "shigley_11"
+    reliability_percent: float | None = None
+    reliability_factor: float | None = None
+    fatigue_notch_factor: float | None = None
+    notch: tuple[float, float] | None = None
+    endurance_limit: float | None = None
+    criterion: Criterion = "goodman"
+
+    def strength(self, pin: DesignPin) -> FatigueStrength | Notice:
+        """What a pin's fatigue is judged by.
+
+        Parameters
+        ----------
+        pin : DesignPin
+            The pin; the limit falls with its diameter.
+
+        Returns
+        -------
+        FatigueStrength or Notice
+            The latter where it is not known: why.
+
+        Raises
+        ------
+        InvalidInput
+            If the criterion needs a yield strength that is not known.
+        """
+        tensile, yields = pin.tensile_strength, pin.material.yield_strength
+        if tensile is None or (self.endurance_limit is None and not pin.steel):
+            return Notice("fatigue_no_basis")
+        if self.criterion == "soderberg" and yields is None:
+            raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
+        if self.endurance_limit is not None:
+            return FatigueStrength(self.endurance_limit, tensile, yields, self.criterion)
+        notch = self.fatigue_notch_factor
+        if self.notch is not None:
+            theoretical, radius = self.notch
+            notch = float(
+                notch_factor(
+                    theoretical_factor=theoretical, radius=radius, tensile_strength=tensile
+                )
+            )
+        if notch is None:
+            return Notice("fatigue_no_notch")
+        surface = self.surface_factor
+        if surface is None:
+            assert self.surface is not None
+            surface = float(
+                surface_factor(tensile_strength=tensile, surface=self.surface, edition=self.edition)
+            )
+        reliability = self.reliability_factor
+        if reliability is None:
+            reliability = reliability_factor(percent=self.reliability_percent or 50.0)
+        size = size_factor(diameter=pin.diameter)
+        factors = EnduranceFactors(surface, size, reliability, notch)
+        limit = float(endurance_limit(tensile_strength=tensile, factors=factors))
+        return FatigueStrength(limit, tensile, yields, self.criterion, factors)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Friction:
+    """Friction and wear of pin and hole, or of pin and sleeve.
+
+    Attributes
+    ----------
+    coefficient : float
+        Friction coefficient, dimensionless.
+    sleeve : bool
+        Whether sleeves roll in the holes.
+    wear_rate : float or None
+        Worn volume over force and distance, m^2/N.
+    life : float or None
+        Time in which it wears, s; the required life where not given.
+    """
+
+    coefficient: float
+    sleeve: bool = False
+    wear_rate: float | None = None
+    life: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ring:
+    """Teeth or pins of the ring, or the ratio of its forces itself.
+
+    Attributes
+    ----------
+    kind : {"involute", "cycloid", "none"} or None
+        Involute teeth, pins, or none: its force along the crank is left out.
+    module : float or None
+        Module of involute teeth, m.
+    teeth_difference : int or None
+        Teeth of the ring less those of a satellite.
+    reference_pressure_angle : float or None
+        Of the teeth, rad.
+    ring_pin_circle_radius : float or None
+        Radius of the circle of the ring's pins, m.
+    radial_force_ratio : float or None
+        Force along the crank over that across it.
+    """
+
+    kind: RingKind | None = None
+    module: float | None = None
+    teeth_difference: int | None = None
+    reference_pressure_angle: float | None = None
+    ring_pin_circle_radius: float | None = None
+    radial_force_ratio: float | None = None
+
+    def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
+        """The ring's force on a satellite.
+
+        Parameters
+        ----------
+        eccentricity : float
+            Eccentricity of the cranks, m.
+        ratio : float
+            Ratio u.
+
+        Returns
+        -------
+        RingMesh
+
+        Raises
+        ------
+        InvalidInput
+            If there are no such teeth.
+        """
+        if self.radial_force_ratio is not None:
+            return RingMesh(self.radial_force_ratio)
+        if self.kind == "involute":
+            assert self.module is not None and self.teeth_difference is not None
+            assert self.reference_pressure_angle is not None
+            return involute_mesh(
+                module=self.module,
+                teeth_difference=self.teeth_difference,
+                pressure_angle=self.reference_pressure_angle,
+                eccentricity=eccentricity,
+            )
+        if self.kind == "cycloid":
+            assert self.ring_pin_circle_radius is not None
+            return cycloid_mesh(
+                eccentricity=eccentricity,
+                ratio=ratio,
+                ring_pin_circle_radius=self.ring_pin_circle_radius,
+            )
+        return RingMesh(0.0, notices=(Notice("no_ring_force"),))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RollingBearing:
+    """A rolling bearing as its catalogue gives it.
+
+    Attributes
+    ----------
+    kind : {"ball", "roller"}
+        Rolling elements.
+    dynamic_rating, static_rating : float or None
+        Basic load ratings C and C0, N.
+    reliability_percent : float
+        Share of bearings that reach the life.
+    ring_factor : float
+        Factor V of the equivalent load.
+    weibull_slope : float or None
+        Slope of the distribution of lives.
+    """
+
+    kind: Bearing
+    dynamic_rating: float | None = None
+    static_rating: float | None = None
+    reliability_percent: float = 90.0
+    ring_factor: float = 1.0
+    weibull_slope: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shaft:
+    """The crankshaft: where its loads and bearings are.
+
+    Attributes
+    ----------
+    satellite_positions : tuple of float
+        Middle plane of each satellite along the shaft, m.
+    bearing_positions : tuple of float
+        Places of both bearings, m.
+    satellite_mass : float or None
+        Mass of a satellite, kg.
+    bearings : tuple of RollingBearing or None
+        Both bearings, where they are given.
+    """
+
+    satellite_positions: tuple[float, ...]
+    bearing_positions: tuple[float, float]
+    satellite_mass: float | None = None
+    bearings: tuple[RollingBearing, RollingBearing] | None = None

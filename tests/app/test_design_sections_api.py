@@ -1,0 +1,237 @@
+"""The design document's sections of strength and life over REST: the same as their own endpoints,
+what each needs, what excludes what.
+"""
+
+from copy import deepcopy
+
+import pytest
+
+pytestmark = pytest.mark.anyio
+
+PATH = "crank-planetary"
+STEEL = {
+    "youngs_modulus_GPa": 210.0,
+    "poissons_ratio": 0.3,
+    "yield_strength_MPa": 800.0,
+    "tensile_strength_MPa": 1000.0,
+}
+DESIGN = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+    "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "input_speed_rpm": 1500.0},
+    "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
+    "pin": {"satellite_positions_mm": [15.0, 37.0], "material": STEEL},
+    "fatigue": {"endurance_limit_MPa": 300.0},
+    "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
+    "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+    "bearing": {"kind": "ball", "dynamic_rating_N": 60000.0, "static_rating_N": 40000.0},
+    "crankshaft": {
+        "satellite_positions_mm": [20.0, 42.0],
+        "bearing_positions_mm": [0.0, 62.0],
+        "satellite_mass_kg": 1.5,
+    },
+}
+STRENGTH = ("pin_strength", "output_efficiency", "satellite_bearing", "crankshaft")
+
+
+def changed(body=DESIGN, /, **changes):
+    """A design with changed fields: `section__field=value`; None takes one away."""
+    body = deepcopy(body)
+    for place, value in changes.items():
+        *path, last = place.split("__")
+        inner = body
+        for part in path:
+            inner = inner.setdefault(part, {})
+        if value is None:
+            inner.pop(last, None)
+        else:
+            inner[last] = value
+    return body
+
+
+async def answered(api, body, path=PATH):
+    response = await api.post(path, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+async def refused(api, body):
+    response = await api.post(PATH, json=body)
+    assert response.status_code == 422, response.text
+    (error,) = response.json()["errors"]
+    return error["pointer"], error["code"]
+
+
+def own(body, section):
+    """The body of a section's own endpoint."""
+    load, contact = body["load"], body["contact"]
+    turning = {"mechanism": body["mechanism"], "load": load}
+    if section == "pin_strength":
+        pin = {"diameter_mm": 2 * contact["pin_radius_mm"], "contact_length_mm": 20.0}
+        more = {"pin": pin | body["pin"], "fatigue": body["fatigue"], "include": ["deflection"]}
+        return turning | more
+    if section == "output_efficiency":
+        return turning | {"contact": contact, "friction": body["friction"]}
+    cranked = turning | {
+        "contact": {"eccentricity_mm": contact["eccentricity_mm"]},
+        "gear": body["gear"],
+    }
+    last = {"satellite_bearing": "bearing"}.get(section, section)
+    return cranked | {last: body[last]}
+
+
+def without_time(section):
+    return section | {"accuracy": section["accuracy"] | {"run_time_us": 0}}
+
+
+@pytest.mark.parametrize("section", STRENGTH)
+async def test_a_section_is_what_its_endpoint_answers(api, section):
+    expected = await answered(api, own(DESIGN, section), section.replace("_", "-"))
+    for include in ([section], None):
+        answer = await answered(api, changed(include=include))
+        assert without_time(answer[section]) == without_time(expected)
+
+
+async def test_by_default_what_is_given_is_answered(api):
+    whole = {"cyclogram", "contact_force", "hertz", *STRENGTH}
+    sections = whole | {"load_sharing", "geometry", "checks", "fixes"}
+    for changes, expected in (
+        ({}, whole),
+        ({"pin": None}, whole - {"pin_strength"}),
+        ({"friction": None}, whole - {"output_efficiency"}),
+        ({"gear": None}, whole - {"satellite_bearing", "crankshaft"}),
+        ({"bearing": None}, whole - {"satellite_bearing"}),
+        ({"load__input_speed_rpm": None}, whole - {*STRENGTH} | {"pin_strength"}),
+        (
+            {"contact__eccentricity_mm": None, "contact__hole_radius_mm": 10.0},
+            whole - {*STRENGTH} | {"pin_strength"},
+        ),
+        ({"contact": None}, {"cyclogram", "contact_force"}),
+        ({"load": None}, {"cyclogram"}),
+    ):
+        assert {*await answered(api, changed(**changes))} & sections == expected, changes
+
+
+@pytest.mark.parametrize(
+    ("changes", "pointer", "code"),
+    [
+        ({"pin": None, "include": ["pin_strength"]}, "/pin", "needed_for"),
+        ({"friction": None, "include": ["output_efficiency"]}, "/friction", "needed_for"),
+        ({"gear": None, "include": ["satellite_bearing"]}, "/gear", "needed_for"),
+        ({"bearing": None, "include": ["satellite_bearing"]}, "/bearing", "needed_for"),
+        ({"crankshaft": None, "include": ["crankshaft"]}, "/crankshaft", "needed_for"),
+        (
+            {"load__input_speed_rpm": None, "include": ["crankshaft"]},
+            "/load/input_speed_rpm",
+            "needed_for",
+        ),
+        (
+            {
+                "contact__eccentricity_mm": None,
+                "contact__hole_radius_mm": 10.0,
+                "include": ["output_efficiency"],
+            },
+            "/contact/eccentricity_mm",
+            "needed_for",
+        ),
+        (
+            {"load__application_factor": 1.2, "contact__dynamic_factor": 1.0},
+            "/load/application_factor",
+            "only_one",
+        ),
+        ({"pin": None, "friction__sleeve": True}, "/pin", "needed_beside"),
+        ({"friction__sleeve": True}, "/pin/diameter_mm", "no_sleeve"),
+        (
+            {"pin__satellite_positions_mm": [15.0]},
+            "/pin/satellite_positions_mm",
+            "different_length",
+        ),
+        (
+            {"pin__satellite_positions_mm": [15.0, 9.0]},
+            "/pin/satellite_positions_mm/1",
+            "in_carrier",
+        ),
+        (
+            {"crankshaft__satellite_positions_mm": [20.0]},
+            "/crankshaft/satellite_positions_mm",
+            "different_length",
+        ),
+        ({"bearing__reliability_percent": 92}, "/bearing/reliability_percent", "not_in_table"),
+        (
+            {
+                "fatigue": {
+                    "surface": "ground",
+                    "fatigue_notch_factor": 1.0,
+                    "reliability_percent": 93,
+                }
+            },
+            "/fatigue/reliability_percent",
+            "not_in_table",
+        ),
+        ({"gear__module_mm": 5.0}, "/contact/eccentricity_mm", "no_mesh"),
+        (
+            {"mechanism__pins": 251, "include": ["pin_strength"]},
+            "/mechanism/pins",
+            "too_many_pairs",
+        ),
+    ],
+)
+async def test_what_does_not_fit_together_is_refused(api, changes, pointer, code):
+    assert await refused(api, changed(**changes)) == (pointer, code)
+
+
+async def test_the_pin_is_that_of_the_contact_where_it_says_nothing_else(api):
+    body = changed(pin__material=None, contact__pin_material="steel_through_hardened")
+    one = (await answered(api, body))["pin_strength"]
+    other = await answered(
+        api, changed(body, pin__material="steel_through_hardened", pin__diameter_mm=16.0)
+    )
+    assert without_time(one) == without_time(other["pin_strength"])
+    slim = (await answered(api, changed(pin__diameter_mm=12.0)))["pin_strength"]
+    base = (await answered(api, DESIGN))["pin_strength"]
+    ratio = slim["peak_bending_stress_MPa"] / base["peak_bending_stress_MPa"]
+    assert ratio == pytest.approx((16 / 12) ** 3)
+    short = (await answered(api, changed(pin__contact_length_mm=10.0)))["pin_strength"]
+    assert short["deflection"] != base["deflection"]
+
+
+async def test_factor_and_peak_torque(api):
+    """The factor counts for stresses, the peak torque for static safety, neither for life."""
+    base = await answered(api, DESIGN)
+    for changes in ({"load__application_factor": 1.25}, {"contact__dynamic_factor": 1.25}):
+        more = await answered(api, changed(**changes))
+        pins = more["pin_strength"]
+        assert pins["peak_force_N"] == pytest.approx(1.25 * base["pin_strength"]["peak_force_N"])
+        for name in ("static_safety_factor",):
+            assert pins[name] == pytest.approx(base["pin_strength"][name] / 1.25)
+        assert pins["fatigue"]["safety_factor"] == pytest.approx(
+            base["pin_strength"]["fatigue"]["safety_factor"] / 1.25
+        )
+        ratio = more["hertz"]["max_pressure_MPa"] / base["hertz"]["max_pressure_MPa"]
+        assert ratio == pytest.approx(1.25**0.5)
+        for name in ("output_efficiency", "crankshaft"):
+            assert without_time(more[name]) == without_time(base[name])
+        for one, other in zip(
+            more["satellite_bearing"]["satellites"],
+            base["satellite_bearing"]["satellites"],
+            strict=True,
+        ):
+            assert one["basic_life_h"] == other["basic_life_h"]
+            assert one["static_safety_factor"] == pytest.approx(
+                other["static_safety_factor"] / 1.25
+            )
+    peak = await answered(api, changed(load__peak_torque_Nm=1000.0))
+    for name in ("peak_force_N", "fatigue"):
+        assert peak["pin_strength"][name] == base["pin_strength"][name]
+    assert peak["pin_strength"]["static_safety_factor"] == pytest.approx(
+        base["pin_strength"]["static_safety_factor"] / 2
+    )
+
+
+async def test_wear_over_the_required_life(api):
+    body = changed(friction__life_h=None, requirements={"life_h": 3000.0})
+    one, other = await answered(api, body), await answered(api, DESIGN)
+    assert one["output_efficiency"]["pin_wear_mm"] == other["output_efficiency"]["pin_wear_mm"]
+    assert (
+        "pin_wear_mm"
+        not in (await answered(api, changed(friction={"coefficient": 0.1})))["output_efficiency"]
+    )
