@@ -4,6 +4,7 @@ import { html } from "../../lib/html.js";
 import { arrow, createView, dimension, label, line, mm, paper, path, scaleBar, roundBelow } from "../../lib/svg.js";
 import { message } from "../../messages/index.js";
 import { cranksOf } from "./mechanism.js";
+import { sleeved } from "./wanted.js";
 
 const MOST_NAMED = 4; // satellites whose place is written
 const MOST_DRAWN = 40;
@@ -40,7 +41,7 @@ function places(view, zero, all, low, field, symbol) {
     ${named.map((place, i) => {
       const x = view.at([place, 0])[0];
       return html`${line([x, low], [x, level(i) + 4], "extension")}
-        ${dimension([view.at([zero, 0])[0], level(i)], [x, level(i)], symbol(i), { value: mm(place - zero), field, beside: -5 })}`;
+        ${dimension([view.at([zero, 0])[0], level(i)], [x, level(i)], symbol(i), { value: mm(place - zero), field, beside: -12 })}`;
     })}`;
 }
 
@@ -48,10 +49,11 @@ const ends = (values) => [Math.min(...values), Math.max(...values)];
 
 /** The pin in its supports and the holes that load it: each satellite on the side of its crank. */
 export function pinDrawing({ input, width, height }) {
-  const { mechanism, contact, besides: { pin, sleeves } } = input;
+  const { mechanism, contact, besides: { pin } } = input;
+  const rolls = sleeved(input);
   const { pin_radius_mm: rim, hole_radius_mm: hole, contact_length_mm: b } = contact;
   const planes = pin.satellite_positions_mm.slice(0, MOST_DRAWN);
-  const radius = sleeves?.on === "on" ? pin.diameter_mm / 2 : rim;
+  const radius = rolls ? pin.diameter_mm / 2 : rim;
   const held = pin.support === "cantilever" ? null : pin.span_mm;
   const end = Math.max(held ?? 0, ...planes.map((z) => z + b / 2));
   const tall = Math.max(2 * hole, 2 * rim) + 0.35 * rim;
@@ -69,7 +71,7 @@ export function pinDrawing({ input, width, height }) {
         const far = -side * (2 * hole - rim); // the hole's other edge
         return html`<g class="series-${(j % 6) + 1}">${[[side * rim, side * (tall - rim)], [far, far - side * 0.35 * rim]].map(([y0, y1]) =>
           bar(view, z - b / 2, z + b / 2, y0, y1, "body satellite-body", "pin.satellite_positions_mm contact.hole_radius_mm contact.contact_length_mm"))}
-          ${sleeves?.on === "on" && bar(view, z - b / 2, z + b / 2, -rim, rim, "body", "contact.pin_radius_mm")}
+          ${rolls && bar(view, z - b / 2, z + b / 2, -rim, rim, "body", "contact.pin_radius_mm")}
           ${arrow(view.at([z, side * rim + side * 26 / view.scale]), view.at([z, side * rim]), "force")}
           ${label([view.at([z, 0])[0], view.at([0, side * rim])[1] + (side > 0 ? -30 : 40)], `F_${j + 1}`)}</g>`;
       })}

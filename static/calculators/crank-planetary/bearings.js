@@ -5,15 +5,16 @@ import { result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { chartOf } from "./wanted.js";
 
-export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: bearingBody, height: 420 };
+export const figure = {
+  id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", height: 420,
+  body: (input) => ({ ...crankedBody(input), bearing: input.besides.bearing }),
+};
 
 /** What loads the crank: mechanism, load, eccentricity, ring. */
 export function crankedBody(input) {
   const { mechanism, load, gear } = chartOf(input);
   return { mechanism, load, contact: { eccentricity_mm: input.contact.eccentricity_mm }, gear };
 }
-
-const bearingBody = (input) => ({ ...crankedBody(input), bearing: input.besides.bearing });
 
 /** The satellite whose bearing has the largest equivalent load. */
 export function worstOf({ satellites }) {
@@ -52,25 +53,23 @@ export const speedStep = (section, input) => result(section, "relative_speed_rpm
   formula: "n_1*(1+1/u)", values: { n_1: q("n_1", input.load.input_speed_rpm, "rpm"), u: q("u", input.mechanism.ratio) },
 });
 
-const RING = {
-  involute: "sin(α_w)/cos(α_w)",
-  cycloid: "-(2-(1-k^2)/k*ln((1+k)/(1-k)))/(π*k)",
-};
 
 function ringSteps(section, { mechanism, contact, besides: { gear } }) {
-  const e = q("e", contact.eccentricity_mm, "mm");
-  const α_w = q("α_w", section.operating_pressure_angle_deg, "°");
-  const formula = RING[gear.kind];
+  const ρ = (rest) => result(section, "radial_force_ratio", "ρ", rest);
+  if (gear.kind === "cycloid") {
+    const k = q("k", (contact.eccentricity_mm * (mechanism.ratio + 1)) / gear.ring_pin_circle_radius_mm);
+    return [ρ({ formula: "-(2-(1-k^2)/k*ln((1+k)/(1-k)))/(π*k)", values: { k }, note: "shortened" })];
+  }
+  if (gear.kind !== "involute") return [ρ({ note: "given" })];
   return [
-    ...(section.operating_pressure_angle_deg === undefined ? [] : [result(section, "operating_pressure_angle_deg", "α_w", {
+    result(section, "operating_pressure_angle_deg", "α_w", {
       formula: "acos(m*z*cos(α)/(2*e))",
-      values: { m: q("m", gear.module_mm, "mm"), z: q("Δz", gear.teeth_difference), α: q("α", gear.reference_pressure_angle_deg ?? 20, "°"), e },
-    })]),
-    result(section, "radial_force_ratio", "ρ", formula ? {
-      formula,
-      values: { α_w, k: q("k", (contact.eccentricity_mm * (mechanism.ratio + 1)) / gear.ring_pin_circle_radius_mm) },
-      ...(gear.kind === "cycloid" && { note: "shortened" }),
-    } : { note: "given" }),
+      values: {
+        m: q("m", gear.module_mm, "mm"), z: q("Δz", gear.teeth_difference), α: q("α", gear.reference_pressure_angle_deg ?? 20, "°"),
+        e: q("e", contact.eccentricity_mm, "mm"),
+      },
+    }),
+    ρ({ formula: "sin(α_w)/cos(α_w)", values: { α_w: q("α_w", section.operating_pressure_angle_deg, "°") } }),
   ];
 }
 

@@ -47,7 +47,7 @@ function balanceSteps({ balance }, { mechanism, load, contact, besides: { cranks
   const [inA, inB] = balance.corrections;
   return [
     at(balance, "unbalance_kg_mm", "U", "m*e*sqrt(sum(cos(α))^2+sum(sin(α))^2)"),
-    at(balance, "force_N", "F", "U*n_1^2", {
+    at({ balance_force_N: balance.force_N }, "balance_force_N", "F", "U*n_1^2", {
       values: { U: q("U", balance.unbalance_kg_mm, "kg·mm"), n_1: values.n_1 }, note: "turnsInRadians",
     }),
     at(balance, "couple_Nm", "M", `m*e*n_1^2*${vector("(z-(A+B)/2)")}`, { note: "aboutMiddle" }),

@@ -26,7 +26,7 @@ const TRADE_OFF = {
 };
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
+function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, ...load } }) {
   return { ...mechanism, ...load };
 }
 
@@ -37,7 +37,7 @@ function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
 
 /** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
 async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
-  const input = { ...given, ...partsOf({ besides }, sections) };
+  const input = { ...given, ...partsOf({ ...given, besides }, sections) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
   const { contact, contact_law: law, deviations } = await bodyOf(asked({ ...given, besides }, filled), { get });
@@ -51,7 +51,7 @@ function clearanceOf({ contact }) {
 
 /** Whether the design is stated as it is made, so that its real forces are judged. */
 function asMade(input) {
-  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations", "pin"].some((part) => input[part]);
+  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations"].some((part) => input[part]);
 }
 
 function clearanceNote(input) {
@@ -162,15 +162,15 @@ export default {
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
-    load: ["torque", "contact.dynamic_factor"],
+    load: ["torque", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["pitting_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
+    requirements: ["life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
   hidden: [
-    "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
-    "contact.hole_clearance_mm", "load.torque_direction", // asked where clearance and errors are wanted
+    ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
+    "load.application_factor", // the contact's dynamic factor
     "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
   ],
   choices: {

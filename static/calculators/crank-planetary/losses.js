@@ -4,17 +4,18 @@ import { quantity as q } from "../../lib/formula/evaluate.js";
 import { result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { diameterOf } from "./strength.js";
-import { chartOf } from "./wanted.js";
+import { chartOf, sleeved } from "./wanted.js";
 
 export const figure = { id: "losses", section: "output_efficiency", path: "/output-efficiency/chart", body: lossBody, height: 420 };
 
 function lossBody(input) {
-  const { mechanism, load, pin, friction } = chartOf(input);
+  const { mechanism, load, pin, friction: { coefficient, sleeve } } = chartOf(input);
   const { contact_length_mm, pin_radius_mm, hole_radius_mm, eccentricity_mm } = input.contact;
   return {
-    mechanism, load, friction,
+    mechanism, load,
+    friction: { coefficient, sleeve },
     contact: { contact_length_mm, pin_radius_mm, hole_radius_mm, eccentricity_mm },
-    ...(friction.sleeve && { pin: { diameter_mm: pin.diameter_mm } }),
+    ...(sleeve && { pin: { diameter_mm: pin.diameter_mm } }),
   };
 }
 
@@ -29,8 +30,8 @@ export function cells(section) {
 }
 
 export function steps(section, input) {
-  const { mechanism: { ratio, pins, satellites }, load, contact, besides: { friction, sleeves, requirements } } = input;
-  const sleeved = sleeves?.on === "on";
+  const { mechanism: { ratio, pins, satellites }, load, contact, besides: { friction }, requirements } = input;
+  const rolls = sleeved(input);
   const at = (name, symbol, rest) => result(section, name, symbol, rest);
   const n = q("n", section.relative_speed_rpm, "rpm");
   const u = q("u", ratio);
@@ -39,7 +40,7 @@ export function steps(section, input) {
   const R = q("R", load.pin_circle_radius_mm, "mm");
   const T = q("T", load.output_torque_Nm ?? load.input_torque_Nm * ratio * load.efficiency, "N·m");
   const b = q("b", contact.contact_length_mm, "mm");
-  const r = q(sleeved ? "r_s" : "r_in", contact.pin_radius_mm, "mm");
+  const r = q(rolls ? "r_s" : "r_in", contact.pin_radius_mm, "mm");
   const r_p = q("r_p", diameterOf(input) / 2, "mm");
   const μ = q("μ", friction.coefficient);
   const f = q("f", section.mean_total_force_ratio);
@@ -47,11 +48,10 @@ export function steps(section, input) {
   const P = q("P", section.mean_loss_W, "W");
   const P_2 = q("P_2", section.output_power_W, "W");
   const v = q("v", section.sliding_speed_m_per_s, "m/s");
-  const life = q("t", requirements?.life_h ?? friction.life_h, "h");
-  const slow = sleeved ? "*r_p/r" : "";
+  const slow = rolls ? "*r_p/r" : "";
   const worn = (name, symbol, radius) => (section[name] === undefined ? [] : [at(name, symbol, {
     formula: "k*F/(b*r)*e*n*t/(2*π)",
-    values: { k: q("k", friction.wear_rate_mm3_per_Nm, "mm³/(N·m)"), F, b, r: radius, e, n, t: life },
+    values: { k: q("k", friction.wear_rate_mm3_per_Nm, "mm³/(N·m)"), F, b, r: radius, e, n, t: q("t", requirements.life_h, "h") },
     source: "archard", note: "turnsInRadians",
   })]);
   return [

@@ -15,7 +15,7 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, ...load } = {}, contact = {}, besides = {} }) {
   const { contact_law: law, geometry, lost_motion_torque_share: share } = besides;
-  const { pin: { rotates, diameter_mm, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]); // which bend where their strength is wanted
+  const { pin: { rotates, diameter_mm, ...pin } = {} } = partsOf({ besides: { ...besides, requirements: undefined } }, ["pin_strength"]); // which bend where their strength is wanted
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   const clearance = besides.contact?.hole_clearance_mm;
   const { hole_radius_mm: hole, ...others } = sizes;

@@ -4,17 +4,23 @@ import { quantity as q } from "../../lib/formula/evaluate.js";
 import { intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
-import { chartOf } from "./wanted.js";
+import { chartOf, sleeved } from "./wanted.js";
 
 export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody, height: 420 };
 
 /** Diameter of the steel pin: that inside its sleeve where it has one. */
-export const diameterOf = ({ contact, besides }) => (besides.sleeves?.on === "on" ? besides.pin.diameter_mm : 2 * contact.pin_radius_mm);
+export const diameterOf = (input) => (sleeved(input) ? input.besides.pin.diameter_mm : 2 * input.contact.pin_radius_mm);
 
 function pinBody(input) {
   const { mechanism, load, pin, fatigue } = chartOf(input);
-  const { contact_length_mm, pin_material: material } = input.contact;
-  return { mechanism, load, pin: { contact_length_mm, material, ...pin, diameter_mm: diameterOf(input) }, ...(fatigue && { fatigue }) };
+  const { contact_length_mm, pin_material: material, dynamic_factor: factor = 1 } = input.contact;
+  const torque = load.output_torque_Nm === undefined ? "input_torque_Nm" : "output_torque_Nm";
+  return {
+    mechanism,
+    load: { ...load, [torque]: factor * load[torque] },
+    pin: { contact_length_mm, material, ...pin, diameter_mm: diameterOf(input) },
+    ...(fatigue && { fatigue }),
+  };
 }
 
 export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection }) {
@@ -41,10 +47,6 @@ export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor
 
 export const drawing = { create: pinDrawing, section: "pin_strength" };
 
-const CRITERIA = {
-  goodman: "1/(σ_a/S_e+max(σ_m;0)/R_m)",
-  soderberg: "1/(σ_a/S_e+max(σ_m;0)/R_e)",
-};
 const SURFACES = { // a and b of a·R_m^b, by edition of Shigley
   shigley_9: { ground: [1.58, -0.085], machined: [4.51, -0.265], hot_rolled: [57.7, -0.718], forged: [272, -0.995] },
   shigley_11: { ground: [1.38, -0.067], machined: [3.04, -0.217], hot_rolled: [38.6, -0.65], forged: [54.9, -0.758] },
@@ -94,11 +96,11 @@ function fatigueSteps(fatigue, { besides, load, mechanism }, d, { tensile_streng
     at("mean_MPa", "σ_m", { formula: "(σ_max+σ_min)/2", values: { σ_max: top, σ_min: low } }),
     ...factorSteps(fatigue, besides, d, R_m),
     ...(fatigue.factors ? [] : [at("endurance_limit_MPa", "S_e", { note: "given" })]),
-    result({ fatigue_safety_factor: fatigue.safety_factor }, "fatigue_safety_factor", "n", CRITERIA[criterion] ? {
-      formula: CRITERIA[criterion],
+    result({ fatigue_safety_factor: fatigue.safety_factor }, "fatigue_safety_factor", "n", ["goodman", "soderberg"].includes(criterion) ? {
+      formula: "1/(σ_a/S_e+max(σ_m;0)/R)",
       values: {
         σ_a: q("σ_a", fatigue.amplitude_MPa, "MPa"), σ_m: q("σ_m", fatigue.mean_MPa, "MPa"),
-        S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa"), R_m: q("R_m", R_m, "MPa"), R_e: q("R_e", R_e, "MPa"),
+        S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa"), R: criterion === "soderberg" ? q("R_e", R_e, "MPa") : q("R_m", R_m, "MPa"),
       },
       source: "shigley",
     } : { note: "criterion" }),

@@ -70,13 +70,15 @@ const STUDY = {
     "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"].map((name) => [`limits.${name}`, rare])),
 };
 
+const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
 const judgedBy = (...ways) => ({ when: ["strength.fatigue", ...ways] });
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true },
   "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
   "pin.material": {},
-  "pin.rotates": {},
+  "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
+  "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   "strength.fatigue": { options: ["notch_factor", "notch", "endurance_limit", "plain"], default: "notch_factor", words: ["fatigue", "strength"] },
   "fatigue.surface": { ...judgedBy("notch_factor", "notch"), default: "machined" },
   "fatigue.fatigue_notch_factor": judgedBy("notch_factor"),
@@ -86,11 +88,15 @@ const STRENGTH = {
   "fatigue.endurance_limit_MPa": { ...judgedBy("endurance_limit"), required: true },
   "fatigue.criterion": { ...rare, ...judgedBy("notch_factor", "notch", "endurance_limit") },
   "fatigue.edition": { ...rare, ...judgedBy("notch_factor", "notch") },
+  "pin.rotates": rare,
+  ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
-const SLEEVES = { "pin.diameter_mm": { required: true, words: ["diameter", "sleeves"] } };
-
-const LOSSES = { "friction.coefficient": { required: true }, "friction.wear_rate_mm3_per_Nm": {} };
+const LOSSES = {
+  "friction.coefficient": { required: true },
+  "friction.wear_rate_mm3_per_Nm": {},
+  ...asked("min_efficiency", "max_wear_mm", "max_pv_MPa_m_per_s", "max_sliding_speed_m_per_s"),
+};
 
 const ring = (kind) => ({ when: ["gear.kind", kind], required: true });
 const BEARINGS = {
@@ -106,6 +112,7 @@ const BEARINGS = {
   "bearing.reliability_percent": {},
   "bearing.ring_factor": rare,
   "bearing.weibull_slope": rare,
+  ...asked("static_safety"),
 };
 
 const shaftBearing = (index, letter) => ({
@@ -118,6 +125,7 @@ const CRANK = {
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
+  ...asked("max_unbalance_N", "max_unbalance_couple_Nm"),
 };
 
 const GAP = 2; // mm between satellites, and before the first
@@ -156,6 +164,8 @@ function starts({ besides }) {
   };
 }
 
+const WHOLE = ["/crank-planetary"];
+
 export const WANTED = [
   {
     id: "real",
@@ -172,16 +182,9 @@ export const WANTED = [
     load: () => Promise.all([import("./study.js"), import("../../views/study.js")]),
   },
   {
-    id: "sleeves",
-    paths: ["/pin-strength"],
-    fields: SLEEVES,
-    judged: true,
-    starts: ({ contact }) => ({ "pin.diameter_mm": tidy(1.4 * contact?.pin_radius_mm) }),
-  },
-  {
     id: "strength",
     section: "pin_strength",
-    paths: ["/pin-strength"],
+    paths: WHOLE,
     fields: STRENGTH,
     judged: true,
     starts: (input) => ({ "pin.satellite_positions_mm": planes(input, GAP), "fatigue.reliability_percent": 99 }),
@@ -190,7 +193,7 @@ export const WANTED = [
   {
     id: "losses",
     section: "output_efficiency",
-    paths: ["/output-efficiency"],
+    paths: WHOLE,
     fields: LOSSES,
     judged: true,
     starts: () => ({ "friction.coefficient": 0.08, "load.input_speed_rpm": USUAL_RPM }),
@@ -199,7 +202,7 @@ export const WANTED = [
   {
     id: "bearings",
     section: "satellite_bearing",
-    paths: ["/satellite-bearing"],
+    paths: WHOLE,
     fields: BEARINGS,
     judged: true,
     starts: (input) => ({
@@ -211,7 +214,7 @@ export const WANTED = [
     id: "crank",
     section: "crankshaft",
     needs: "bearings",
-    paths: ["/crankshaft"],
+    paths: WHOLE,
     fields: CRANK,
     judged: true,
     starts: (input) => ({ "crankshaft.satellite_positions_mm": shaft(input).satellites, "crankshaft.bearing_positions_mm": shaft(input).bearings }),
@@ -219,24 +222,33 @@ export const WANTED = [
   },
 ];
 
+/** Whether a group is on. */
+const isOn = ({ besides }, id) => besides?.[id]?.on === "on";
+
 /** Sections of the answer that are wanted. */
-export const wantedSections = ({ besides = {} }) => WANTED.filter(({ id, section }) => section && besides[id]?.on === "on").map(({ section }) => section);
+export const wantedSections = (input) => WANTED.filter(({ id, section }) => section && isOn(input, id)).map(({ section }) => section);
+
+/** Whether sleeves are on the pins. */
+export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
 
 /** The parts of the document that the groups which are on say, for these sections of the answer. */
-export function partsOf({ besides = {} }, sections) {
-  const on = (id) => besides[id]?.on === "on" && (id === "sleeves" || sections.includes(WANTED.find((group) => group.id === id).section));
-  const { pin: { diameter_mm, ...pin } = {}, fatigue, friction, gear: { kind, ...gear } = {}, bearing, crankshaft } = besides;
-  const own = { ...(on("strength") && pin), ...(on("sleeves") && { diameter_mm }) };
+export function partsOf(input, sections) {
+  const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
+  const { pin, fatigue, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, requirements } = input.besides ?? {};
   return {
-    ...(Object.keys(own).length > 0 && { pin: own }),
-    ...(on("strength") && fatigue && { fatigue }),
-    ...(on("losses") && { friction: { ...friction, sleeve: on("sleeves") } }),
+    ...(on("strength") && { pin, ...(fatigue && { fatigue }) }),
+    ...(on("losses") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
     ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
     ...(on("crank") && { crankshaft }),
+    ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
   };
 }
 
+const DRIVEN = ["output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm"];
+
 /** The parts of the document that a figure of a wanted section asks with. */
-export function chartOf({ mechanism: { revolutions, ...mechanism }, load, besides }) {
-  return { mechanism, load, ...partsOf({ besides }, wantedSections({ besides })) };
+export function chartOf(input) {
+  const { revolutions, ...mechanism } = input.mechanism;
+  const load = Object.fromEntries(Object.entries(input.load).filter(([name]) => DRIVEN.includes(name)));
+  return { mechanism, load, ...partsOf(input, wantedSections(input)) };
 }
