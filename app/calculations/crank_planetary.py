@@ -1,6 +1,6 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
@@ -122,41 +122,40 @@ MOST_PAIRS: dict[Section, int] = {
 """Most pairs of which they are calculated."""
 
 
-def _given(*path: str) -> dict[str, Any]:
-    """Schema of a body that has a field."""
-    first, *rest = path
-    inner = {"properties": {first: _given(*rest)}} if rest else {}
-    return {"required": [first], **inner}
+def _given(parts: Iterable[str]) -> dict[str, Any]:
+    """Schema of a body that has parts, and fields of them."""
+    inner: dict[str, list[str]] = {}
+    for part in parts:
+        name, _, field = part.partition("/")
+        inner.setdefault(name, []).extend([field] if field else [])
+    fields = {name: {"required": needed} for name, needed in inner.items() if needed}
+    return {"required": [*inner]} | ({"properties": fields} if fields else {})
 
 
 def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """Parts that the sections named in `include` need; what excludes or needs each other."""
     request_schema(schema, model)
     sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
+    needed: dict[tuple[str, ...], list[Section]] = {}
+    for section, parts in _NEEDS.items():
+        needed.setdefault(parts, []).append(section)
     schema["allOf"] = [
         *(
             {
                 "if": {
-                    "properties": {"include": {"contains": {"const": section}}},
+                    "properties": {"include": {"contains": {"enum": sections}}},
                     "required": ["include"],
                 },
-                "then": {"allOf": [_given(*part.split("/")) for part in parts]},
+                "then": _given(parts),
             }
-            for section, parts in _NEEDS.items()
+            for parts, sections in needed.items()
             if parts
         ),
         {
             "if": {"properties": {"friction": sleeve}, "required": ["friction"]},
             "then": {"required": ["pin"]},
         },
-        {
-            "not": {
-                "allOf": [
-                    _given("load", "application_factor"),
-                    _given("contact", "dynamic_factor"),
-                ]
-            }
-        },
+        {"not": _given(("load/application_factor", "contact/dynamic_factor"))},
     ]
 
 
