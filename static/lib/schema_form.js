@@ -204,7 +204,7 @@ function allowedBy(pattern) {
 /**
  * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `rows` and `columns` of a list of records that the body has as lists. A group is `judged` where the verdict
+ * of the schema, `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
  * hangs on it too.
  */
 function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {
@@ -227,11 +227,13 @@ function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {
     };
   };
   /** A name of a table or values of its own, else one field. */
-  const item = (at, own) => {
+  const item = (at, { without = [], ...own }) => {
     const raw = bodies.map(({ schema }) => rawAt(schema, at, resolve)).find(Boolean);
     const choice = raw && namedOrOwn(resolve(raw), at, false, resolve);
     if (!choice) return { ...made(at, own), wanted: id };
-    return { ...choice, options: choice.options.map((option) => ({ ...option, fields: option.fields.map((field) => ({ ...field, wanted: id })) })) };
+    return { ...choice, options: choice.options.map((option) => ({
+      ...option, fields: option.fields.filter(({ name }) => !without.includes(name)).map((field) => ({ ...field, wanted: id })),
+    })) };
   };
   const items = Object.entries({ [`${id}.on`]: { kind: "switch", words: ["on", id] }, ...fields }).map(([at, { columns, ...own }]) => ({
     ...item(at, own),

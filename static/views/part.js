@@ -1,11 +1,24 @@
 /** A section of the answer that is off until wanted: its numbers, its drawing, its figure, what it leaves out. */
+import { flattened } from "../lib/checks.js";
+import { quantityParts, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
+import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { following, stale } from "../store.js";
 import { neglectedIn } from "./accuracy.js";
 import { createDrawingView } from "./drawing.js";
 import { createFigure } from "./figure.js";
 import { valuesMarkup } from "./results.js";
+
+const DIGITS = 5;
+
+/** A list of records, each in a column under its name, a row a quantity. */
+function listMarkup(name, records, nameOf) {
+  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
+    <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
+    <tbody>${Object.keys(records[0]).map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
+      ${records.map((record) => html`<td>${quantityParts(record[key], unitOf(key), DIGITS).value}</td>`)}</tr>`)}</tbody></table></div>`;
+}
 
 export function createView({ id, section, client, titles, figures, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
@@ -17,7 +30,8 @@ export function createView({ id, section, client, titles, figures, calculations,
     figure: logic.figure, client, titles,
     on: { charted() {}, turned() {}, set() {}, picked() {} },
   });
-  const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves"] };
+  const { lists = {} } = logic;
+  const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
   part("left-out").before(figure.root);
@@ -27,7 +41,11 @@ export function createView({ id, section, client, titles, figures, calculations,
     const answer = shown?.answer[section];
     fill(part("numbers"), html`${answer && logic.cells(answer, shown.filled).map((cell) => html`
       <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
-    fill(part("all"), html`${answer && valuesMarkup(answer, calculator.elsewhere, titles)}`);
+    const values = answer && new Map(flattened(answer));
+    fill(part("all"), html`${answer && [
+      valuesMarkup(answer, calculator.elsewhere, titles),
+      ...Object.keys(lists).filter((name) => values.has(name)).map((name) => listMarkup(name, values.get(name), lists[name])),
+    ]}`);
   });
 
   return {

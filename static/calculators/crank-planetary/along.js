@@ -13,7 +13,7 @@ const RADIAN = Math.PI / 180;
 
 /** A view in which so much of an axis and so much about it fit, dimensions below. */
 function viewOf({ width, height }, { from, to, above, below, tiers }) {
-  const [left, right, top, bottom] = [64, 40, 44, 26 + TIER * tiers + 30];
+  const [left, right, top, bottom] = [64, 40, 34, TIER * tiers + 44];
   const scale = Math.min((width - left - right) / (to - from), (height - top - bottom) / (above + below));
   const middle = (width - (to - from) * scale + left - right) / 2;
   return createView({ x: middle - from * scale, y: top + ((height - top - bottom) - (above + below) * scale) / 2 + above * scale, scale });

@@ -5,6 +5,8 @@ import { result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { chartOf } from "./wanted.js";
 
+const ROUNDING = 1e-9;
+
 export const figure = {
   id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", height: 420,
   body: (input) => ({ ...crankedBody(input), bearing: input.besides.bearing }),
@@ -18,7 +20,7 @@ export function crankedBody(input) {
 
 /** The satellite whose bearing has the largest equivalent load. */
 export function worstOf({ satellites }) {
-  return satellites.reduce((worst, one, i) => (one.equivalent_load_N > satellites[worst].equivalent_load_N ? i : worst), 0);
+  return satellites.reduce((worst, one, i) => (one.equivalent_load_N > satellites[worst].equivalent_load_N * (1 + ROUNDING) ? i : worst), 0);
 }
 
 export function cells(section) {
@@ -39,6 +41,8 @@ export function cells(section) {
     },
   ];
 }
+
+export const lists = { satellites: (i) => message("real.satellite", { satellite: i + 1 }) };
 
 /** Basic life of a bearing of some rolling elements under its equivalent load. */
 export function lifeStep(part, { kind, rating, load, n }) {

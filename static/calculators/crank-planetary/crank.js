@@ -32,6 +32,8 @@ export function cells({ bearings, balance }) {
   ].filter(Boolean);
 }
 
+export const lists = { bearings: (i) => LETTERS[i], corrections: (i) => LETTERS[i] };
+
 export const drawing = { create: crankDrawing, section: "crankshaft" };
 
 function balanceSteps({ balance }, { mechanism, load, contact, besides: { crankshaft } }) {
