@@ -151,6 +151,25 @@ def judged(
     )
 
 
+def not_asked(code: str, value: float | None, name: str) -> Check:
+    """A check whose limit nobody asks.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    value : float or None
+        What would be compared, where it is known.
+    name : str
+        Core name of the limit.
+
+    Returns
+    -------
+    Check
+    """
+    return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
+
+
 def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:
     """A wall or a gap: more than nothing, else the part cannot exist, and at least what is asked.
 

@@ -427,11 +427,34 @@ class CrankDesign:
         return self.pins * self.satellites
 
     @property
+    def sleeved(self) -> bool:
+        """Whether what touches the hole is not the pin, but a sleeve of it."""
+        if self.pin is None or self.pin_radius is None:
+            return False
+        return not math.isclose(self.pin.diameter, 2 * self.pin_radius, rel_tol=1e-12)
+
+    @property
     def static_torque(self) -> float:
         """Torque of static strength, N*m."""
         assert self.output_torque is not None
         peak = self.peak_torque
         return self.output_torque * self.dynamic_factor if peak is None else peak
+
+    @property
+    def static_share(self) -> float:
+        """That torque over the one with the factor."""
+        assert self.output_torque is not None
+        return self.static_torque / (self.output_torque * self.dynamic_factor)
+
+    def unturned(self, found: object) -> tuple[str, tuple[str, ...]]:
+        """Why what turns is not known, as the reason of a check, and which inputs are missing."""
+        if isinstance(found, ImpossibleMechanism):
+            return self.why_unknown(found), ()
+        if self.eccentricity is None:
+            return "eccentricity_missing", ("eccentricity",)
+        if self.input_speed is None:
+            return "speed_missing", ("input_speed",)
+        return "too_large", ()
 
     @cached_property
     def fatigue_strength(self) -> FatigueStrength | Notice | None:
@@ -476,7 +499,7 @@ class CrankDesign:
             notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
         return replace(
             found,
-            static_safety_factor=None if safety is None else safety * torque / self.static_torque,
+            static_safety_factor=None if safety is None else safety / self.static_share,
             notices=notices + found.notices,
         )
 

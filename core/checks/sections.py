@@ -44,6 +44,8 @@ class DesignPin(PinSupport):
         Largest diameter that these strengths hold for, m.
     own_material : bool
         Whether that is given by values.
+    says_material : bool
+        Whether the section of the pin says it: else it is that of the contact.
     """
 
     contact_length: float | None = None
@@ -52,6 +54,7 @@ class DesignPin(PinSupport):
     steel: bool = False
     valid_diameter: float | None = None
     own_material: bool = False
+    says_material: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,12 +14,13 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, mean_power
+from core.crank.satellite_bearing import bearing_curves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import largest
 from core.output.pin_turn import ComplexArray, satellite_turn
+from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
@@ -102,9 +103,14 @@ def crankshaft(
     dynamic_ratings: tuple[float | None, float | None] = (None, None),
     satellite_mass: float | None = None,
     input_speed: float | None = None,
+    torque_direction: Direction = "driving",
+    pair_stiffness: tuple[float, ...] | None = None,
+    made: Made | None = None,
 ) -> Crankshaft:
-    """Reactions of the crankshaft's bearings under the ideal forces, and its balance.
+    """Reactions of the crankshaft's bearings, and its balance.
 
+    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
+    shared by it, and the worse counts; with `made` those of the mechanism as it is made.
     ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B``; unbalance ``U = sum m*e*e_j``.
 
     Parameters
@@ -133,6 +139,13 @@ def crankshaft(
         Mass m of a satellite, kg, > 0.
     input_speed : float, optional
         Speed of the crank against the housing, rad/s, > 0; for balance and life.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of both directions the worse counts.
+    pair_stiffness : tuple of float, K, optional
+        Stiffness of the pairs of each satellite against each other, see
+        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    made : callable, optional
+        Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
     Returns
     -------
@@ -164,7 +177,6 @@ def crankshaft(
     check_positive(
         output_torque=output_torque, pin_circle_radius=pin_circle_radius, eccentricity=eccentricity
     )
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
     count = mechanism.satellites
     if len(satellite_positions) != count:
         sizes = {"expected": count, "actual": len(satellite_positions)}
@@ -173,45 +185,114 @@ def crankshaft(
     first, last = bearing_positions
     if not last > first:
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
-    carried, cranks = _carried(satellite_positions, bearing_positions), _cranks(mechanism)
-    rho = float(mesh.radial_force_ratio)
-    across = output_torque / (eccentricity * mechanism.ratio)
-    pins = output_torque / pin_circle_radius
-    arms = carried * cranks
-    both = np.concatenate((across * (1j + rho) * arms, pins * arms), axis=1)
-    turn = satellite_turn(mechanism, force_exponent)
-    most = largest(turn=turn, arms=(both,), measure=np.abs)
-    equivalents = [
-        mean_power(
-            turn=turn,
-            arms=(both[row : row + 1],),
-            measure=np.abs,
-            largest=most[row : row + 1],
-            exponent=EXPONENTS[kind],
+    carried = _carried(satellite_positions, bearing_positions)
+    ways = WAYS[torque_direction]
+    if made is None:
+        most, equivalent, accuracy = _ideal_reactions(
+            mechanism=mechanism,
+            force_exponent=force_exponent,
+            across=output_torque / (eccentricity * mechanism.ratio),
+            pins=output_torque / pin_circle_radius,
+            mesh=mesh,
+            carried=carried,
+            exponents=[EXPONENTS[kind] for kind in kinds],
+            ways=ways,
+            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
         )
-        for row, kind in enumerate(kinds)
-    ]
-    equivalent = np.concatenate([load for load, _ in equivalents])
-    truncation = max(off for _, off in equivalents)
+    else:
+        most, equivalent, accuracy = _made_reactions(
+            [made(way * output_torque) for way in ways],
+            eccentricity * mechanism.ratio,
+            float(mesh.radial_force_ratio),
+            carried,
+            [EXPONENTS[kind] for kind in kinds],
+        )
     lives: list[float | None] = [None, None]
     for row, (kind, rating) in enumerate(zip(kinds, dynamic_ratings, strict=True)):
         if rating is not None and input_speed is not None:
             load = float(equivalent[row])
             million = 1e6 * 2 * math.pi / input_speed
             lives[row] = million * rating_life(load=load, rating=rating, kind=kind)
-    # satellites that oppose each other may leave little of their forces
-    total = (np.abs(carried).sum(axis=1) * (across * (1 + abs(rho)) + pins * count)).max()
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    error = 4 * ((error + mesh.error * abs(rho)) * float(total / most.min()) + truncation)
-    accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
     balance = None
     if satellite_mass is not None and input_speed is not None:
         check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
-        balance = _balance(
-            carried, satellite_mass * eccentricity * cranks, input_speed, last - first
-        )
+        unbalances = satellite_mass * eccentricity * _cranks(mechanism.crank_angles)
+        balance = _balance(carried, unbalances, input_speed, last - first)
     notices = (*mesh.notices, *poorly_known(accuracy))
     return Crankshaft(most, equivalent, tuple(lives), balance, accuracy, notices)
+
+
+Reactions = tuple[FloatArray, FloatArray, Accuracy]
+"""Largest and equivalent reaction of both bearings, N."""
+
+
+def _ideal_reactions(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float,
+    across: float,
+    pins: float,
+    mesh: RingMesh,
+    carried: FloatArray,
+    exponents: list[float],
+    ways: tuple[float, ...],
+    stiffnesses: tuple[tuple[float, ...] | None, ...],
+) -> Reactions:
+    """By the ideal forces; in reverse the part across the crank changes its sign."""
+    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    rho = float(mesh.radial_force_ratio)
+    arms = carried * _cranks(mechanism.crank_angles)
+    cases, truncation = [], 0.0
+    for stiffness in stiffnesses:
+        turn = satellite_turn(mechanism, force_exponent, stiffness)
+        for way in ways:
+            both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
+            most = largest(turn=turn, arms=(both,), measure=np.abs)
+            means = []
+            for row, exponent in enumerate(exponents):
+                own = slice(row, row + 1)
+                mean, off = mean_power(
+                    turn=turn,
+                    arms=(both[own],),
+                    measure=np.abs,
+                    largest=most[own],
+                    exponent=exponent,
+                )
+                means.append(mean)
+                truncation = max(truncation, off)
+            cases.append((most, np.concatenate(means)))
+    most, equivalent = (np.maximum.reduce(each) for each in zip(*cases, strict=True))
+    # satellites that oppose each other may leave little of their forces
+    count = mechanism.satellites
+    total = (np.abs(carried).sum(axis=1) * (across * (1 + abs(rho)) + pins * count)).max()
+    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
+    error = 4 * ((error + mesh.error * abs(rho)) * float(total / most.min()) + truncation)
+    return most, equivalent, Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
+
+
+def _made_reactions(
+    turns: list[SampledTurn],
+    arm: float,
+    radial_force_ratio: float,
+    carried: FloatArray,
+    exponents: list[float],
+) -> Reactions:
+    """By the forces of the mechanism as it is made."""
+    cases, error = [], 0.0
+    for turn in turns:
+        load = made_parts(turn=turn, arm=arm, radial_force_ratio=radial_force_ratio).load
+        reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
+        size = np.abs(reaction)
+        mean = [
+            turn.mean(row**exponent) ** (1 / exponent)
+            for row, exponent in zip(size, exponents, strict=True)
+        ]
+        cases.append((size.max(axis=1), np.array(mean)))
+        scale = (np.abs(carried) @ np.abs(load)).max()
+        error = max(error, (turn.missed(reaction) + turn.error * scale) / size.max(axis=1).min())
+    most, equivalent = (np.maximum.reduce(each) for each in zip(*cases, strict=True))
+    evaluations = sum(turn.evaluations for turn in turns)
+    return most, equivalent, Accuracy("sampling", error, evaluations)
 
 
 def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
@@ -220,9 +301,9 @@ def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> Flo
     return np.stack((1 - on_last, on_last))
 
 
-def _cranks(mechanism: Mechanism) -> ComplexArray:
+def _cranks(angles: tuple[float, ...]) -> ComplexArray:
     """Directions of the cranks in the crank's frame."""
-    found: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
+    found: ComplexArray = np.exp(1j * np.array(angles))
     return found
 
 
@@ -307,6 +388,6 @@ def reaction_curves(
         radial_force_ratio=radial_force_ratio,
         crank_angle=crank_angle,
     )
-    held = (loads.along + 1j * loads.across) * _cranks(mechanism)
+    held = (loads.along + 1j * loads.across) * _cranks(mechanism.crank_angles)
     carried = _carried(satellite_positions, bearing_positions)
     return ReactionCurves(crank_angle, (held[:, None, :] * carried).sum(axis=2))

@@ -32,6 +32,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import largest
 from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
+from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 COARSEST, FINEST = 3, 9
@@ -103,11 +104,17 @@ def satellite_bearings(
     reliability_percent: float = 90.0,
     ring_factor: Number = 1.0,
     weibull_slope: Number | None = None,
+    peak_torque: Number | None = None,
+    torque_direction: Direction = "driving",
+    pair_stiffness: tuple[float, ...] | None = None,
+    made: Made | None = None,
 ) -> SatelliteBearings:
-    """Load and life of the satellites' bearings under the ideal forces of the pins.
+    """Load and life of the satellites' bearings under the forces of the pins.
 
-    The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one, and the load stands still
-    against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave, ``L10 = (C/P)^p``.
+    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
+    shared by it, and for each satellite the worse counts; with `made` those of the mechanism as it
+    is made. The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one, and the load stands
+    still against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave, ``L10 = (C/P)^p``.
 
     Parameters
     ----------
@@ -135,6 +142,16 @@ def satellite_bearings(
         Factor V of the load for the ring that turns against it, > 0.
     weibull_slope : float or array, optional
         Slope of the distribution of lives, for the life of all bearings together.
+    peak_torque : float or array, optional
+        Torque of the static safety, N*m, > 0; T where not given. The life takes T as it is, without
+        an application factor.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of both directions the worse counts. Ideal forces load the bearings alike in both.
+    pair_stiffness : tuple of float, K, optional
+        Stiffness of the pairs of each satellite against each other, see
+        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    made : callable, optional
+        Forces of the mechanism as it is made, see `core.output.real_turn.made`; of one design.
 
     Returns
     -------
@@ -170,26 +187,31 @@ def satellite_bearings(
         input_speed=input_speed,
         ring_factor=ring_factor,
     )
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    static_torque = output_torque if peak_torque is None else peak_torque
+    check_positive(peak_torque=static_torque)
     ratio = mechanism.ratio
-    across = output_torque / (eccentricity * ratio)  # W of a satellite that carries all
-    arm = eccentricity * ratio / pin_circle_radius
-    radial_force_ratio = mesh.radial_force_ratio
-    shape = np.broadcast_shapes(np.shape(radial_force_ratio), np.shape(arm))
-    rho, along = (
-        np.broadcast_to(np.asarray(each, dtype=np.float64), shape).ravel()
-        for each in (radial_force_ratio, arm)
-    )
-    exponent = EXPONENTS[kind]
-    turn = satellite_turn(mechanism, force_exponent)
-    found = [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
-    scale = np.asarray(across)[..., None]
-    most, least, mean, ring = (
-        scale * np.stack(each, axis=-1).reshape(*shape, -1)
-        for each in zip(*(loads for loads, _ in found), strict=True)
-    )
-    ring = ring * np.sqrt(1 + np.square(radial_force_ratio))[..., None]
-    equivalent = np.asarray(ring_factor)[..., None] * mean
+    rho = mesh.radial_force_ratio
+    if made is None:
+        loads = _ideal_loads(
+            mechanism=mechanism,
+            force_exponent=force_exponent,
+            across=output_torque / (eccentricity * ratio),
+            arm=eccentricity * ratio / pin_circle_radius,
+            mesh=mesh,
+            exponent=EXPONENTS[kind],
+            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
+        )
+        static = np.asarray(static_torque / output_torque)[..., None] * loads.most
+    else:
+        ways = WAYS[torque_direction]
+        loads, static_loads = (
+            _made_loads(
+                [made(way * torque) for way in ways], eccentricity * ratio, mesh, EXPONENTS[kind]
+            )
+            for torque in (output_torque, static_torque)
+        )
+        static = static_loads.most
+    equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     relative_speed = input_speed * ((1 + ratio) / ratio)
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
@@ -202,27 +224,141 @@ def satellite_bearings(
             together = system_life(lives=basic, weibull_slope=weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
-        safety = np.asarray(static_rating, dtype=np.float64)[..., None] / most
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    # the ring's part may take away that of the pins, but never the part across the crank
-    error *= 1 + 2 * float(np.abs(radial_force_ratio).max())
-    error = 4 * (error + mesh.error + max(truncation for _, truncation in found))
-    accuracy = Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
+        safety = np.asarray(static_rating, dtype=np.float64)[..., None] / static
     return SatelliteBearings(
         relative_speed=relative_speed,
-        radial_force_ratio=radial_force_ratio,
+        radial_force_ratio=rho,
         operating_pressure_angle=mesh.operating_pressure_angle,
-        peak_load=most,
-        min_load=least,
+        peak_load=loads.most,
+        min_load=loads.least,
         equivalent_load=equivalent,
-        peak_ring_force=ring,
+        peak_ring_force=loads.ring * np.sqrt(1 + np.square(rho))[..., None],
         basic_life=basic,
         life=life,
         static_safety_factor=safety,
         system_life=together,
-        accuracy=accuracy,
-        notices=(*mesh.notices, *poorly_known(accuracy)),
+        accuracy=loads.accuracy,
+        notices=(*mesh.notices, *poorly_known(loads.accuracy)),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Loads:
+    """Largest, least and equivalent load of each satellite, and the largest force of the ring
+    across its crank, N.
+    """
+
+    most: FloatArray
+    least: FloatArray
+    mean: FloatArray
+    ring: FloatArray
+    accuracy: Accuracy
+
+
+def _ideal_loads(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float,
+    across: Number,
+    arm: Number,
+    mesh: RingMesh,
+    exponent: float,
+    stiffnesses: tuple[tuple[float, ...] | None, ...],
+) -> _Loads:
+    """Loads over those across the crank of a satellite that carries all; of several stiffnesses
+    the worst.
+    """
+    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    shape = np.broadcast_shapes(np.shape(mesh.radial_force_ratio), np.shape(arm))
+    rho, along = (
+        np.broadcast_to(np.asarray(each, dtype=np.float64), shape).ravel()
+        for each in (mesh.radial_force_ratio, arm)
+    )
+    turns = [satellite_turn(mechanism, force_exponent, each) for each in stiffnesses]
+    found = [
+        [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
+        for turn in turns
+    ]
+    scale = np.asarray(across)[..., None]
+    each = [
+        [
+            scale * np.stack(column, axis=-1).reshape(*shape, -1)
+            for column in zip(*(loads for loads, _ in rows), strict=True)
+        ]
+        for rows in found
+    ]
+    most, least, mean, ring = zip(*each, strict=True)
+    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
+    # the ring's part may take away that of the pins, but never the part across the crank
+    error *= 1 + 2 * float(np.abs(rho).max())
+    error = 4 * (error + mesh.error + max(off for rows in found for _, off in rows))
+    return _Loads(
+        np.maximum.reduce(most),
+        np.minimum.reduce(least),
+        np.maximum.reduce(mean),
+        np.maximum.reduce(ring),
+        Accuracy("segments_tanh_sinh", error, turns[0].forces[0].size),
+    )
+
+
+def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: float) -> _Loads:
+    """Loads of the mechanism as it is made; of both directions the worse."""
+    loads, rings, means, error = [], [], [], 0.0
+    for turn in turns:
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
+        load = np.abs(parts.load)
+        loads.append(load)
+        rings.append(np.abs(parts.ring))
+        means.append(turn.mean(load**exponent) ** (1 / exponent))
+        off = turn.missed(parts.load) / load.max(axis=1).min()
+        error = max(error, off + turn.error)
+    every = np.concatenate(loads, axis=1)
+    return _Loads(
+        every.max(axis=1),
+        every.min(axis=1),
+        np.maximum.reduce(means),
+        np.concatenate(rings, axis=1).max(axis=1),
+        Accuracy("sampling", error, sum(turn.evaluations for turn in turns)),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class MadeParts:
+    """Forces on the satellites of a mechanism as it is made, N, in the frame of each crank.
+
+    Attributes
+    ----------
+    load : array of complex, shape (K, n)
+        Of pins and ring: along the crank towards the axis, and i times that across, back against
+        the rotation of the crank under a driving torque.
+    ring : array, shape (K, n)
+        Of the ring across the crank.
+    """
+
+    load: ComplexArray
+    ring: FloatArray
+
+
+def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
+    """Forces on the satellites of a mechanism as it is made.
+
+    Parameters
+    ----------
+    turn : SampledTurn
+        Forces of the pins.
+    arm : float
+        ``e*u``: of the ring's force about the satellite's centre, m.
+    radial_force_ratio : float
+        Ratio rho of the ring's force along the crank to that across it: the teeth press apart
+        whichever flank carries.
+
+    Returns
+    -------
+    MadeParts
+    """
+    ring = turn.couple / arm
+    along = radial_force_ratio * np.abs(ring)
+    return MadeParts(turn.on_satellites + (along + 1j * ring), ring)
 
 
 def _loads(

@@ -15,6 +15,7 @@ losses              friction of the pins: sliding speed, loss, efficiency, pv, w
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
 pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a cycle of stress
 pin_turn            the forces that one pin feels over a turn
+sampled_turn        the forces of the mechanism as it is made, at samples
 pin_search          where over the turn, along the pin and around it a measure is largest
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
@@ -26,6 +27,7 @@ loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
 turn                positions over the turn
+real_turn           forces on pins, satellites and crank over the turn, sampled
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
 limit_torque        the torque that brings a pair to a given pressure
 alternating         both directions of the torque, and the worse

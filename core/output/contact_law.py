@@ -7,7 +7,7 @@ from core.arrays import check_positive
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.pin_beam import SHEAR_COEFFICIENT, Support
-from core.output.sharing_kernel import HERTZ, LINEAR, POWER, Law
+from core.output.sharing_kernel import HERTZ, LINEAR, POWER, Law, alone, pair_law
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -155,6 +155,57 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
             compliance -= (near + far) ** 2 / (2 * even) + (near - far) ** 2 / (2 * odd)
         compliances.append(compliance)
     return tuple(compliances)
+
+
+def contact_compliance(
+    *,
+    law: ContactLaw,
+    force: float,
+    contact_length: float,
+    pin_radius: float,
+    hole_radius: float,
+    pin: ElasticMaterial | None = None,
+    hole: ElasticMaterial | None = None,
+) -> float:
+    """Approach of a contact over its force: the secant of its law.
+
+    Parameters
+    ----------
+    law : ContactLaw
+        The law.
+    force : float
+        Force F, N, > 0.
+    contact_length, pin_radius, hole_radius : float
+        Length b and radii, m.
+    pin, hole : ElasticMaterial, optional
+        Materials; needed for `HertzLaw`.
+
+    Returns
+    -------
+    float
+        m/N; times the force it is the approach.
+
+    Examples
+    --------
+    >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
+    >>> size = {"contact_length": 0.02, "pin_radius": 0.008, "hole_radius": 0.010}
+    >>> found = contact_compliance(law=HertzLaw(), force=1e4/3, **size, pin=steel, hole=steel)
+    >>> round(found*1e4/3*1e6, 4)
+    3.8423
+    """
+    check_law(law)
+    check_positive(
+        force=force,
+        contact_length=contact_length,
+        pin_radius=pin_radius,
+        clearance=hole_radius - pin_radius,
+    )
+    kind, exponent = law_kind(law)
+    constants = law_constants(
+        law=law, contact_length=contact_length, hole_radius=hole_radius, pin=pin, hole=hole
+    )
+    a, b, _ = pair_law(kind, constants, pin_radius, hole_radius - pin_radius, 0.0)
+    return alone(kind, force, a, b, exponent) / force
 
 
 def law_kind(law: ContactLaw) -> tuple[int, float]:

@@ -14,7 +14,15 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from core.arrays import Number, check_positive, larger, smaller, where
+from core.arrays import (
+    Number,
+    check_not_negative,
+    check_positive,
+    larger,
+    smaller,
+    sqrt,
+    where,
+)
 
 Support = Literal["cantilever", "supported", "fixed"]
 """Held in the carrier at one end; at both, free to tilt; at both, built in."""
@@ -199,6 +207,40 @@ class PinBeam:
         sheared = self.shear_area * (shear * x - second)
         return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity
 
+    def pair_stiffness(
+        self, *, positions: tuple[float, ...], contact_compliance: float
+    ) -> tuple[float, ...]:
+        """Stiffness of the pairs of each satellite: contact, and the pin's bending, in series.
+
+        ``k_j = 1/(c_contact + c_bend(z_j))``: the stiffer share more of the load, ``k_j*cos^v`` in
+        the place of ``cos^v``. Satellites on stiff cranks and a rigid ring are taken.
+
+        Parameters
+        ----------
+        positions : tuple of float
+            Middle plane z of each satellite, m.
+        contact_compliance : float
+            Approach over force of a contact, m/N, > 0: of its law under a force of its size, see
+            `core.output.contact_law.contact_compliance`.
+
+        Returns
+        -------
+        tuple of float
+            N/m.
+
+        Examples
+        --------
+        A satellite near the carrier takes three times as much as one twice as far.
+
+        >>> pin = PinBeam.round(support="cantilever", diameter=0.016, contact_length=0.02,
+        ...                     youngs_modulus=210e9, poissons_ratio=0.3)
+        >>> near, far = pin.pair_stiffness(positions=(0.015, 0.037), contact_compliance=1e-8)
+        >>> round(near/(near + far), 3)
+        0.749
+        """
+        check_positive(contact_compliance=contact_compliance)
+        return tuple(1 / (contact_compliance + self.deflection(z, z)) for z in positions)
+
     def _bent(self, x: Number, z: Number) -> Number:
         """E*I times the deflection at x by bending, without the rotation at 0."""
         shear, moment = self.reactions(z)
@@ -210,6 +252,44 @@ class PinBeam:
         if self.support != "supported":
             return 0.0
         return -self._bent(self.span, z) / self.span
+
+
+def face_load_factor(*, slope: Number, contact_length: Number, approach: Number) -> Number:
+    """Largest line load of a contact along a sloping pin, over its mean.
+
+    ``K_b = 1 + s*b/(2*d)`` of a slope s and the approach d of a level contact; where that is above
+    2 a part of the length does not touch, and ``K_b = sqrt(2*s*b/d)`` on ``2/K_b`` of the length.
+
+    Parameters
+    ----------
+    slope : float or array
+        Rotation of the pin's section in the middle of the contact, rad, >= 0.
+    contact_length : float or array
+        Length b of the contact, m, > 0.
+    approach : float or array
+        Approach of the contact under the same force without the slope, m, > 0.
+
+    Returns
+    -------
+    float or array
+        On the line load; the pressure grows with its root.
+
+    Notes
+    -----
+    Derived for a line load in proportion to the approach; the form is that of K_Hbeta of ISO
+    6336-1, with ``c' = w/d``. The wheel's own tilting and crowning are left out.
+
+    Examples
+    --------
+    >>> face_load_factor(slope=1e-3, contact_length=0.02, approach=2e-5)
+    1.5
+    >>> face_load_factor(slope=8e-3, contact_length=0.02, approach=2e-5)
+    4.0
+    """
+    check_not_negative(slope=slope)
+    check_positive(contact_length=contact_length, approach=approach)
+    steep = slope * contact_length / approach
+    return where(steep <= 2.0, 1 + steep / 2, sqrt(2 * steep))
 
 
 def section_stress(*, bending: Number, mean_shear: Number) -> Number:

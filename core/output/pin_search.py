@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from core.arrays import BoolArray, FloatArray
 from core.output.pin_turn import Turn, combine
+from core.output.sampled_turn import PinSamples
 
 ROUNDS = 9
 """Rounds over the turn that are always enough: where the forces are not smooth a summit may be much
@@ -58,14 +59,18 @@ Measure = Callable[..., FloatArray]
 
 
 def largest(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, rounds: int = ROUNDS
+    *,
+    turn: Turn | PinSamples,
+    arms: tuple[NDArray[Any], ...],
+    measure: Measure,
+    rounds: int = ROUNDS,
 ) -> FloatArray:
     """The largest of a measure over the turn.
 
     Parameters
     ----------
-    turn : Turn
-        Forces over the turn.
+    turn : Turn or PinSamples
+        Forces over the turn; of samples the largest is taken as it is.
     arms : tuple of array, each shape (rows, K)
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
@@ -78,7 +83,8 @@ def largest(
     array, shape (rows,)
     """
     samples = turn.forces.reshape(len(turn.forces), -1)
-    rows = max(1, BLOCK // (samples.shape[1] + 2 * CELLS * turn.weights.shape[1]))
+    more = 0 if isinstance(turn, PinSamples) else 2 * CELLS * turn.weights.shape[1]
+    rows = max(1, BLOCK // (samples.shape[1] + more))
     if len(arms[0]) > rows:
         parts = [slice(i, i + rows) for i in range(0, len(arms[0]), rows)]
         return np.concatenate(
@@ -93,6 +99,8 @@ def largest(
             ]
         )
     values = measure(*(combine(arms=each, forces=samples) for each in arms))
+    if isinstance(turn, PinSamples):
+        return np.asarray(values.max(axis=1))
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _summits(values)
     chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
@@ -163,6 +171,7 @@ def highest(
     value: Callable[[Points, int], tuple[FloatArray, FloatArray]],
     ends: FloatArray,
     around: bool = False,
+    enough: float = ENOUGH,
 ) -> tuple[float, float, float]:
     """The largest value of all sections, and of all directions where they count.
 
@@ -177,6 +186,8 @@ def highest(
         no other.
     around : bool
         Whether directions count.
+    enough : float
+        What the value may be missed by, as a part of it.
 
     Returns
     -------
@@ -201,7 +212,7 @@ def highest(
         values, room = value(Points(x, chi, length, angle), rounds)
         top = int(values.argmax())
         best = max(best, (float(values[top]), float(x[top]), float(chi[top])))
-        if rounds == ROUNDS and room.max() <= ENOUGH * best[0]:
+        if rounds == ROUNDS and room.max() <= enough * best[0]:
             break
         # no more than rounding may have put the best of all above the best of these
         least = min(best[0] * (1 if rounds else SAMPLED), float(values[top]))

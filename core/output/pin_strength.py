@@ -8,10 +8,12 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, check_positive
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
@@ -19,10 +21,13 @@ from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_forces import reference_force
 from core.output.pin_search import ENOUGH, ROUNDS, Points, highest, largest
 from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
+from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
+
+Sharing = Literal["equal", "stiffness"]
+"""How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -41,11 +46,16 @@ class PinDeflection:
     slope : float
         Largest rotation of the section there over the turn, rad; between two supports it may be
         small, and is as good as the deflection over the distance to the nearer one.
+    slopes, forces : tuple of float, K
+        Largest rotation at each satellite, rad, and its largest force, N: what
+        `core.output.pin_beam.face_load_factor` is made of.
     """
 
     satellite: int
     deflection: float
     slope: float
+    slopes: tuple[float, ...]
+    forces: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,13 +102,18 @@ class PinStrength:
     peak_equivalent_stress : float
         Largest equivalent stress (Mises) of any section, Pa.
     static_safety_factor : float or None
-        Yield strength over that, where it is known.
+        Yield strength over that stress under the peak torque, where it is known.
     fatigue : PinFatigue or None
         The worst stress cycle, where it was asked.
     deflection : PinDeflection or None
         Where it was asked.
     locus : MomentLocus or None
         Of the section of the worst cycle, else of the largest moment, where it was asked.
+    sharing : {"equal", "stiffness"} or None
+        By which sharing of the satellites the fatigue, else the equivalent stress, is worst; None
+        where the forces are those of the mechanism as it is made.
+    pin : int
+        The pin of which it is, from 1; those of an ideal mechanism are alike.
     accuracy : Accuracy
         Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
         good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
@@ -118,6 +133,8 @@ class PinStrength:
     fatigue: PinFatigue | None
     deflection: PinDeflection | None
     locus: MomentLocus | None
+    sharing: Sharing | None
+    pin: int
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -139,8 +156,17 @@ def pin_strength(
     input_speed: float | None = None,
     deflection: bool = False,
     locus: bool = False,
+    application_factor: float = 1.0,
+    peak_torque: float | None = None,
+    torque_direction: Direction = "driving",
+    pair_stiffness: tuple[float, ...] | None = None,
+    made: Made | None = None,
 ) -> PinStrength:
-    """Bending, shear, static safety, fatigue and deflection of the pins under the ideal forces.
+    """Bending, shear, static safety, fatigue and deflection of the pins.
+
+    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
+    shared by it, and the worse counts; with `made` those of the mechanism as it is made, and the
+    worst pin counts.
 
     Parameters
     ----------
@@ -174,6 +200,17 @@ def pin_strength(
         Speed w_in of the crank, rad/s, > 0, for the life.
     deflection, locus : bool
         Whether the deflection, or the locus of the moment, is wanted.
+    application_factor : float
+        Factor K_A on the torque, > 0, in all but the static safety.
+    peak_torque : float, optional
+        Torque of the static safety, N*m, > 0; ``K_A*T`` where not given.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of a torque that alternates each cycle has both directions.
+    pair_stiffness : tuple of float, K, optional
+        Stiffness of the pairs of each satellite against each other, see
+        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    made : callable, optional
+        Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
     Returns
     -------
@@ -188,8 +225,9 @@ def pin_strength(
 
     Notes
     -----
-    Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived, see
-    docs/theory.md. A pin shorter than half its diameter bends less than its seat gives way.
+    Source of the ideal forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived,
+    see docs/theory.md. In reverse an ideal pin feels the same forces the other way, half a turn of
+    the wave later. A pin shorter than half its diameter bends less than its seat gives way.
 
     Examples
     --------
@@ -204,10 +242,14 @@ def pin_strength(
     >>> round(found.peak_bending_stress/1e6, 6), round(found.fatigue.safety_factor, 6)
     (306.704838, 1.504829)
     """
-    reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
-    if not reference > 0:
-        raise InvalidInput("output_torque", output_torque, "greater_than", limit=0)
-    peak = force_peak(mechanism, force_exponent)
+    check_positive(
+        output_torque=output_torque,
+        application_factor=application_factor,
+        pin_circle_radius=pin_circle_radius,
+    )
+    torque = application_factor * output_torque
+    static_torque = torque if peak_torque is None else peak_torque
+    check_positive(peak_torque=static_torque)
     if support != "cantilever" and span is None:
         raise InvalidInput("span", None, "needed", field="support")
     beam = PinBeam.round(
@@ -219,103 +261,278 @@ def pin_strength(
         span=span if support != "cantilever" else None,
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
-    turn = pin_turn(mechanism, force_exponent)
-    positions = np.array(satellite_positions)
-    ends = _ends(beam, positions)
-    area, modulus = math.pi * diameter**2 / 4, math.pi * diameter**3 / 32
-    unit = reference / modulus
-
-    def moments(x: FloatArray) -> FloatArray:
-        """By unit forces, as stresses."""
-        arms: FloatArray = unit * beam.moment(x[:, None], positions)
-        return arms
-
-    def shears(x: FloatArray) -> FloatArray:
-        """The same as mean stresses."""
-        arms: FloatArray = reference / area * beam.shear(x[:, None], positions)
-        return arms
-
-    steepest = unit * float(np.abs(turn.forces).sum(axis=0).max())
-    curvature = steepest / contact_length
-
-    def bending(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-        values = largest(turn=turn, arms=(moments(at.section),), measure=np.abs, rounds=rounds)
-        return values, curvature * at.length**2 / 8
-
-    def equivalent(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-        arms = moments(at.section), shears(at.section)
-        values = largest(turn=turn, arms=arms, measure=_stress, rounds=rounds)
-        return values, curvature * at.length**2 / 8
-
-    bent, place, _ = highest(value=bending, ends=ends)
-    most, _, _ = highest(value=equivalent, ends=ends)
-    mean_shear = float(largest(turn=turn, arms=(shears(ends),), measure=np.abs).max())
-    cycle, chi, seen, notices = None, None, place, []
-    if fatigue is not None:
-        extremes = bent, -bent
-        if not rotates:
-
-            def cycles(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-                """Largest and least stress of points of the edge."""
-                arms = moments(at.section) * np.exp(-1j * at.direction)[:, None]
-                both = (np.concatenate((arms, -arms)),)
-                found = largest(turn=turn, arms=both, measure=np.real, rounds=rounds)
-                return found[: len(arms)], -found[len(arms) :]
-
-            def used(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-                top, bottom = cycles(at, rounds)
-                use: FloatArray = fatigue.utilisation((top - bottom) / 2, (top + bottom) / 2)
-                room = (steep * at.length**2 + use * at.angle**2) / 8
-                if fatigue.criterion == "fkm_haigh" and always_loaded:
-                    # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
-                    # largest where it has a corner, from which it falls at once
-                    reach = (bent * at.angle + steepest * at.length) / 2
-                    corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
-                    more = fatigue.utilisation((top - bottom) / 2 + reach, (top + bottom) / 2)
-                    room = room + corner * (more - use)
-                return use, room
-
-            always_loaded = bool(np.abs(turn.forces).sum(axis=0).min() > 0)
-            steep = fatigue.utilisation(curvature, 0.0) + fatigue.utilisation(0.0, curvature)
-            _, seen, angle = highest(value=used, ends=ends, around=True)
-            at = Points(np.array([seen]), np.array([angle]), np.zeros(1), 0.0)
-            top, bottom = cycles(at, ROUNDS)
-            chi, extremes = _turned(angle), (float(top[0]), float(bottom[0]))
-        cycle = judged(
-            strength=fatigue, direction=chi, position=seen, largest=extremes[0], least=extremes[1]
+    pin = _Pin(beam, diameter, np.array(satellite_positions))
+    ways = WAYS[torque_direction]
+    static = 1.0
+    if made is None:
+        peak = force_peak(mechanism, force_exponent)
+        cases = _ideal_cases(
+            mechanism=mechanism,
+            force_exponent=force_exponent,
+            reference=torque / pin_circle_radius,
+            ways=ways,
+            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
         )
-        if input_speed is not None and cycle.cycles is not None:
+        error = 8 * peak.accuracy.relative_error + ENOUGH
+        error += ROUNDING * (64 + 16 * force_exponent)
+        method, evaluations = "locus_support", cases[0].turn.forces[0].size
+        static = static_torque / torque
+    else:
+        turns = [made(way * torque) for way in ways]
+        cases = _made_cases(turns)
+        error = max(turn.error for turn in turns)
+        method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
+    wanted = fatigue, rotates, deflection, locus
+    strength = _worst([_strength(pin, case, mechanism, *wanted) for case in cases])
+    if made is not None and static_torque != torque:
+        most = max(
+            pin.equivalent(case)
+            for case in _made_cases([made(way * static_torque) for way in ways])
+        )
+        static = most / strength.peak_equivalent_stress
+    notices = []
+    cycle = strength.fatigue
+    if cycle is not None and cycle.cycles is not None:
+        if input_speed is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
         if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
-    accuracy = Accuracy(
-        "locus_support",
-        8 * peak.accuracy.relative_error
-        + ENOUGH
-        + ROUNDING * (64 + 16 * force_exponent)
-        + _of_two_supports(beam, satellite_positions),
-        turn.forces[0].size,
-    )
-    strength = material.yield_strength
-    return PinStrength(
-        peak_force=reference * peak.peak_force_ratio,
-        peak_moment=bent * modulus,
-        peak_moment_position=place,
-        peak_bending_stress=bent,
-        peak_shear_force=mean_shear * area,
-        peak_shear_stress=4 / 3 * mean_shear,
-        peak_equivalent_stress=most,
-        static_safety_factor=None if strength is None else strength / most,
+    accuracy = Accuracy(method, error + _of_two_supports(beam, satellite_positions), evaluations)
+    safety = None
+    if material.yield_strength is not None:
+        safety = material.yield_strength / (static * strength.peak_equivalent_stress)
+    return replace(
+        strength,
+        static_safety_factor=safety,
         fatigue=cycle,
-        deflection=_deflection(turn, beam, positions, reference) if deflection else None,
-        locus=_locus(turn, mechanism, seen, moments(np.array([seen])), modulus, chi)
-        if locus
-        else None,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Case:
+    """Forces on a pin, in a unit, N, negative in reverse; of ideal ones both ways where it
+    alternates.
+    """
+
+    turn: PinTurn | PinSamples
+    unit: float
+    alternates: bool = False
+    sharing: Sharing | None = None
+    pin: int = 1
+    wave: FloatArray | None = None
+
+
+def _ideal_cases(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float,
+    reference: float,
+    ways: tuple[float, ...],
+    stiffnesses: tuple[tuple[float, ...] | None, ...],
+) -> list[_Case]:
+    """All pins are alike; of an alternating torque the reverse is the same the other way."""
+    return [
+        _Case(
+            turn=pin_turn(mechanism, force_exponent, each),
+            unit=ways[0] * reference,
+            alternates=len(ways) > 1,
+            sharing="equal" if each is None else "stiffness",
+        )
+        for each in stiffnesses
+    ]
+
+
+def _made_cases(turns: list[SampledTurn]) -> list[_Case]:
+    """Each pin under all directions."""
+    wave = np.concatenate([turn.wave for turn in turns])
+    return [
+        _Case(
+            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1)),
+            unit=1.0,
+            pin=n + 1,
+            wave=wave,
+        )
+        for n in range(turns[0].on_pins.shape[1])
+    ]
+
+
+@dataclass(frozen=True)
+class _Pin:
+    """A pin as a beam, and where satellites load it."""
+
+    beam: PinBeam
+    diameter: float
+    positions: FloatArray
+
+    @property
+    def area(self) -> float:
+        """Of its section, m^2."""
+        return math.pi * self.diameter**2 / 4
+
+    @property
+    def modulus(self) -> float:
+        """Section modulus W, m^3."""
+        return math.pi * self.diameter**3 / 32
+
+    @cached_property
+    def ends(self) -> FloatArray:
+        """Ends of loads and supports: the root alone of a cantilever, as no other section is
+        worse.
+        """
+        if self.beam.span is None:
+            return np.zeros(1)
+        half = self.beam.contact_length / 2
+        ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
+        return np.unique(np.clip(ends, 0, self.beam.span))
+
+    def moments(self, x: FloatArray, unit: float) -> FloatArray:
+        """Bending stress at sections by unit forces of the satellites."""
+        found: FloatArray = unit / self.modulus * self.beam.moment(x[:, None], self.positions)
+        return found
+
+    def shears(self, x: FloatArray, unit: float) -> FloatArray:
+        """Mean shear stress of the same."""
+        found: FloatArray = unit / self.area * self.beam.shear(x[:, None], self.positions)
+        return found
+
+    def curvature(self, case: _Case) -> float:
+        """Largest second derivative of the bending stress along the pin."""
+        most = float(np.abs(case.turn.forces).sum(axis=0).max())
+        return abs(case.unit) / self.modulus * most / float(self.beam.contact_length)
+
+    def bending(self, case: _Case) -> tuple[float, float]:
+        """Largest bending stress of any section, and its place."""
+        curvature = self.curvature(case)
+
+        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            arms = (self.moments(at.section, case.unit),)
+            values = largest(turn=case.turn, arms=arms, measure=np.abs, rounds=rounds)
+            return values, curvature * at.length**2 / 8
+
+        bent, place, _ = highest(value=value, ends=self.ends)
+        return bent, place
+
+    def equivalent(self, case: _Case) -> float:
+        """Largest equivalent stress of any section."""
+        curvature = self.curvature(case)
+
+        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            arms = self.moments(at.section, case.unit), self.shears(at.section, case.unit)
+            values = largest(turn=case.turn, arms=arms, measure=_stress, rounds=rounds)
+            return values, curvature * at.length**2 / 8
+
+        return highest(value=value, ends=self.ends)[0]
+
+    def cycle(
+        self, case: _Case, strength: FatigueStrength, bent: float
+    ) -> tuple[float, float, float, float]:
+        """Largest and least stress of the worst cycle, its section and direction."""
+        curvature = self.curvature(case)
+        steepest = curvature * float(self.beam.contact_length)
+
+        def cycles(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            """Largest and least stress of points of the edge."""
+            arms = self.moments(at.section, case.unit) * np.exp(-1j * at.direction)[:, None]
+            both = (np.concatenate((arms, -arms)),)
+            found = largest(turn=case.turn, arms=both, measure=np.real, rounds=rounds)
+            top, bottom = found[: len(arms)], -found[len(arms) :]
+            if case.alternates:
+                top = np.maximum(top, -bottom)
+                bottom = -top
+            return top, bottom
+
+        def used(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            top, bottom = cycles(at, rounds)
+            use: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
+            room = (steep * at.length**2 + use * at.angle**2) / 8
+            if strength.criterion == "fkm_haigh" and always_loaded:
+                # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
+                # largest where it has a corner, from which it falls at once
+                reach = (bent * at.angle + steepest * at.length) / 2
+                corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
+                more = strength.utilisation((top - bottom) / 2 + reach, (top + bottom) / 2)
+                room = room + corner * (more - use)
+            return use, room
+
+        always_loaded = bool(np.abs(case.turn.forces).sum(axis=0).min() > 0)
+        steep = strength.utilisation(curvature, 0.0) + strength.utilisation(0.0, curvature)
+        _, seen, angle = highest(value=used, ends=self.ends, around=True)
+        at = Points(np.array([seen]), np.array([angle]), np.zeros(1), 0.0)
+        top, bottom = cycles(at, ROUNDS)
+        return float(top[0]), float(bottom[0]), seen, angle
+
+
+def _strength(
+    pin: _Pin,
+    case: _Case,
+    mechanism: Mechanism,
+    fatigue: FatigueStrength | None,
+    rotates: bool,
+    deflection: bool,
+    locus: bool,
+) -> PinStrength:
+    """Strength of a pin under the forces of a case."""
+    bent, place = pin.bending(case)
+    arms = (pin.shears(pin.ends, case.unit),)
+    mean_shear = float(largest(turn=case.turn, arms=arms, measure=np.abs).max())
+    force = largest(turn=case.turn, arms=(np.eye(len(pin.positions)),), measure=np.abs)
+    forces = abs(case.unit) * force
+    cycle, chi, seen = None, None, place
+    if fatigue is not None:
+        top, bottom = bent, -bent
+        if not rotates:
+            top, bottom, seen, angle = pin.cycle(case, fatigue, bent)
+            chi = _turned(angle)
+        cycle = judged(strength=fatigue, direction=chi, position=seen, largest=top, least=bottom)
+    return PinStrength(
+        peak_force=float(forces.max()),
+        peak_moment=bent * pin.modulus,
+        peak_moment_position=place,
+        peak_bending_stress=bent,
+        peak_shear_force=mean_shear * pin.area,
+        peak_shear_stress=4 / 3 * mean_shear,
+        peak_equivalent_stress=pin.equivalent(case),
+        static_safety_factor=None,
+        fatigue=cycle,
+        deflection=_deflection(pin, case, forces) if deflection else None,
+        locus=_locus(pin, case, mechanism, seen, chi) if locus else None,
+        sharing=case.sharing,
+        pin=case.pin,
+        accuracy=Accuracy("locus_support", 0.0, 0),
+        notices=(),
+    )
+
+
+def _worst(cases: list[PinStrength]) -> PinStrength:
+    """The largest of all, with the fatigue, else the stress, of the worst."""
+    bent = max(cases, key=lambda each: each.peak_moment)
+    most = max(each.peak_equivalent_stress for each in cases)
+    if cases[0].fatigue is None:
+        worst = max(cases, key=lambda each: each.peak_equivalent_stress)
+    else:
+        worst = min(cases, key=lambda each: each.fatigue.safety_factor)  # type: ignore[union-attr]
+    deflections = [each.deflection for each in cases if each.deflection is not None]
+    deflection = max(deflections, key=lambda each: each.deflection, default=None)
+    if deflection is not None:
+        rows = zip(*(each.slopes for each in deflections), strict=True)
+        deflection = replace(deflection, slopes=tuple(max(each) for each in rows))
+        rows = zip(*(each.forces for each in deflections), strict=True)
+        deflection = replace(deflection, forces=tuple(max(each) for each in rows))
+    return replace(
+        worst,
+        peak_force=max(each.peak_force for each in cases),
+        peak_moment=bent.peak_moment,
+        peak_moment_position=bent.peak_moment_position,
+        peak_bending_stress=bent.peak_bending_stress,
+        peak_shear_force=max(each.peak_shear_force for each in cases),
+        peak_shear_stress=max(each.peak_shear_stress for each in cases),
+        peak_equivalent_stress=most,
+        deflection=deflection,
     )
 
 
@@ -342,26 +559,32 @@ def _stress(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
 
 
 def _locus(
-    turn: PinTurn,
-    mechanism: Mechanism,
-    position: float,
-    arms: FloatArray,
-    modulus: float,
-    chi: float | None,
+    pin: _Pin, case: _Case, mechanism: Mechanism, position: float, chi: float | None
 ) -> MomentLocus:
-    """The locus by what the satellites' forces bend, with its stress in a direction, else in that
-    of the largest moment.
+    """The locus of a section, with its stress in a direction, else in that of the largest
+    moment.
     """
-    places, forces = turn.drawn()
-    moment = combine(arms=modulus * arms, forces=forces)[0]
+    arms = pin.moments(np.array([position]), case.unit)
+    if isinstance(case.turn, PinTurn):
+        places, forces = case.turn.drawn()
+        if case.unit < 0:
+            places = (places + 0.5) % 1.0
+            first = int(places.argmin())
+            places, forces = np.roll(places, -first), np.roll(forces, -first, axis=1)
+        angles = places * mechanism.crank_angle_per_wave
+    else:
+        assert case.wave is not None
+        forces = case.turn.forces
+        angles = (case.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
+    stress = combine(arms=arms, forces=forces)[0]
     if chi is None:
-        chi = float(np.angle(moment[np.abs(moment).argmax()]))
+        chi = float(np.angle(stress[np.abs(stress).argmax()]))
     return MomentLocus(
         position=position,
-        crank_angle=places * mechanism.crank_angle_per_wave,
-        tangential=moment.real,
-        radial=moment.imag,
-        stress=(moment * np.exp(-1j * chi)).real / modulus,
+        crank_angle=angles,
+        tangential=pin.modulus * stress.real,
+        radial=pin.modulus * stress.imag,
+        stress=(stress * np.exp(-1j * chi)).real,
     )
 
 
@@ -376,30 +599,20 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     return found
 
 
-def _ends(beam: PinBeam, positions: FloatArray) -> FloatArray:
-    """Ends of loads and supports: the root alone of a cantilever, as no other section is worse."""
-    if beam.span is None:
-        return np.zeros(1)
-    half = beam.contact_length / 2
-    ends = [0.0, *(positions - half), *(positions + half), beam.span]
-    return np.unique(np.clip(ends, 0, beam.span))
-
-
-def _deflection(
-    turn: PinTurn, beam: PinBeam, positions: FloatArray, reference: float
-) -> PinDeflection:
+def _deflection(pin: _Pin, case: _Case, forces: FloatArray) -> PinDeflection:
     """Deflection and rotation where the pin bends most in the middle of a satellite."""
-    bent = np.stack(
-        (beam.deflection(positions[:, None], positions), beam.slope(positions[:, None], positions))
-    )
-    arms = bent.reshape(-1, len(positions))
-    found = largest(turn=turn, arms=(arms,), measure=np.abs)
+    z, beam = pin.positions, pin.beam
+    bent = np.stack((beam.deflection(z[:, None], z), beam.slope(z[:, None], z)))
+    arms = case.unit * bent.reshape(-1, len(z))
+    found = largest(turn=case.turn, arms=(arms,), measure=np.abs)
     deflections, slopes = found.reshape(2, -1)
     satellite = int(deflections.argmax())
     return PinDeflection(
-        satellite + 1,
-        reference * float(deflections[satellite]),
-        reference * float(slopes[satellite]),
+        satellite=satellite + 1,
+        deflection=float(deflections[satellite]),
+        slope=float(slopes[satellite]),
+        slopes=tuple(slopes.tolist()),
+        forces=tuple(forces.tolist()),
     )
 
 

@@ -5,10 +5,12 @@ forces are smooth; such a stretch of a turn is an arc. With t the tangent of the
 angle of the best placed pair and d the phase of another against it, that one's cosine over the best
 is ``u = cos(d) - t*sin(d)``, and its sine ``s = sin(d) + t*cos(d)``, so that its force is
 
-    F/F0 = u^v*(u + i*s)/T,   T = sum(u^(1 + v)) over all driving pairs
+    F/F0 = k*u^v*(u + i*s)/T,   T = sum(k*u^(1 + v)) over all driving pairs
 
-as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are linear in t,
-and are taken between their values at the ends of the arc: sums of positive numbers only.
+with the stiffness k of a satellite's pairs against that of others (1 of ideal ones, which share
+equally), as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are
+linear in t, and are taken between their values at the ends of the arc: sums of positive numbers
+only.
 
 All pins of a mechanism are alike but for the time at which they feel the forces.
 """
@@ -21,10 +23,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import FloatArray, IntArray, check_positive
+from core.errors import InvalidInput
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
-from core.output.mechanism import Mechanism
+from core.output.mechanism import Mechanism, WavePhases
 from core.quadrature import tanh_sinh_rule
 
 ComplexArray = NDArray[np.complex128]
@@ -60,6 +63,8 @@ class Turn:
         Phases of these pairs, in turns.
     repeats : int
         How often they meet the segments of one repeat of the pattern before all is as it was.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
 
     Attributes
     ----------
@@ -74,27 +79,43 @@ class Turn:
     """
 
     def __init__(
-        self, mechanism: Mechanism, force_exponent: float, own: Sequence[float], repeats: int
+        self,
+        mechanism: Mechanism,
+        force_exponent: float,
+        own: Sequence[float],
+        repeats: int,
+        stiffness: tuple[float, ...] | None = None,
     ) -> None:
         phases = mechanism.phases
+        if stiffness is not None:
+            _check_stiffness(stiffness, mechanism.satellites)
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
         self.least = NOTHING ** (1 / force_exponent) if force_exponent > 1 else 0.0
         parts = list(segments(phases))
         ends = np.array([[part.low for part in parts], [part.high for part in parts]])
-        self._all_pairs([part.driving.pairs() for part in parts], ends)
         part = np.repeat(np.arange(len(parts)), repeats)
-        sectors = phases.pins * phases.symmetry
-        turn = np.tile(np.arange(repeats) / sectors, len(parts))
-        shift = turn - np.array([each.phase for each in parts])[part]
-        self._own_pairs(np.add.outer(shift, np.array(own)), ends[:, part])
-        self.middle = (shift + 0.75 + ends.mean(axis=0)[part]) % 1.0
-        self.ends, self.part = ends[:, part], part
+        repeat = np.tile(np.arange(repeats), len(parts))
+        shift = repeat / (phases.pins * phases.symmetry)
+        shift = shift - np.array([each.phase for each in parts])[part]
+        self.ends = ends[:, part]
+        each_own = np.ones(len(own))
+        if stiffness is None:
+            self.part = part
+            self._all_pairs([each.driving.pairs() for each in parts], ends)
+        else:  # only pins are alike: what repeats within their sector is looked at one by one
+            each_own = np.repeat(stiffness, len(own) // len(stiffness)) / max(stiffness)
+            self.part = part * phases.symmetry + repeat % phases.symmetry
+            first = np.flatnonzero(repeat < phases.symmetry)
+            pairs = _pairs_apart(phases, shift[first], self.ends[:, first], stiffness)
+            self._all_pairs(pairs, self.ends[:, first])
+        self._own_pairs(np.add.outer(shift, np.array(own)), self.ends, each_own)
+        self.middle = (shift + 0.75 + self.ends.mean(axis=0)) % 1.0
         felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
         self.nodes = _nodes(force_exponent, self.weights.shape[1])
-        every = np.arange(len(parts))
-        total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[part[self.arcs]]
+        every = np.arange(len(self.weights))
+        total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[self.part[self.arcs]]
         forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
         self.forces: NDArray[Any] = np.ascontiguousarray(forces.swapaxes(0, 1))
 
@@ -107,12 +128,13 @@ class Turn:
             phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
         self.cosines = _relative_cosines(phase, ends[..., None])
 
-    def _own_pairs(self, phase: FloatArray, ends: FloatArray) -> None:
-        """Relative cosines + i*sines of the pairs at the ends of each arc."""
+    def _own_pairs(self, phase: FloatArray, ends: FloatArray, stiffness: FloatArray) -> None:
+        """Relative cosines + i*sines of the pairs at the ends of each arc, and their weights."""
         middle = ends.mean(axis=0)[:, None]
         phase = phase - np.rint(phase + middle)
-        self.drives = np.abs(phase + middle) < 0.25
-        cosines = np.where(self.drives, _relative_cosines(phase, ends[..., None]), 0.0)
+        drives = np.abs(phase + middle) < 0.25
+        self.drives = drives * stiffness
+        cosines = np.where(drives, _relative_cosines(phase, ends[..., None]), 0.0)
         turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
         self.own = cosines + 1j * (np.sin(turned) + tangents * np.cos(turned))
 
@@ -168,12 +190,19 @@ class PinTurn(Turn):
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
     """
 
-    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        force_exponent: float,
+        stiffness: tuple[float, ...] | None = None,
+    ) -> None:
         phases = mechanism.phases
         repeats = phases.pins * phases.symmetry
-        super().__init__(mechanism, force_exponent, phases.satellite_phase, repeats)
+        super().__init__(mechanism, force_exponent, phases.satellite_phase, repeats, stiffness)
 
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
         """T times the forces of the satellites on the pin, shape (rows, K, m)."""
@@ -214,14 +243,21 @@ class SatelliteTurn(Turn):
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
     """
 
-    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        force_exponent: float,
+        stiffness: tuple[float, ...] | None = None,
+    ) -> None:
         phases = mechanism.phases
         pins = np.arange(phases.pins) / phases.pins
         own = np.add.outer(phases.satellite_phase, pins).ravel()
         self.pins = phases.pins
-        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry)
+        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
 
     def tangents(self, arcs: IntArray) -> FloatArray:
         """Tangents of the best placed pair's pressure angle at both ends of arcs.
@@ -276,6 +312,27 @@ class SatelliteTurn(Turn):
             return np.asarray(summed)
 
         return own
+
+
+def _check_stiffness(stiffness: tuple[float, ...], satellites: int) -> None:
+    """Refuse stiffnesses that are not one for each satellite, or not positive."""
+    if len(stiffness) != satellites:
+        count = {"expected": satellites, "actual": len(stiffness)}
+        raise InvalidInput("pair_stiffness", len(stiffness), "different_length", **count)
+    check_positive(**{f"pair_stiffness[{j}]": each for j, each in enumerate(stiffness)})
+
+
+def _pairs_apart(
+    phases: WavePhases, shift: FloatArray, ends: FloatArray, stiffness: tuple[float, ...]
+) -> list[tuple[FloatArray, FloatArray]]:
+    """Driving pairs of each arc, phases against the best placed one in turns, and weights."""
+    every = np.add.outer(phases.satellite_phase, np.arange(phases.pins) / phases.pins).ravel()
+    weights = np.repeat(stiffness, phases.pins) / max(stiffness)
+    middle = ends.mean(axis=0)[:, None]
+    phase = np.add.outer(shift, every)
+    phase -= np.rint(phase + middle)
+    drives = np.abs(phase + middle) < 0.25
+    return [(row[own], weights[own]) for row, own in zip(phase, drives, strict=True)]
 
 
 def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:
@@ -336,7 +393,9 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
 
 
 @lru_cache(maxsize=256)
-def pin_turn(mechanism: Mechanism, force_exponent: float) -> PinTurn:
+def pin_turn(
+    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
+) -> PinTurn:
     """The forces on a pin of a mechanism, looked at once.
 
     Parameters
@@ -345,16 +404,20 @@ def pin_turn(mechanism: Mechanism, force_exponent: float) -> PinTurn:
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
 
     Returns
     -------
     PinTurn
     """
-    return PinTurn(mechanism, force_exponent)
+    return PinTurn(mechanism, force_exponent, stiffness)
 
 
 @lru_cache(maxsize=256)
-def satellite_turn(mechanism: Mechanism, force_exponent: float) -> SatelliteTurn:
+def satellite_turn(
+    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
+) -> SatelliteTurn:
     """What the satellites of a mechanism do, looked at once.
 
     Parameters
@@ -363,9 +426,11 @@ def satellite_turn(mechanism: Mechanism, force_exponent: float) -> SatelliteTurn
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
 
     Returns
     -------
     SatelliteTurn
     """
-    return SatelliteTurn(mechanism, force_exponent)
+    return SatelliteTurn(mechanism, force_exponent, stiffness)

@@ -199,21 +199,21 @@ def prepare(
             else:
                 pairs.curved[i] = difference / pin / (pin + difference)
                 pairs.a[i], pairs.b[i], pairs.limit[i] = pair_law(
-                    setup, law, pin, difference, compliance[j]
+                    setup.law, law, pin, difference, compliance[j]
                 )
             i += 1
     return none
 
 
 def pair_law(
-    setup: Setup, law: Law, pin: float, difference: float, compliance: float
+    kind: int, law: Law, pin: float, difference: float, compliance: float
 ) -> tuple[float, float, float]:
     """Constants a and b of a pair's law with a compliance in series, and the force at which it
     ends: the contact would be as wide as the pin. See `core.output.contact_law.law_constants`.
     """
-    if setup.law == LINEAR:
+    if kind == LINEAR:
         return law.a + compliance, 0.0, math.inf
-    if setup.law == POWER:
+    if kind == POWER:
         return law.a, compliance, math.inf
     reduced = pin * (pin + difference) / difference
     q = law.quarter / reduced
@@ -666,6 +666,29 @@ def poses(
         results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
         results.force_error[k] = found.force_error
         results.input_torque[k] = input_torque(psi, torque, found.lag, setup, pairs, room)
+    return -1
+
+
+class PairForces(NamedTuple):
+    """Forces of all pairs at positions under load; lags count in the torque's direction."""
+
+    force: Row  # position by position
+    lag: Row
+    error: Row  # of each force
+
+
+def pair_forces(
+    places: Row, torque: float, setup: Setup, pairs: Pairs, room: Room, results: PairForces
+) -> int:
+    """Forces at wave angles; the first position that cannot be, or -1."""
+    count = setup.pins * setup.satellites
+    for k, psi in enumerate(places):
+        found = solve(psi, torque, setup, pairs, room)
+        if judged(found, setup, pairs, room) != SOLVED:
+            return k
+        results.lag[k], results.error[k] = found.lag, found.force_error
+        for i in range(count):
+            results.force[k * count + i] = room.force[i]
     return -1
 
 

@@ -8,7 +8,16 @@ import numpy as np
 from core.arrays import FloatArray
 from core.output.compiled import at_hand
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import BACKLASH, LOST_MOTION, PLAY_END, Load, Pairs, Poses, Room
+from core.output.sharing_kernel import (
+    BACKLASH,
+    LOST_MOTION,
+    PLAY_END,
+    Load,
+    PairForces,
+    Pairs,
+    Poses,
+    Room,
+)
 from core.output.summits import Grid, Narrow
 
 POSITIONS = 720
@@ -57,6 +66,16 @@ class Turn:
             ),
         )
         return {name: np.array(row) for name, row in results._asdict().items()}
+
+    def forces(self, places: Sequence[float]) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Forces of all pairs at wave angles, rad, shape (n, K*N); lags and errors, shape (n,)."""
+        self.evaluations += len(places)
+        count, row = len(self.pairs.a), self.kernel.row
+        results = PairForces(*(row([0.0] * len(places) * many) for many in (count, 1, 1)))
+        rows = row(places), self.load.torque, self.load.setup, self.pairs, self.room, results
+        self._refused(places, self.kernel.pair_forces(*rows))
+        force, lag, error = map(np.array, results)
+        return force.reshape(-1, count), lag, error
 
     def values(self, kind: int, places: Iterable[float]) -> Grid:
         """A quantity at wave angles, rad."""

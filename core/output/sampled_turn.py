@@ -1,0 +1,128 @@
+"""Forces of the mechanism as it is made over a turn of the wave, at samples.
+
+Between the samples forces are taken to be straight, so that whatever grows with them is largest at
+one of them. They are dense where forces have kinks.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray
+
+ComplexArray = NDArray[np.complex128]
+
+Direction = Literal["driving", "reverse", "alternating"]
+
+WAYS: dict[Direction, tuple[float, ...]] = {
+    "driving": (1.0,),
+    "reverse": (-1.0,),
+    "alternating": (1.0, -1.0),
+}
+"""Signs of the torque in each direction."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class SampledTurn:
+    """Forces on pins and satellites under one torque.
+
+    Attributes
+    ----------
+    wave : array, shape (n,)
+        Wave angles, rad, ascending within a turn.
+    on_pins : array of complex, shape (K, N or 1, n)
+        Force of each satellite on each pin, N: tangential + i*radial, in the carrier's frame; one
+        pin where all are alike.
+    on_satellites : array of complex, shape (K, n)
+        Resultant of the pins on each satellite, N: along its crank towards the axis, and i times
+        that across, back against the crank's rotation under a driving torque.
+    couple : array, shape (K, n)
+        Couple of the pins about the satellite's centre, N*m; as the torque on the output link.
+    crank_angles : tuple of float
+        Angle of each crank with its deviation, rad.
+    error : float
+        Estimate of the relative error of the forces, over the largest: how far samples lie off the
+        straight line between their neighbours, and that of the positions. Honest, no proof.
+    evaluations : int
+        Positions that were solved.
+    """
+
+    wave: FloatArray
+    on_pins: ComplexArray
+    on_satellites: ComplexArray
+    couple: FloatArray
+    crank_angles: tuple[float, ...]
+    error: float
+    evaluations: int
+
+    def mean(self, values: FloatArray) -> FloatArray:
+        """Mean of values over the turn.
+
+        Parameters
+        ----------
+        values : array, shape (..., n)
+            At the samples.
+
+        Returns
+        -------
+        array, shape (...)
+        """
+        gaps = np.diff(self.wave, append=self.wave[0] + 2 * np.pi)
+        found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (4 * np.pi)
+        return found
+
+    def missed(self, values: NDArray[Any]) -> float:
+        """Estimate of the error of values between the samples.
+
+        Parameters
+        ----------
+        values : array, shape (..., n)
+            At the samples.
+
+        Returns
+        -------
+        float
+        """
+        return float(off_straight(wave=self.wave, values=values).max())
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class PinSamples:
+    """Forces of the satellites on one pin, N, as `SampledTurn.on_pins`.
+
+    Attributes
+    ----------
+    forces : array of complex, shape (K, n)
+        At samples.
+    """
+
+    forces: ComplexArray
+
+
+Made = Callable[[float], SampledTurn]
+"""The forces of a mechanism under a torque, N*m, negative in reverse; see
+`core.output.real_turn.real_turn`."""
+
+
+def off_straight(*, wave: FloatArray, values: NDArray[Any]) -> FloatArray:
+    """How far each sample lies off the straight line between its neighbours.
+
+    Parameters
+    ----------
+    wave : array, shape (n,)
+        Wave angles, rad, ascending within a turn.
+    values : array, shape (..., n)
+        At these.
+
+    Returns
+    -------
+    array, shape (..., n)
+    """
+    after = np.diff(wave, append=wave[0] + 2 * np.pi)
+    before = np.roll(after, 1)
+    slope = np.roll(values, -1, axis=-1) * before + np.roll(values, 1, axis=-1) * after
+    found: FloatArray = np.abs(values - slope / (before + after))
+    return found
