@@ -11,6 +11,22 @@ import { createFigure } from "./figure.js";
 import { valuesMarkup } from "./results.js";
 
 const DIGITS = 5;
+const [HEIGHT, TALL] = [420, 720]; // of a figure, and of one whose panels stand under each other
+const NARROW = matchMedia("(width < 700px)");
+
+/** A figure of two panels beside each other, under each other where there is no room. */
+function stacked({ data, layout }) {
+  const { xaxis, yaxis, xaxis2, yaxis2 } = layout;
+  if (!NARROW.matches || !xaxis2) return { data, layout };
+  return {
+    data,
+    layout: {
+      ...layout,
+      xaxis: { ...xaxis, domain: [0, 1] }, yaxis: { ...yaxis, domain: [0.58, 1] },
+      xaxis2: { ...xaxis2, domain: [0, 1] }, yaxis2: { ...yaxis2, domain: [0, 0.42] },
+    },
+  };
+}
 
 /** A list of records, each in a column under its name, a row a quantity. */
 function listMarkup(name, records, nameOf) {
@@ -27,7 +43,7 @@ export function createView({ id, section, client, titles, figures, calculations,
     })}</p></div>`);
   const part = (name) => root.querySelector(`.${name}`);
   const figure = createFigure({
-    figure: logic.figure, client, titles,
+    figure: { shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
     on: { charted() {}, turned() {}, set() {}, picked() {} },
   });
   const { lists = {} } = logic;

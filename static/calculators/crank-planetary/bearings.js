@@ -8,7 +8,7 @@ import { chartOf } from "./wanted.js";
 const ROUNDING = 1e-9;
 
 export const figure = {
-  id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", height: 420,
+  id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart",
   body: (input) => ({ ...crankedBody(input), bearing: input.besides.bearing }),
 };
 

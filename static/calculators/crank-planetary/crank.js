@@ -9,7 +9,7 @@ import { cranksOf } from "./mechanism.js";
 import { chartOf } from "./wanted.js";
 
 export const figure = {
-  id: "crank", section: "crankshaft", path: "/crankshaft/chart", height: 420,
+  id: "crank", section: "crankshaft", path: "/crankshaft/chart",
   body: (input) => ({ ...crankedBody(input), crankshaft: chartOf(input).crankshaft }),
 };
 

@@ -6,7 +6,7 @@ import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { chartOf, sleeved } from "./wanted.js";
 
-export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody, height: 420 };
+export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody };
 
 /** Diameter of the steel pin: that inside its sleeve where it has one. */
 export const diameterOf = (input) => (sleeved(input) ? input.besides.pin.diameter_mm : 2 * input.contact.pin_radius_mm);
