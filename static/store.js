@@ -89,8 +89,9 @@ export function switched(state, id, on, time) {
     texts[`${one}.on`] = on ? "on" : "";
     if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
     const values = Object.entries(starts(filled)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
-    const empty = values.every(([path]) => texts[path] === "" || fields.get(path).wanted !== one);
-    for (const [path, value] of values) if (empty && texts[path] === "") texts[path] = textIn(fields.get(path), value);
+    const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
+    const empty = values.every(([path]) => untouched(path) || fields.get(path).wanted !== one);
+    for (const [path, value] of values) if (empty && untouched(path)) texts[path] = textIn(fields.get(path), value);
     if (needs && texts[`${needs}.on`] !== "on") turn(wanted.find((group) => group.id === needs));
   };
   turn(wanted.find((group) => group.id === id));
@@ -109,7 +110,7 @@ function seeds({ typed: { texts }, reading: { filled }, about: { model, calculat
   const { fields } = choice.options.find(({ id }) => id === option);
   if (!fields.every((field) => ["", textIn(field, field.default)].includes(texts[field.path]))) return {};
   const values = choice.auto
-    ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id])
+    ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id] || texts[calculator.alike?.[choice.id]])
     : calculator.seeds[`${choice.id}.${option}`]?.(filled) ?? {};
   return Object.fromEntries(Object.entries(values)
     .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))

@@ -67,7 +67,7 @@ export function checkRow(check, titles) {
     formula: check.formula ?? "",
     source: [
       criterion && (said("criteria", criterion) ?? criterion),
-      source && (said("limitSources", sourceCode) ?? said("checkSources", sourceCode) ?? source),
+      source && (said(criterion ? "limitSources" : "checkSources", sourceCode) ?? said(criterion ? "checkSources" : "limitSources", sourceCode) ?? source),
       check.verified && message(`checks.${check.verified}`),
     ].filter(Boolean).join(": "),
     place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatQuantity(at.crank_angle_deg ?? 0, "°", 5) }),

@@ -268,10 +268,11 @@ export function fieldsOf(item) {
   return item.path ? [item] : item.options.flatMap(({ fields }) => fields);
 }
 
-/** Where what a check misses is entered: the field itself; of an entry of a table, the first of its own values that may be empty. */
-export function entryOf({ choices }, path) {
+/** Where what a check misses is entered: the field itself; of an entry of a table or of a part, the first of its own values that may be empty. */
+export function entryOf({ choices, fields }, path) {
   const own = choices.find(({ id, auto }) => auto && id === path)?.options.find(({ id }) => id === "own");
-  return own?.fields.find(({ required }) => !required)?.path ?? path;
+  const parts = fields.has(path) ? [] : [...fields.values()].filter((field) => field.path.startsWith(`${path}.`));
+  return (own?.fields ?? parts).find((field) => !field.required && field.default === undefined)?.path ?? path;
 }
 
 /** The options that show a field, `{ choice: option }`. */

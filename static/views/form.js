@@ -91,7 +91,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   function addField(field, host) {
     const view = creates(field)(field, {
       suggestion: suggestions[field.path],
-      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path] && !field.wanted,
+      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
       on: {
         switched: (chosen) => on.switched(field.wanted, chosen),
         size: () => on.size(field.path),
@@ -232,7 +232,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   const sizes = following(({ shown }) => [shown], ({ shown }) => {
     const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
     const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
-    for (const [path, view] of fields) if (!model.fields.get(path).wanted) view.setSizable?.(inputs.has(path));
+    for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
   });
   const boxes = following(({ typed, refusal, besides, touched, insisted }) => [typed, refusal, besides, touched, insisted], (state) => {
     show(state);

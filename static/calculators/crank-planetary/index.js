@@ -181,6 +181,9 @@ export default {
   optional: ["mechanism.crank_spacing_deg"],
   catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
 
+  /** What an empty name of a table means: that of another box. */
+  alike: { "pin.material": "contact.pin_material" },
+
   /** The value that the theory gives for a box, where the other boxes allow it. */
   suggestions: {
     "mechanism.crank_spacing_deg": {

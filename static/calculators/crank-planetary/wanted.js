@@ -137,11 +137,18 @@ function planes({ mechanism: { satellites }, contact: { contact_length_mm: width
   return Array.from({ length: Math.min(satellites, 100) || 0 }, (_, j) => tidy(first + width / 2 + j * (width + GAP)));
 }
 
-/** Teeth that the eccentricity allows, with an operating pressure angle of their own. */
-function teeth({ mechanism, contact: { eccentricity_mm: eccentricity } = {} }) {
+/** A ring that leaves room for the holes: involute teeth where their circle does, else pins about a cycloid disc. */
+function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm: pin } = {} }) {
   const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
-  const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(ratioOf(mechanism) * d))) || 1;
-  return { difference, module: MODULES.findLast((m) => m * difference < 1.95 * eccentricity) };
+  const u = ratioOf(mechanism);
+  const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
+  const holes = load?.pin_circle_radius_mm + pin + e;
+  return {
+    "gear.kind": holes < e * u ? "involute" : "cycloid",
+    "gear.module_mm": MODULES.findLast((m) => m * difference < 1.95 * e),
+    "gear.teeth_difference": difference,
+    "gear.ring_pin_circle_radius_mm": Math.ceil(Math.max(1.4 * e * (u + 1), 1.2 * holes)),
+  };
 }
 
 /** Bearings a satellite's width away from the satellites. */
@@ -205,9 +212,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: BEARINGS,
     judged: true,
-    starts: (input) => ({
-      "gear.module_mm": teeth(input).module, "gear.teeth_difference": teeth(input).difference, "load.input_speed_rpm": USUAL_RPM,
-    }),
+    starts: (input) => ({ ...ringOf(input), "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./bearings.js"), import("../../views/part.js")]),
   },
   {
