@@ -476,7 +476,7 @@ def crank_fixes(
                 fix = _less_clearance(design, code, current)
             elif not before or (variable == "satellites" and not _even(design)):
                 continue
-            elif code in POWERS and variable not in WHOLE:
+            elif variable not in WHOLE and (code in POWERS or (code in CONTACT and design.pin)):
                 fix = _by_power(design, code, variable, current)
             elif code in CONTACT and design.as_made:
                 fix = _as_made(design, code, variable, current)
@@ -562,14 +562,15 @@ def _even(design: CrankDesign) -> bool:
 
 def _by_power(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fix of what grows or falls about with a power of an input."""
-    growth = POWERS[code].get(variable, USUAL.get(variable))
+    powers = GROWTH if code in CONTACT else USUAL | POWERS[code]
+    growth = powers.get(variable)
     if growth is None or (variable == "pin_radius" and design.sleeved and code in PINS):
         return None
 
     def beyond_aim(value: float) -> float:
         check = CRANK[code](vary(design=design, variable=variable, value=value))
         if check.torque_reserve is not None:
-            return check.torque_reserve / MARGIN
+            return check.torque_reserve / (1.0 if check.warning else MARGIN)
         return 1 / check.utilisation if check.utilisation else math.nan
 
     before = value_of(design, variable)

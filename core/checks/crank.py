@@ -50,6 +50,7 @@ def _life(design: CrankDesign) -> Check:
         keep="above",
         reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error),
+        rough=design.as_made,
         at={"satellite": worst + 1},
     )
 
@@ -69,6 +70,7 @@ def _static(design: CrankDesign) -> Check:
         keep="above",
         reserve=value / limit,
         error=4 * error,
+        rough=design.as_made,
         at={"satellite": worst + 1},
     )
 
@@ -87,7 +89,9 @@ def _system(design: CrankDesign) -> Check:
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
-    return judged(code, value, limit, keep="above", reserve=reserve, error=error)
+    return judged(
+        code, value, limit, keep="above", reserve=reserve, error=error, rough=design.as_made
+    )
 
 
 def _pressure_angle(design: CrankDesign) -> Check:
@@ -139,6 +143,7 @@ def _shaft_life(design: CrankDesign) -> Check:
         keep="above",
         reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error),
+        rough=design.as_made,
         at={"bearing": worst},
     )
 

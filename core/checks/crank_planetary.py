@@ -128,10 +128,10 @@ PLACE: Table = {
     "pins_apart": _pins_apart,
     "holes_off_centre": _holes_off_centre,
 }
-SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore}
 SPACE: Table = {"outer_diameter": _outer_diameter}
+SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore} | SPACE
 CRANK = (
-    MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE | SPACE
+    MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE
     | PINS | PIN_FATIGUE | FRICTION | GEAR | BEARING | SHAFT
 )  # fmt: skip
 """Checks of a crank-planetary reducer, by code."""
@@ -153,7 +153,7 @@ def crank_tables(design: CrankDesign) -> Table:
     tables = dict(MECHANISM)
     if design.touching:
         tables |= FIT
-    if design.has_body or design.max_outer_diameter is not None:
+    if design.max_outer_diameter is not None:
         tables |= SPACE
     if design.touching and design.loaded:
         tables |= CONTACT | PLAY | PLACE

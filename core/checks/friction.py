@@ -52,7 +52,7 @@ def _pv(design: CrankDesign) -> Check:
         return Check(code=code, status="not_applicable", value=value, limit=limit, reason="no_bush")
     if limit is None:
         return not_asked(code, value, LIMITS[code])
-    return judged(code, value, limit, reserve=limit / value, error=error)
+    return judged(code, value, limit, reserve=limit / value, error=error, rough=design.as_made)
 
 
 def _wear(design: CrankDesign) -> Check:
@@ -69,7 +69,7 @@ def _wear(design: CrankDesign) -> Check:
             code=code, status="not_checked", limit=limit, reason="wear_unknown", missing=missing
         )
     value, error = max(depths), 4 * float(found.accuracy.relative_error)
-    return judged(code, value, limit, reserve=limit / value, error=error)
+    return judged(code, value, limit, reserve=limit / value, error=error, rough=design.as_made)
 
 
 LIMITS = {

@@ -28,7 +28,9 @@ def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Chec
         missing = ("pin",)
         return Check(code=code, status="not_checked", reason="section_missing", missing=missing)
     found = design.pin_strength
-    reason = design.why_unknown(found) if isinstance(found, ImpossibleMechanism) else "too_large"
+    reason = "too_large"
+    if isinstance(found, ImpossibleMechanism) or design.unmade:
+        reason = design.why_unknown(found if isinstance(found, ImpossibleMechanism) else None)
     return Check(code=code, status="not_checked", limit=limit, reason=reason)
 
 
@@ -51,7 +53,7 @@ def _static(design: CrankDesign) -> Check:
         )
     limit = strength / design.bending_safety
     error = 4 * found.accuracy.relative_error
-    return judged(code, stress, limit, reserve=limit / stress, error=error)
+    return judged(code, stress, limit, reserve=limit / stress, error=error, rough=design.as_made)
 
 
 def _fatigue(design: CrankDesign) -> Check:
@@ -71,7 +73,9 @@ def _fatigue(design: CrankDesign) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    return judged(code, safety, limit, keep="above", reserve=safety / limit, error=error)
+    return judged(
+        code, safety, limit, keep="above", reserve=safety / limit, error=error, rough=design.as_made
+    )
 
 
 def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
@@ -85,7 +89,9 @@ def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
         return _unknown(design, code, limit)
     at = {"satellite": found.deflection.satellite}  # type: ignore[union-attr]
     error = 4 * found.accuracy.relative_error  # type: ignore[union-attr]
-    return judged(code, value, limit, reserve=limit / value, error=error, at=at)
+    return judged(
+        code, value, limit, reserve=limit / value, error=error, at=at, rough=design.as_made
+    )
 
 
 def _deflection(design: CrankDesign) -> Check:
