@@ -28,6 +28,12 @@ function stacked({ data, layout }) {
   };
 }
 
+/** What a section's own calculation leaves out and the whole design does not: the forces as it is made, or those that bending pins share. */
+function countedIn({ load_sharing: real, pin_strength: pins }, section) {
+  const bends = pins && section !== "output_efficiency"; // whose sum of forces does not hang on who carries them
+  return [...(real ? ["clearance", "deviations"] : []), ...(bends ? ["pin_bending"] : []), ...(real || bends ? ["equal_discs"] : [])];
+}
+
 /** A list of records, each in a column under its name, a row a quantity. */
 function listMarkup(name, records, nameOf) {
   return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
@@ -38,9 +44,8 @@ function listMarkup(name, records, nameOf) {
 
 export function createView({ id, section, client, titles, figures, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
-    <p class="left-out note">${message("besides.leftOut", {
-      what: neglectedIn(calculations.find(({ name }) => logic.figure.path.startsWith(`/${name}/`))).join("; "),
-    })}</p></div>`);
+    <p class="drawn-for note"></p><p class="left-out note"></p></div>`);
+  const { model } = calculations.find(({ name }) => logic.figure.path.startsWith(`/${name}/`));
   const part = (name) => root.querySelector(`.${name}`);
   const figure = createFigure({
     figure: { shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
@@ -50,13 +55,16 @@ export function createView({ id, section, client, titles, figures, calculations,
   const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
-  part("left-out").before(figure.root);
+  part("drawn-for").before(figure.root);
   figures.push(figure);
 
   const numbers = following(({ shown }) => [shown], ({ shown }) => {
     const answer = shown?.answer[section];
     fill(part("numbers"), html`${answer && logic.cells(answer, shown.filled).map((cell) => html`
       <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
+    const counted = countedIn(shown?.answer ?? {}, section);
+    part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model: model.filter(({ code }) => !counted.includes(code)) }).join("; ") });
+    part("drawn-for").textContent = counted.length > 0 ? message("besides.ideal") : "";
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [
       valuesMarkup(answer, calculator.elsewhere, titles),

@@ -31,8 +31,8 @@ function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_spe
 }
 
 function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
-  const { contact, force } = pressedBy(given, answer);
-  return { ...contact, force_N: force };
+  const { contact, force, edge } = pressedBy(given, answer);
+  return { ...contact, force_N: force * edge };
 }
 
 /** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
@@ -97,10 +97,13 @@ function peakCell(section, { contact }) {
 }
 
 function pressureCell(section, { requirements }) {
-  const { governing_pressure_MPa: pressure, safety_factor: safety } = section;
+  const { governing_pressure_MPa: pressure, safety_factor: safety, line_load_factor: edge = 1 } = section;
   return {
     ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
-    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
+    note: [
+      safety !== undefined && message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
+      edge !== 1 && message("verdict.edge", { factor: formatNumber(edge, 3) }),
+    ].filter(Boolean).join("; "),
   };
 }
 

@@ -123,7 +123,7 @@ export function steps(section, input, materialOf) {
   const M = q("M", section.peak_moment_Nm, "N·m");
   const at = (name, symbol, rest) => result(section, name, symbol, rest);
   return [
-    at("peak_force_N", "F_max", { note: "search" }),
+    at("peak_force_N", "F_max", { note: "shared" }),
     at("peak_moment_position_mm", "x", { note: "section" }),
     at("peak_moment_Nm", "M", { note: "section" }),
     at("peak_bending_stress_MPa", "σ_b", { formula: "32*M/(π*d^3)", values: { M, d: D } }),
