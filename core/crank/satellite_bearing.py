@@ -275,23 +275,19 @@ def _ideal_loads(
         for each in (mesh.radial_force_ratio, arm)
     )
     turns = [satellite_turn(mechanism, force_exponent, each) for each in stiffnesses]
+    phases = mechanism.phases
+    even = len(phases.sector_phases) == phases.symmetry and len({*phases.multiplicity}) == 1
     found = [
-        [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
-        for turn in turns
+        _loads(turn, even and each is None, rho, along, exponent)
+        for turn, each in zip(turns, stiffnesses, strict=True)
     ]
     scale = np.asarray(across)[..., None]
-    each = [
-        [
-            scale * np.stack(column, axis=-1).reshape(*shape, -1)
-            for column in zip(*(loads for loads, _ in rows), strict=True)
-        ]
-        for rows in found
-    ]
+    each = [[scale * x.reshape(*shape, -1) for x in loads] for loads, _ in found]
     most, least, mean, ring = zip(*each, strict=True)
     error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
     # the ring's part may take away that of the pins, but never the part across the crank
     error *= 1 + 2 * float(np.abs(rho).max())
-    error = 4 * (error + mesh.error + max(off for rows in found for _, off in rows))
+    error = 4 * (error + mesh.error + max(off for _, off in found))
     return _Loads(
         np.maximum.reduce(most),
         np.minimum.reduce(least),
@@ -362,21 +358,26 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
 
 
 def _loads(
-    turn: SatelliteTurn, satellite: int, rho: FloatArray, along: FloatArray, exponent: float
-) -> tuple[tuple[FloatArray, ...], float]:
-    """Largest, least and equivalent load of a satellite, and the largest force of the ring across
-    the crank, over that of all the torque, one a design; and the error of the mean.
+    turn: SatelliteTurn, alike: bool, rho: FloatArray, along: FloatArray, exponent: float
+) -> tuple[list[FloatArray], float]:
+    """Largest, least and equivalent load of each satellite, and the largest force of the ring
+    across the crank, over that of all the torque, shape (designs, K); and the error of the mean.
     """
-    channels = np.eye(len(turn.forces))
-    own, pins = channels[satellite], channels[satellite + len(channels) // 2]
-    arms = np.repeat(own[None], len(rho), axis=0), np.outer(rho, own) + np.outer(along, pins)
+    satellites = len(turn.forces) // 2
+    some = 1 if alike else satellites
+    own, pins = np.split(np.eye(2 * satellites), 2)
+    across = np.tile(own[:some], (len(rho), 1))
+    inwards = rho[:, None, None] * own[:some] + along[:, None, None] * pins[:some]
+    arms = across, inwards.reshape(across.shape)
     most = largest(turn=turn, arms=arms, measure=np.hypot)
     least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
-    ring = largest(turn=turn, arms=(own[None],), measure=np.real)
+    ring = np.tile(largest(turn=turn, arms=(own[:some],), measure=np.real), len(rho))
     mean, truncation = mean_power(
         turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
     )
-    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), truncation
+    each = (most, np.maximum(least, 0.0), mean, ring)
+    shape = len(rho), satellites
+    return [np.broadcast_to(x.reshape(-1, some), shape) for x in each], truncation
 
 
 def mean_power(
