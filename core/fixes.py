@@ -469,36 +469,43 @@ def crank_fixes(
     fixes = []
     for code in codes:
         for variable in VARIED.get(code, ()):
-            before = value_of(design, variable)
-            if code in ("interference", "clearance", "crank_balance"):
-                fix = _closed(design, code, variable, current)
-            elif code in PLAY:
-                fix = _less_clearance(design, code, current)
-            elif not before or (variable == "satellites" and not _even(design)):
+            try:
+                fix = _fix(design, code, variable, current)
+            except CalculationError:  # a size that would cure it makes no design
                 continue
-            elif variable not in WHOLE and (code in POWERS or (code in CONTACT and design.pin)):
-                fix = _by_power(design, code, variable, current)
-            elif code in CONTACT and design.as_made:
-                fix = _as_made(design, code, variable, current)
-            else:
-
-                def change(value: float, code: str = code, variable: str = variable) -> Check:
-                    return CRANK[code](vary(design=design, variable=variable, value=value))
-
-                def whole_list(value: float, variable: str = variable) -> Verdict:
-                    return crank_checks(vary(design=design, variable=variable, value=value))
-
-                fix = fix_of(
-                    code=code,
-                    variable=variable,
-                    before=float(before),
-                    change=change,
-                    whole_list=whole_list,
-                    current=current,
-                )
             if fix is not None:
                 fixes.append(fix)
     return in_order(fixes)
+
+
+def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix of a check by one input."""
+    before = value_of(design, variable)
+    if code in ("interference", "clearance", "crank_balance"):
+        return _closed(design, code, variable, current)
+    if code in PLAY:
+        return _less_clearance(design, code, current)
+    if not before or (variable == "satellites" and not _even(design)):
+        return None
+    strength = code in POWERS or (code in CONTACT and design.pin is not None)
+    if strength and variable not in WHOLE:
+        return _by_power(design, code, variable, current)
+    if design.as_made and code in CONTACT:
+        return _as_made(design, code, variable, current)
+    if design.as_made and strength:  # each number would be solved over the turn
+        return None
+
+    def changed(value: float) -> CrankDesign:
+        return vary(design=design, variable=variable, value=value)
+
+    return fix_of(
+        code=code,
+        variable=variable,
+        before=float(before),
+        change=lambda value: CRANK[code](changed(value)),
+        whole_list=lambda value: crank_checks(changed(value)),
+        current=current,
+    )
 
 
 def plain_fixes(
@@ -647,10 +654,8 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
     return _checked(design, code, "hole_radius", hole + place - clearance, current)
 
 
-def _checked(
-    design: CrankDesign, code: str, variable: str, exact: float, current: Verdict
-) -> Fix | None:
-    """A fix that was found, with all checks made again; None where it makes no design."""
+def _checked(design: CrankDesign, code: str, variable: str, exact: float, current: Verdict) -> Fix:
+    """A fix that was found, with all checks made again."""
     before = value_of(design, variable)
     assert before is not None
     ends = (exact, exact * RANGE) if exact >= before else (exact / RANGE, exact)
@@ -663,10 +668,7 @@ def _checked(
         verdicts.append(crank_checks(vary(design=design, variable=variable, value=value)))
         return verdicts[-1]
 
-    try:
-        made = _made(code, variable, before, exact, found, "solved", whole_list, current)
-    except CalculationError:
-        return None
+    made = _made(code, variable, before, exact, found, "solved", whole_list, current)
     if verdicts[-1][code].status in ("fail", "not_checked"):
         return replace(made, status="not_enough")
     return made

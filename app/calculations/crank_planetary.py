@@ -269,7 +269,7 @@ class CrankPlanetaryRequest(RequestModel):
         if not self.as_made or "hertz" not in allowed:
             return allowed
         if self.design.judged_forces is None:
-            return [each for each in allowed if each != "hertz"]
+            return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [*allowed, "load_sharing"]
 
     def refuse_beyond(self, settings: Settings) -> None:

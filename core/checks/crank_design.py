@@ -444,7 +444,9 @@ class CrankDesign:
         """Where the largest pressure is reached."""
         force = self.judged_forces
         if edges := self._edges(1.0):
-            return {"satellite": max(edges)[1]}
+            satellite = max(edges)[1]
+            known = isinstance(force, RealForces) and force.place["satellite"] == satellite
+            return force.place if known else {"satellite": satellite}  # type: ignore[union-attr]
         if isinstance(force, RealForces):
             return force.place
         if force is None:

@@ -187,6 +187,9 @@ def crank_checks(design: CrankDesign) -> Verdict:
     -------
     Verdict
     """
+    tables = crank_tables(design)
+    if "pin_fatigue" in tables and design.loaded:
+        _ = design.pin_strength  # of which the others take what they need
     real = design.loaded and design.touching and isinstance(design.judged_forces, RealForces)
     absent = {
         "load": not design.loaded,
@@ -196,6 +199,6 @@ def crank_checks(design: CrankDesign) -> Verdict:
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
     }
     return verdict(
-        [check(design) for check in crank_tables(design).values()],
+        [check(design) for check in tables.values()],
         tuple(name for name, so in absent.items() if so),
     )

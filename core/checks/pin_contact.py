@@ -49,7 +49,6 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
         reserve=design.torque_factor(_force_factor(contact, design.contact_at, limit)),
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
-        rough=design.as_made and design.pin is not None,
         at=design.peak,
         **more,
     )

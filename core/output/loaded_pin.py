@@ -14,9 +14,9 @@ from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
     CELLS,
+    JOINT_ROUNDS,
     JOINT_SMOOTH,
     NEAR,
-    ROUNDS,
     Found,
     Measure,
     Points,
@@ -163,7 +163,7 @@ class LoadedPin:
                 widths=(tops.width, own.length),
                 limits=((0.0, 1.0), (own.low, own.high)),
                 cells=(CELLS, CELLS // 2),
-                rounds=JOINT_SMOOTH if turn.smooth else ROUNDS,
+                rounds=JOINT_SMOOTH if turn.smooth else JOINT_ROUNDS,
             )
             top = int(values.argmax())
             return float(values[top]), float(x[top]), 0.0
@@ -183,7 +183,7 @@ class LoadedPin:
             widths=(tops.width,),
             limits=((0.0, 1.0),),
             cells=(CELLS,),
-            rounds=ROUNDS,
+            rounds=JOINT_ROUNDS,
         )
         top = int(values.argmax())
         moment = _summed(arms[None], at(way[:, None]))[top, 0, 0]
@@ -291,8 +291,8 @@ class LoadedPin:
                     np.full(len(upper), start.angle),
                 ),
                 limits=((0.0, 1.0), (0.0, 1.0), (start.low, start.high), (-math.inf, math.inf)),
-                cells=(CELLS, CELLS, CELLS // 2, CELLS // 2),
-                rounds=JOINT_SMOOTH if turn.smooth and not corners else ROUNDS,
+                cells=(CELLS, CELLS, CELLS // 2, CELLS),
+                rounds=JOINT_SMOOTH if turn.smooth and not corners else JOINT_ROUNDS,
             )
             best = int(values.argmax())
             ends[:] = [

@@ -39,8 +39,8 @@ BEFORE = AFTER[::-1]
 SETTLED = 1e-15
 """How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
-JOINT_SMOOTH = 8
-"""Rounds in all variables at once, where the forces are smooth."""
+JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
+"""Rounds in all variables at once, where the forces are smooth and where not."""
 
 BLOCK = 1_000_000
 """Numbers that are worked on at once."""
@@ -268,7 +268,7 @@ def narrowed(
             if grid.shape[1] > 1:
                 edge = (index == 0) | (index == 2 * cells[k])
                 stuck = edge & (here[k] != low) & (here[k] != high)
-                around[k] = around[k] * np.where(stuck, 2.0, 1 / cells[k])
+                around[k] = around[k] * np.where(stuck, 2.0, 2 / cells[k])
     return best, tuple(here)
 
 

@@ -1278,12 +1278,17 @@ export default {
       trapezoid_shaft: "трапеции вдоль вала",
       trapezoid_z: "трапеции в z",
       monte_carlo: "случайные экземпляры, процентили по порядковым статистикам",
+      monte_carlo_double: "случайные экземпляры, вдвое больше углов кривошипа",
+      monte_carlo_finest: "разброс экземпляров, вчетверо больше углов кривошипа",
+      monte_carlo_half: "случайные экземпляры, половина углов кривошипа",
+      monte_carlo_quarter: "случайные экземпляры, четверть углов кривошипа",
     },
     settings: {
       default: "без настроек",
       level: "уровень {value}",
       points: "n = {value}",
       steps: "шагов: {value}",
+      pieces: "экземпляров: {value}",
       positions: "положений: {value}",
     },
     fields: {

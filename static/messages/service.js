@@ -258,6 +258,10 @@ export default {
     "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",
+    "monte_carlo_double": "random pieces, twice the crank angles",
+    "monte_carlo_finest": "scatter of the pieces, four times the crank angles",
+    "monte_carlo_half": "random pieces, half the crank angles",
+    "monte_carlo_quarter": "random pieces, a quarter of the crank angles",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",
     "multiple_sorting": "sorting in multiple precision",
@@ -287,6 +291,7 @@ export default {
   "settings": {
     "default": "default",
     "level": "level {value}",
+    "pieces": "{value} pieces",
     "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps"

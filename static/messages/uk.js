@@ -1278,12 +1278,17 @@ export default {
       trapezoid_shaft: "трапеції вздовж вала",
       trapezoid_z: "трапеції в z",
       monte_carlo: "випадкові екземпляри, процентилі за порядковими статистиками",
+      monte_carlo_double: "випадкові екземпляри, удвічі більше кутів кривошипа",
+      monte_carlo_finest: "розкид екземплярів, учетверо більше кутів кривошипа",
+      monte_carlo_half: "випадкові екземпляри, половина кутів кривошипа",
+      monte_carlo_quarter: "випадкові екземпляри, чверть кутів кривошипа",
     },
     settings: {
       default: "без налаштувань",
       level: "рівень {value}",
       points: "n = {value}",
       steps: "кроків: {value}",
+      pieces: "екземплярів: {value}",
       positions: "положень: {value}",
     },
     fields: {

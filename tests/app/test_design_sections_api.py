@@ -261,3 +261,74 @@ async def test_wear_over_the_required_life(api):
         "pin_wear_mm"
         not in (await answered(api, changed(friction={"coefficient": 0.1})))["output_efficiency"]
     )
+
+
+FAILING = {
+    "pins": changed(pin=DESIGN["pin"] | {"diameter_mm": 16.0}, load__output_torque_Nm=800.0),
+    "sleeved pins": changed(
+        pin=DESIGN["pin"] | {"diameter_mm": 11.0}, friction__sleeve=True, bearing=None
+    ),
+    "asked": changed(
+        pin=None,
+        fatigue=None,
+        requirements={
+            "min_efficiency": 0.95,
+            "max_wear_mm": 0.05,
+            "max_sliding_speed_m_per_s": 0.2,
+            "max_unbalance_couple_Nm": 1.0,
+            "max_outer_diameter_mm": 130.0,
+        },
+        satellite_body={"outer_radius_mm": 66.5},
+        crankshaft__bearings=[{"kind": "ball", "dynamic_rating_N": 6000.0}] * 2,
+        bearing__weibull_slope=1.1,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FAILING)
+async def test_every_fix_makes_its_check_pass(api, name):
+    body = FAILING[name] | {"include": ["checks", "fixes"], "fixes_for": "failed"}
+    answer = await answered(api, body)
+    failed = {each["code"] for each in answer["checks"] if each["status"] == "fail"}
+    assert {each["code"] for each in answer["fixes"]} == failed
+    for fix in answer["fixes"]:
+        fixed = deepcopy(body) | {"include": ["checks"]}
+        for pointer, value in fix["sets"].items():
+            *parts, last = pointer.split("/")[1:]
+            inner = fixed
+            for part in parts:
+                inner = inner[int(part)] if isinstance(inner, list) else inner[part]
+            inner[last] = value
+        after = await answered(api, fixed)
+        assert after["verdict"] == fix["verdict"], fix
+        checks = {each["code"]: each for each in after["checks"]}
+        if fix["status"] == "solved":
+            assert checks[fix["code"]]["status"] == "pass", fix
+
+
+async def test_what_is_missing_is_pointed_to(api):
+    body = changed(
+        load__input_speed_rpm=None,
+        bearing__static_rating_N=None,
+        gear=None,
+        fatigue={"surface": "ground"},
+        pin__material={"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3},
+        requirements={"max_outer_diameter_mm": 100.0, "min_efficiency": 0.5},
+        include=["checks"],
+    )
+    answer = await answered(api, body)
+    missing = {each["code"]: each.get("missing") for each in answer["checks"]}
+    for code, pointers in {
+        "pin_static": ["/pin/material/yield_strength_MPa"],
+        "pin_fatigue": ["/pin/material/tensile_strength_MPa"],
+        "bearing_life": ["/gear"],
+        "efficiency": ["/load/input_speed_rpm"],
+        "outer_diameter": ["/satellite_body/outer_radius_mm"],
+        "wear": ["/requirements/max_wear_mm"],
+        "crank_bearing_life": ["/crankshaft/bearings"],
+    }.items():
+        assert missing[code] == pointers, code
+    assert answer["not_considered"] == ["satellite_body", "clearance", "gear"]
+    pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
+    assert "/pin/satellite_positions_mm" in pin["inputs"]
+    assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]

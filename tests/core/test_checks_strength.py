@@ -151,7 +151,7 @@ def test_the_slope_concentrates_the_pressure() -> None:
     (force,), (slope,) = loads.deflection.forces, loads.deflection.slopes  # type: ignore[union-attr]
     factor = math.sqrt(2 * slope * 0.02 * 1e9 / force)
     assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
-    assert found.at == {"satellite": 1}
+    assert found.at["satellite"] == 1
 
 
 def test_friction() -> None:
