@@ -102,6 +102,7 @@ async function partsOf(id) {
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
     calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
+    calculations,
     version: openapi.info.version,
   };
 }

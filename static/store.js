@@ -83,14 +83,18 @@ export function typedIn(state, path, text, time) {
 
 /** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
 export function switched(state, id, on, time) {
-  const { typed, about: { model: { fields }, calculator }, reading: { filled } } = state;
-  const { starts = () => ({}) } = calculator.wanted.find((group) => group.id === id);
-  const values = Object.entries(starts(filled));
-  const empty = values.every(([path]) => typed.texts[path] === "");
-  const texts = {
-    ...typed.texts, [`${id}.on`]: on ? "on" : "",
-    ...(on && empty && Object.fromEntries(values.map(([path, value]) => [path, textIn(fields.get(path), value)]))),
+  const { typed, about: { model: { fields }, calculator: { wanted } }, reading: { filled } } = state;
+  const texts = { ...typed.texts };
+  const turn = ({ id: one, starts = () => ({}), needs }) => {
+    texts[`${one}.on`] = on ? "on" : "";
+    if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
+    const values = Object.entries(starts(filled)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
+    const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
+    const empty = values.every(([path]) => untouched(path) || fields.get(path).wanted !== one);
+    for (const [path, value] of values) if (empty && untouched(path)) texts[path] = textIn(fields.get(path), value);
+    if (needs && texts[`${needs}.on`] !== "on") turn(wanted.find((group) => group.id === needs));
   };
+  turn(wanted.find((group) => group.id === id));
   return read({ ...state, refusal: null }, recorded(state.history, { ...typed, texts }, undefined, time));
 }
 
@@ -106,7 +110,7 @@ function seeds({ typed: { texts }, reading: { filled }, about: { model, calculat
   const { fields } = choice.options.find(({ id }) => id === option);
   if (!fields.every((field) => ["", textIn(field, field.default)].includes(texts[field.path]))) return {};
   const values = choice.auto
-    ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id])
+    ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id] || texts[calculator.alike?.[choice.id]])
     : calculator.seeds[`${choice.id}.${option}`]?.(filled) ?? {};
   return Object.fromEntries(Object.entries(values)
     .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))

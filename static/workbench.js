@@ -49,7 +49,7 @@ function lightEachOther(form, drawing) {
  * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
  * and `on.say(text)` tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, typed, claim, lengths, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
     ...named(true), ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]), ...named(false),
@@ -205,7 +205,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const measured = all.filter((figure) => figure.measured);
   const figures = all.filter((figure) => !figure.measured);
-  const wanted = createWanted({ calculator, store, client, titles, figures });
+  const wanted = createWanted({ calculator, store, client, titles, figures, calculations });
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
   const column = (name, ...views) => {
     const part = element(html`<div class="${name}"></div>`);

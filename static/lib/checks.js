@@ -1,13 +1,22 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatNumber, formatQuantity, shownDigits } from "./format.js";
+import { formatNumber, formatQuantity, shownDigits, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve", "largest_torque_Nm",
 ];
+/** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
+export function flattened(section) {
+  return Object.entries(section).flatMap(([name, value]) => {
+    const parted = typeof value === "object" && !Array.isArray(value) && unitOf(name) === "" && !("pin" in value) && !ASIDE.includes(name);
+    if (!parted) return [[name, value]];
+    return flattened(value).map(([own, one]) => [message("quantity")[`${name}_${own}`] ? `${name}_${own}` : own, one]);
+  });
+}
+
 const JUDGED = ["pass", "marginal", "fail"];
 
 /** What an answer says of the whole design, from the section that has it; null where none has. */
@@ -58,7 +67,7 @@ export function checkRow(check, titles) {
     formula: check.formula ?? "",
     source: [
       criterion && (said("criteria", criterion) ?? criterion),
-      source && (said("limitSources", sourceCode) ?? said("checkSources", sourceCode) ?? source),
+      source && (said(criterion ? "limitSources" : "checkSources", sourceCode) ?? said(criterion ? "checkSources" : "limitSources", sourceCode) ?? source),
       check.verified && message(`checks.${check.verified}`),
     ].filter(Boolean).join(": "),
     place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatQuantity(at.crank_angle_deg ?? 0, "°", 5) }),

@@ -19,7 +19,7 @@ function put(input, path, value) {
   const keys = path.split(".");
   const last = keys.pop();
   let part = input;
-  for (const key of keys) part = part[key] ??= {};
+  for (const [i, key] of keys.entries()) part = part[key] ??= /^\d+$/.test(keys[i + 1] ?? last) ? [] : {};
   part[last] = value;
 }
 
@@ -80,7 +80,7 @@ export function stateFromInput(model, input) {
   const chosen = {};
   for (const choice of model.choices) {
     const given = choice.options.find((option) => option.fields.some((field) => {
-      const value = valueAt(input, field.path);
+      const value = valueAt(input, placeOf(field));
       return value !== undefined && value !== null
         && (Array.isArray(value) || typeof value !== "object");
     }));
@@ -137,6 +137,7 @@ export function readField(field, text) {
   const typed = text.trim();
   if (typed === "") return field.required ? { problem: "required" } : {};
   if (["name", "option", "switch"].includes(field.kind)) return { value: typed };
+  if (field.kind === "flag") return { value: typed === "true" };
   if (field.kind === "names") return { value: typed.split(/;\s*/) };
   if (field.kind === "records") return readRecords(field, typed);
   if (field.kind === "numbers") {

@@ -4,7 +4,7 @@
  * A *field* is one box: `{ path, name, title, help, kind, symbol, unit, step, lowest, highest, ...}`
  * with the dotted path of its value in the request body; `kind` is "number", "integer", "numbers"
  * (a list), "records" (a list of objects, whose boxes are `columns`), "name" (a text chosen from a
- * list that the service gives), "option" (an enumeration), "names" (some of an enumeration) or "switch".
+ * list that the service gives), "option" (an enumeration), "flag" (yes or no), "names" (some of an enumeration) or "switch".
  * A *group* that is `wanted` is off until its first field, a switch, is "on"; a field of it is shown
  * only where another one says one of some words, its `when`.
  * A *choice* is a set of options, each with its own fields, of which one option is shown.
@@ -55,7 +55,7 @@ function bounds(schema) {
 function kindOf(schema, resolve) {
   if (schema.enum) return "option";
   if (schema.type === "array" && resolve(schema.items).type === "object") return "records";
-  return { number: "number", integer: "integer", array: "numbers", string: "name" }[schema.type];
+  return { number: "number", integer: "integer", array: "numbers", string: "name", boolean: "flag" }[schema.type];
 }
 
 function fieldOf(schema, path, required, resolve) {
@@ -72,7 +72,7 @@ function fieldOf(schema, path, required, resolve) {
     symbol: schema["x-symbol"] ?? "",
     unit: schema["x-unit"] ?? unitOf(name),
     step: schema["x-step"] ?? (kind === "integer" ? 1 : undefined),
-    options: schema.enum,
+    options: schema.enum ?? (kind === "flag" ? ["false", "true"] : undefined),
     group: schema["x-group"],
     advanced: schema["x-advanced"] ?? false,
     required,
@@ -171,16 +171,24 @@ export function formModel(openapi, {
   // What follows another box is always said, be it by that one: figures need it too.
   for (const field of items.flatMap(fieldsOf)) field.required ||= Boolean(suggestions[field.path]?.needs);
   const besides = wanted.map((group) => wantedGroup(openapi, group, words));
-  const fields = new Map([...items, ...besides.flatMap((group) => group.items)].flatMap(fieldsOf).map((field) => [field.path, field]));
+  const every = [...items, ...besides.flatMap((group) => group.items)];
+  const fields = new Map(every.flatMap(fieldsOf).map((field) => [field.path, field]));
   const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
   return {
-    groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: items.filter((item) => !item.path), fields, linked,
+    groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: every.filter((item) => !item.path), fields, linked,
   };
 }
 
+/** A property of an object, an entry of a list. */
+function stepInto({ properties, items }, key) {
+  return /^\d+$/.test(key) ? items : properties?.[key];
+}
+
+const rawAt = (schema, at, resolve) => at.split(".").reduce((part, key) => part && stepInto(resolve(part), key), schema);
+
 /** The schema of a part of a body, by its dotted path; of what may be a number or more, the number. */
 function partAt(schema, at, resolve) {
-  const found = at.split(".").reduce((part, key) => part && resolve(part).properties?.[key], schema);
+  const found = rawAt(schema, at, resolve);
   if (!found) return null;
   const { anyOf, oneOf, ...about } = resolve(found);
   const number = (anyOf ?? oneOf ?? []).map(resolve).find(({ type }) => type === "number");
@@ -196,7 +204,7 @@ function allowedBy(pattern) {
 /**
  * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `rows` and `columns` of a list of records that the body has as lists. A group is `judged` where the verdict
+ * of the schema, `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
  * hangs on it too.
  */
 function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {
@@ -218,9 +226,17 @@ function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {
       ...rest,
     };
   };
+  /** A name of a table or values of its own, else one field. */
+  const item = (at, { without = [], ...own }) => {
+    const raw = bodies.map(({ schema }) => rawAt(schema, at, resolve)).find(Boolean);
+    const choice = raw && namedOrOwn(resolve(raw), at, false, resolve);
+    if (!choice) return { ...made(at, own), wanted: id };
+    return { ...choice, options: choice.options.map((option) => ({
+      ...option, fields: option.fields.filter(({ name }) => !without.includes(name)).map((field) => ({ ...field, wanted: id })),
+    })) };
+  };
   const items = Object.entries({ [`${id}.on`]: { kind: "switch", words: ["on", id] }, ...fields }).map(([at, { columns, ...own }]) => ({
-    ...made(at, own),
-    wanted: id,
+    ...item(at, own),
     ...(columns && {
       kind: "records",
       columns: columns.map((column) => made(column, { leaf: true, path: `${at}.${column.split(".").pop()}` })),
@@ -252,10 +268,11 @@ export function fieldsOf(item) {
   return item.path ? [item] : item.options.flatMap(({ fields }) => fields);
 }
 
-/** Where what a check misses is entered: the field itself; of an entry of a table, the first of its own values that may be empty. */
-export function entryOf({ choices }, path) {
+/** Where what a check misses is entered: the field itself; of an entry of a table or of a part, the first of its own values that may be empty. */
+export function entryOf({ choices, fields }, path) {
   const own = choices.find(({ id, auto }) => auto && id === path)?.options.find(({ id }) => id === "own");
-  return own?.fields.find(({ required }) => !required)?.path ?? path;
+  const parts = fields.has(path) ? [] : [...fields.values()].filter((field) => field.path.startsWith(`${path}.`));
+  return (own?.fields ?? parts).find((field) => !field.required && field.default === undefined)?.path ?? path;
 }
 
 /** The options that show a field, `{ choice: option }`. */

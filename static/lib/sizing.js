@@ -21,9 +21,18 @@ export function targetsOf(calculator, answer, path) {
   return checks.length === 0 ? [] : [...own, ...reserve, ...shares].map((target, id) => ({ id: String(id), ...target }));
 }
 
+/** The design as it was asked about, with all that is wanted of it; without what the answer is to contain. */
+function designOf(calculator, { input: { besides, ...input }, requests = [] }) {
+  const { include, load, ...design } = requests.findLast(({ path }) => path.endsWith(calculator.path))?.body ?? input;
+  return { ...design, ...(load && { load: { ...load, include: undefined } }) };
+}
+
+const valueAt = (part, path) => path.split(".").reduce((inner, key) => inner?.[key], part);
+
 /** The request: the value is looked for about the one at hand, within the field's own limits. */
-export function solveBody(calculator, field, { input: { besides, ...input }, filled }, target, amount, want) {
-  const value = field.path.split(".").reduce((part, key) => part?.[key], filled);
+export function solveBody(calculator, field, shown, target, amount, want) {
+  const input = designOf(calculator, shown);
+  const value = valueAt(shown.filled, field.path) ?? valueAt(shown.filled.besides, field.path);
   const counted = field.kind === "integer";
   const within = (number) => Math.min(Math.max(number, field.lowest ?? -Infinity), field.highest ?? Infinity);
   const range = counted ? [1, Math.max(MOST_COUNTED, value ?? 1)] : [(value ?? 1) / WIDEST, (value ?? 1) * WIDEST];

@@ -4,6 +4,8 @@
  */
 const LBF = 4.4482216152605; // N
 const INCH = 25.4; // mm
+const FOOT = 0.3048; // m
+const POUND = 0.45359237; // kg
 const PSI = LBF / INCH ** 2; // MPa
 
 /** The unit of a radius in mm that is shown and typed as a diameter. */
@@ -22,6 +24,12 @@ const SHOWN = {
     "mm/N": ["in/lbf", INCH / LBF],
     MPa: ["psi", PSI],
     GPa: ["Mpsi", PSI * 1000],
+    "m/s": ["ft/s", FOOT],
+    "MPa·m/s": ["psi·ft/min", (PSI * FOOT) / 60],
+    "mm³/(N·m)": ["in²/lbf", (INCH ** 3 * 1000) / (LBF * INCH)],
+    kg: ["lb", POUND],
+    "kg·mm": ["lb·in", POUND * INCH],
+    "kg/m³": ["lb/in³", POUND / (INCH / 1000) ** 3],
   },
 };
 

@@ -1,5 +1,5 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
-import { ASIDE, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/checks.js";
+import { ASIDE, flattened, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message } from "../messages/index.js";
@@ -41,7 +41,7 @@ const XYZ = ["x", "y", "z"];
 
 /** The numbers of a section, those of vectors each: `[[id, title, unit, value]]`. */
 function numbersOf(section, elsewhere) {
-  return Object.entries(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
+  return flattened(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
     const title = () => message(`quantity.${name}`)[0];
     if (isNumber(value)) return [[name, title(), unitOf(name), value]];
     const parts = Array.isArray(value) && value.length <= XYZ.length ? value.map((one, i) => [XYZ[i], one])

@@ -18,8 +18,8 @@ export function createDrawingView({ calculator, on }) {
   const { create, moving, start: startOf } = calculator.drawing;
   const title = message(`drawing.${calculator.id}`);
   const root = element(html`
-    <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="mechanism-title">
-      <div class="head"><h2 id="mechanism-title">${title}</h2><span class="figure-tools">
+    <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="drawing-${calculator.id}">
+      <div class="head"><h2 id="drawing-${calculator.id}">${title}</h2><span class="figure-tools">
         ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
           aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}</span></div>
       ${moving && html`<div class="motion">

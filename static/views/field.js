@@ -5,7 +5,7 @@ import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
 
 function box(field, id) {
-  if (field.kind === "name" || field.kind === "option") {
+  if (["name", "option", "flag"].includes(field.kind)) {
     return html`<select id="${id}" class="box" aria-describedby="${id}-message"></select>`;
   }
   const mode = field.kind === "integer" ? "numeric" : field.kind === "numbers" ? "text" : "decimal";

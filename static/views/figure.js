@@ -136,8 +136,9 @@ export function createFigure({ figure: about, client, titles, on }) {
     toggle.setAttribute("aria-pressed", String(tabled));
     table.hidden = !tabled;
     plot.root.hidden = tabled;
-    if (measure) show();
-    else on.tabled(figure.id, tabled);
+    if (figure.tables) on.tabled(figure.id, tabled);
+    else if (measure) show();
+    else drawing = draw();
   });
 
   for (const button of measures) button.addEventListener("click", async () => {

@@ -91,7 +91,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   function addField(field, host) {
     const view = creates(field)(field, {
       suggestion: suggestions[field.path],
-      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path] && !field.wanted,
+      sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
       on: {
         switched: (chosen) => on.switched(field.wanted, chosen),
         size: () => on.size(field.path),
@@ -125,10 +125,24 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (fields.has(items[0].path) || !wants(state, id)) return;
       const host = element(html`<div class="wanted-fields"></div>`);
       const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
-      for (const item of items) addField(item, item.advanced ? more : host);
-      host.append(more);
+      for (const item of items) addItem(item, item.advanced ? more : host);
+      if (more.children.length > 1) host.append(more);
       part.append(host);
     };
+  }
+
+  /** A field or a choice of the form. */
+  function addItem(item, part) {
+    if (item.path) {
+      addField(item, part);
+      return;
+    }
+    const view = createChoice(choiceAbout(item), { on: { chosen: (option) => on.chosen(item.id, option) } });
+    choices.set(item.id, view);
+    for (const option of item.options) {
+      for (const field of option.fields) addField(field, view.part(option.id));
+    }
+    part.append(view.root);
   }
 
   const isRadius = ({ name = "" }) => name.endsWith("_radius_mm");
@@ -144,18 +158,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     if (group === firstRadius) addLengths(part);
     const rare = (item) => FOLDED.includes(group.id) || item.advanced;
     const rarely = group.items.filter(rare);
-    for (const item of group.items.filter((one) => !rare(one))) {
-      if (item.path) {
-        addField(item, part);
-        continue;
-      }
-      const view = createChoice(choiceAbout(item), { on: { chosen: (option) => on.chosen(item.id, option) } });
-      choices.set(item.id, view);
-      for (const option of item.options) {
-        for (const field of option.fields) addField(field, view.part(option.id));
-      }
-      part.append(view.root);
-    }
+    for (const item of group.items.filter((one) => !rare(one))) addItem(item, part);
     if (rarely.length > 0) {
       const more = element(html`<details class="more"><summary>${message(FOLDED.includes(group.id) ? `group.${group.id}` : "form.more")}</summary></details>`);
       for (const field of rarely) addField(field, more);
@@ -172,6 +175,10 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     if (entries) return properties(entries.find(({ name }) => name === text));
     return suggestions[field.path]?.note?.(filled) ?? "";
   }
+
+  /** The names of a table; none of them is one too where the box may be empty. */
+  const namesOf = ({ path, required, default: preset }) => (required || preset || !catalogues[path]
+    ? catalogues[path] : [{ name: "", title: message("form.alike") }, ...catalogues[path]]);
 
   /** Texts, choices and messages. A field that nobody has touched asks: it is not called wrong. */
   function show(state) {
@@ -190,7 +197,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       }
       const reading = missing.includes(path) ? {} : readings[path];
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
-      const names = catalogues[path] ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
+      const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
       if (names) view.setNames?.(names, texts[path]);
       view.setText(texts[path]);
       view.setRows?.(field.rows(filled));
@@ -225,7 +232,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   const sizes = following(({ shown }) => [shown], ({ shown }) => {
     const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
     const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
-    for (const [path, view] of fields) if (!model.fields.get(path).wanted) view.setSizable?.(inputs.has(path));
+    for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
   });
   const boxes = following(({ typed, refusal, besides, touched, insisted }) => [typed, refusal, besides, touched, insisted], (state) => {
     show(state);

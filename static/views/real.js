@@ -3,7 +3,7 @@ import { element, fill, html } from "../lib/html.js";
 import { arrow, circle, label, line, paper } from "../lib/svg.js";
 import { message } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
-import { besided, following } from "../store.js";
+import { following } from "../store.js";
 import { createFigure } from "./figure.js";
 import { sign } from "./parts.js";
 
@@ -25,7 +25,7 @@ function largerHole() {
   ]);
 }
 
-export function createView({ id, store, client, titles, figures, logic, asking }) {
+export function createView({ id, client, titles, figures, logic, asking }) {
   const root = element(html`
     <div class="real"><p class="state"></p>
       <dl class="numbers"></dl><ul class="sentences"></ul>
@@ -41,8 +41,7 @@ export function createView({ id, store, client, titles, figures, logic, asking }
     client,
     titles,
     on: {
-      tabled: () => store.apply(besided, id, { body: { ...store.state.besides[id].body } }), // drawn anew, as a table
-      charted() {}, turned() {}, set() {}, picked() {}, tables: () => [],
+      charted() {}, turned() {}, set() {}, picked() {},
     },
   });
   root.querySelector(".more").before(figure.root, element(html`<p class="figure-note">${message("real.lines")}</p>`));

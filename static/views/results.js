@@ -1,5 +1,5 @@
 /** All results as tables, a section each; warnings above. */
-import { ASIDE } from "../lib/checks.js";
+import { ASIDE, flattened } from "../lib/checks.js";
 import { quantityParts, shownDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
@@ -69,27 +69,25 @@ function warningsMarkup(warnings = [], titles) {
     html`<li>${sign(levelOf(warning.code))}<span>${warningText(warning, titles)}</span></li>`)}</ul>`;
 }
 
-function sectionMarkup(id, section, elsewhere, titles) {
-  if (!section) {
-    return html`<section class="card result" data-section="${id}"><h2>${message(`section.${id}`)}</h2>
-      <p class="missing">${message("results.missing")}</p></section>`;
-  }
+/** Warnings and values of a section. */
+export function valuesMarkup(section, elsewhere, titles) {
   const digits = shownDigits(section.accuracy.relative_error);
-  const entries = Object.entries(section)
-    .filter(([name]) => !ASIDE.includes(name) && !elsewhere.includes(name));
+  const entries = flattened(section).filter(([name]) => !ASIDE.includes(name) && !elsewhere.includes(name));
   const lists = entries.filter(([, value]) => Array.isArray(value));
   return html`
-    <section class="card result" data-section="${id}">
-      <h2>${message(`section.${id}`)}</h2>
-      ${warningsMarkup(section.warnings, titles)}
-      <table class="quantities">
-        <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
-          <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
-          <th scope="col">${message("results.unit")}</th></tr></thead>
-        <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
-      </table>
-      ${lists.map((list) => records(list, elsewhere))}
-    </section>`;
+    ${warningsMarkup(section.warnings, titles)}
+    <table class="quantities">
+      <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
+        <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
+        <th scope="col">${message("results.unit")}</th></tr></thead>
+      <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
+    </table>
+    ${lists.map((list) => records(list, elsewhere))}`;
+}
+
+function sectionMarkup(id, section, elsewhere, titles) {
+  return html`<section class="card result" data-section="${id}"><h2>${message(`section.${id}`)}</h2>
+    ${section ? valuesMarkup(section, elsewhere, titles) : html`<p class="missing">${message("results.missing")}</p>`}</section>`;
 }
 
 /**
@@ -104,7 +102,8 @@ export function createResults({ calculator, titles }) {
     root,
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
-      fill(host, html`${calculator.sections.map((id) =>
+      const own = calculator.sections.filter((id) => !calculator.wanted?.some(({ section }) => section === id));
+      fill(host, html`${own.map((id) =>
         sectionMarkup(id, shown.answer[id], calculator.elsewhere, titles))}`);
     }),
   };

@@ -1,27 +1,27 @@
 /** The places of the groups that are off until wanted: hidden until then; what is shown there is loaded when one is switched on. */
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { wants } from "../store.js";
+import { besided, wants } from "../store.js";
 
-/** `with` are `{ store, client, titles, figures }` for the views; a figure of theirs joins `figures`, those of the report. */
+/** The rest are `{ store, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`, those of the report. */
 export function createWanted({ calculator, ...parts }) {
   const root = element(html`<div class="besides"></div>`);
-  const groups = (calculator.wanted ?? []).map(({ id, load }) => {
+  const groups = (calculator.wanted ?? []).filter(({ load }) => load).map(({ id, section, load }) => {
     const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
       <h2 id="wanted-${id}">${message(`${id}.title`)}</h2></section>`);
     root.append(place);
-    return { id, load, place, loading: null, asking: null, view: null };
+    return { id, section, load, place, loading: null, asking: null, view: null };
   });
   let closed = false;
 
   async function open(group) {
     try {
-      const [[logic, { createView }], { createBeside }] = await Promise.all([group.load(), import("../besides.js")]);
+      const [[logic, { createView }], { createBeside }] = await Promise.all([group.load(), group.section ? {} : import("../besides.js")]);
       if (closed) return;
-      group.asking = createBeside({ ...parts, id: group.id, logic });
-      group.view = createView({ ...parts, id: group.id, logic, asking: group.asking });
+      group.asking = createBeside?.({ ...parts, id: group.id, logic });
+      group.view = createView({ ...parts, ...group, logic });
       group.place.append(group.view.root);
-      update(parts.store.state);
+      parts.store.apply(besided, group.id, { steps: logic.steps });
     } catch {
       group.loading = null; // the next change tries again
     }

@@ -94,11 +94,12 @@ export function createWorked({ calculator, materialOf, on }) {
 
   return {
     root,
-    update: following((state) => [state.shown], (state) => {
-      if (!state.shown) return;
-      const { filled: input, answer } = state.shown;
+    update: following(({ shown, besides }) => [shown, ...Object.values(besides).map(({ steps }) => steps)], ({ shown: now, besides }) => {
+      if (!now) return;
+      const { filled: input, answer } = now;
       const open = new Set(all().filter((details) => details.open).map(({ dataset }) => dataset.section));
-      shown = { answer, groups: calculator.worked({ input, answer, materialOf }) };
+      const more = Object.fromEntries(Object.entries(besides).map(([id, { steps }]) => [id, steps]));
+      shown = { answer, groups: calculator.worked({ input, answer, materialOf, more }) };
       fill(host, html`${shown.groups.map(({ section, steps }) => html`
         <details data-section="${section}"><summary>${message("worked.group", {
           section: message(`section.${section}`), count: steps.length,

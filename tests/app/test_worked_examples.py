@@ -20,6 +20,60 @@ PATHS = {
 GEAR = ("roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12")
 STEEL = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3, "allowable_pressure_MPa": 900.0}
 
+PIN_STEEL = STEEL | {"yield_strength_MPa": 800.0, "tensile_strength_MPa": 1000.0}
+BARE: dict[str, Any] = {
+    "strength": {"on": "on", "surface": "bare"},
+    "pin": {
+        "support": "cantilever",
+        "satellite_positions_mm": [15.0, 37.0],
+        "rotates": False,
+        "material": PIN_STEEL,
+    },
+    "fatigue": {
+        "surface": "machined",
+        "notch": {"theoretical_factor": 2.0, "radius_mm": 0.5},
+        "reliability_percent": 99.0,
+    },
+    "losses": {"on": "on"},
+    "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8},
+    "bearings": {"on": "on"},
+    "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+    "bearing": {
+        "kind": "roller",
+        "dynamic_rating_N": 60000.0,
+        "static_rating_N": 40000.0,
+        "reliability_percent": 95.0,
+        "weibull_slope": 1.1,
+    },
+    "crank": {"on": "on"},
+    "crankshaft": {
+        "satellite_positions_mm": [20.0, 42.0],
+        "bearing_positions_mm": [0.0, 62.0],
+        "satellite_mass_kg": 1.5,
+        "bearings": [
+            {"kind": "ball", "dynamic_rating_N": 30000.0},
+            {"kind": "roller", "dynamic_rating_N": 20000.0},
+        ],
+    },
+}
+SLEEVED: dict[str, Any] = BARE | {
+    "strength": {"on": "on", "surface": "sleeved"},
+    "pin": BARE["pin"] | {"support": "supported", "span_mm": 52.0, "diameter_mm": 11.0},
+    "fatigue": {"endurance_limit_MPa": 300.0, "criterion": "soderberg"},
+    "gear": {"kind": "cycloid", "ring_pin_circle_radius_mm": 60.0},
+    "bearing": {"kind": "ball"},
+    "crankshaft": {
+        "satellite_positions_mm": [20.0, 42.0],
+        "bearing_positions_mm": [0.0, 62.0],
+    },
+}
+SECTIONS = {
+    "pin": "pin_strength",
+    "friction": "output_efficiency",
+    "bearing": "satellite_bearing",
+    "crankshaft": "crankshaft",
+}
+
 MORE: list[dict[str, Any]] = [
     {
         "calculation": "crank-planetary",
@@ -80,6 +134,28 @@ MORE: list[dict[str, Any]] = [
             },
         },
     },
+    *(
+        {
+            "calculation": "crank-planetary",
+            "input": {
+                "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+                "load": {
+                    "output_torque_Nm": 500.0,
+                    "pin_circle_radius_mm": 50.0,
+                    "input_speed_rpm": 1500.0,
+                },
+                "contact": {
+                    "contact_length_mm": 20.0,
+                    "pin_radius_mm": 8.0,
+                    "eccentricity_mm": 2.0,
+                    "hole_radius_mm": 10.0,
+                },
+                "requirements": {"life_h": 4000.0},
+                "besides": besides,
+            },
+        }
+        for besides in (BARE, SLEEVED)
+    ),
     {
         "calculation": "roller-strength",
         "input": {
@@ -135,11 +211,19 @@ async def _answer(api: Any, calculation: str, given: dict[str, Any]) -> dict[str
         sections = ["cyclogram", "contact_force", "hertz"]
         if "eccentricity_mm" in given["contact"]:
             sections.append("geometry")
-            own = given["contact"]
-            if own["hole_radius_mm"] - own["pin_radius_mm"] - own["eccentricity_mm"] > 1e-9:
+            contact = given["contact"]
+            play = contact["hole_radius_mm"] - contact["pin_radius_mm"]
+            if play - contact["eccentricity_mm"] > 1e-9:
                 sections.append("load_sharing")
+        besides = given.get("besides", {})
+        sections += [section for part, section in SECTIONS.items() if part in besides]
+        parts = {name: besides[name] for name in ("fatigue", "gear", *SECTIONS) if name in besides}
+        if besides:
+            sleeved = besides["strength"]["surface"] == "sleeved"
+            parts["friction"] = besides["friction"] | {"sleeve": sleeved}
+        own = {name: part for name, part in given.items() if name != "besides"}
         load = given["load"] | {"include": ["equal_sharing", "approximation"]}
-        body = given | {"load": load, "include": sections}
+        body = own | parts | {"load": load, "include": sections}
         answer = {name: part for name, part in (await post(calculation, body)).items() if part}
         if "load_sharing" in answer:  # whose errors are estimates, not the same on all machines
             answer["load_sharing"] = {

@@ -33,6 +33,18 @@ WANTED = {
     "contact.eccentricity_mm": "2",
     "real.on": "on",
     "contact.hole_clearance_mm": "0.03",
+    "strength.on": "on",
+    "pin.satellite_positions_mm": "9;23",
+    "losses.on": "on",
+    "friction.coefficient": "0.08",
+    "load.input_speed_rpm": "1500",
+    "bearings.on": "on",
+    "gear.kind": "cycloid",
+    "gear.ring_pin_circle_radius_mm": "70",
+    "crank.on": "on",
+    "crankshaft.satellite_positions_mm": "14;28",
+    "crankshaft.bearing_positions_mm": "0;42",
+    "crankshaft.satellite_mass_kg": "0.5",
     "study.on": "on",
     "tolerances.hole_position_mm": "0.02",
     "quantities": "peak_force_N",
@@ -137,6 +149,7 @@ def test_axe_finds_nothing_in_what_was_off_until_wanted(
     expect(page.locator(".real")).to_have_attribute("data-stale", "false", timeout=60_000)
     page.locator('[data-do="run"]').click()
     expect(page.locator(".study .histogram")).to_be_visible(timeout=60_000)
+    expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
     page.evaluate(OPEN_ALL)
     assert violations(page) == []
     for width in (390, 320):

@@ -1,12 +1,14 @@
-"""What is off until wanted: clearance and errors, tolerances."""
+"""What is off until wanted: clearance and errors, tolerances, strength and life."""
 
 from contextlib import suppress
 
 import pytest
 from playwright.sync_api import Error, Locator, Page, Route, expect
 
-from tests.browser.calculator_page import ask, box, number, reopen, settled, show, words_at
+from tests.browser.calculator_page import address, ask, box, number, reopen, settled, show, words_at
 from tests.browser.conftest import Watch
+from tests.browser.test_languages import foreign
+from tests.browser.test_print import printed, text_of
 
 DESIGN = {
     "mechanism.pins": "3",
@@ -54,7 +56,8 @@ def fresh(page: Page) -> None:
 
 def of_wanted(watch: Watch) -> list[str]:
     """What was asked for the sections that are off until wanted."""
-    names = ("load-sharing", "tolerance", "besides", "real.js", "study.js")
+    modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along")
+    names = ("load-sharing", "tolerance", "besides", *(f"/{name}.js" for name in modules))
     return [path for path in watch.paths() if any(name in path for name in names)]
 
 
@@ -137,3 +140,105 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     box(page, "samples").fill("1000000")
     run.click()
     expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
+
+
+STEEL = {
+    "youngs_modulus_GPa": "210",
+    "poissons_ratio": "0.3",
+    "yield_strength_MPa": "800",
+    "tensile_strength_MPa": "1000",
+}
+
+
+HARD = {"load.output_torque_Nm": "40", "contact.hole_material": "steel_bearing"}
+
+
+def part(page: Page, group: str) -> Locator:
+    return page.locator(f'[data-wanted="{group}"]')
+
+
+def value(page: Page, group: str, name: str) -> float:
+    return number(part(page, group).locator(f'[data-name="{name}"] .value').text_content() or "")
+
+
+def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary", **DESIGN | HARD)
+    # Pins: they start from places of the satellites; what is not known is asked for.
+    switch(page, "strength").check()
+    expect(box(page, "pin.satellite_positions_mm")).to_have_value("8; 22")
+    expect(page.locator(".word")).to_contain_text("Not known")
+    page.locator(".checks").get_by_role("button", name="Yield strength").first.click()
+    for name, text in STEEL.items():
+        box(page, f"pin.material.{name}").fill(text)
+    box(page, "fatigue.fatigue_notch_factor").fill("1.5")
+    settled(page)
+    pin = {"satellite_positions_mm": [8, 22], "material": {k: float(v) for k, v in STEEL.items()}}
+    body = {
+        "mechanism": BODY["mechanism"],
+        "load": {"output_torque_Nm": 40, "pin_circle_radius_mm": 40},
+        "contact": {
+            "contact_length_mm": 12,
+            "pin_radius_mm": 5,
+            "eccentricity_mm": 2,
+            "hole_material": "steel_bearing",
+        },
+        "pin": pin,
+        "fatigue": {
+            "surface": "machined",
+            "fatigue_notch_factor": 1.5,
+            "reliability_percent": 99,
+        },
+    }
+    found = ask(service, "/crank-planetary", body)["pin_strength"]
+    assert value(page, "strength", "peak_bending_stress_MPa") == pytest.approx(
+        found["peak_bending_stress_MPa"], 1e-5
+    )
+    assert value(page, "strength", "fatigue_safety_factor") == pytest.approx(
+        found["fatigue"]["safety_factor"], 1e-5
+    )
+    # The pin is drawn to scale, each satellite where it is.
+    drawing = part(page, "strength").locator("svg[data-px-per-mm]")
+    scale = float(drawing.get_attribute("data-px-per-mm") or "")
+    z = [
+        float(drawing.locator(f".series-{i} .force .shaft").get_attribute("x1") or "")
+        for i in (1, 2)
+    ]
+    assert z[1] - z[0] == pytest.approx(14 * scale, abs=0.02)
+    # The shaft needs the ring: it is switched on with it, and off by it.
+    switch(page, "losses").check()
+    switch(page, "crank").check()
+    expect(switch(page, "bearings")).to_be_checked()
+    expect(box(page, "load.input_speed_rpm")).to_have_value("1500")
+    expect(part(page, "crank").locator(".figures").first).to_contain_text("N")
+    expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
+    assert page.evaluate("() => watched.shift") < 0.02
+    part(page, "bearings").locator(".show-table").click()
+    expect(part(page, "bearings").locator(".figure-table td").first).to_be_visible()
+    part(page, "bearings").locator(".show-table").click()
+    switch(page, "bearings").uncheck()
+    expect(switch(page, "crank")).not_to_be_checked()
+    expect(part(page, "crank")).to_be_hidden()
+    page.get_by_role("button", name="Undo").click()
+    expect(switch(page, "crank")).to_be_checked()
+    box(page, "bearing.dynamic_rating_N").fill("5 kN")
+    box(page, "bearing.static_rating_N").fill("5 kN")
+    box(page, "crankshaft.bearings.0.dynamic_rating_N").fill("20000")
+    box(page, "crankshaft.bearings.1.dynamic_rating_N").fill("20000")
+    # What fails first, and a cure of it.
+    expect(page.locator(".word")).to_contain_text("Does not work")
+    page.locator(".fixes button", has_text="Output torque").click(timeout=60_000)
+    expect(page.locator(".word")).not_to_contain_text("Does not work", timeout=30_000)
+    settled(page)
+    # Worked, on paper, in a link, in another language.
+    steps = page.locator('.worked [data-section="crankshaft"]')
+    steps.locator("summary").click()
+    expect(steps.locator("math").first).to_be_visible()
+    text = text_of(printed(page))
+    for words in ("Fatigue notch factor", "Largest reaction at A", "Bearings of the shaft"):
+        assert words in text, words
+    page.goto(f"{address(page)}&lang=uk")
+    settled(page)
+    expect(box(page, "bearing.dynamic_rating_N")).to_have_value("5000")
+    expect(page.locator(".part .js-plotly-plot .xtitle")).to_have_count(4)
+    page.evaluate("() => document.querySelectorAll('details').forEach((d) => d.open = true)")
+    assert foreign(page) == set()

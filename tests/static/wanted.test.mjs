@@ -172,7 +172,7 @@ const DESIGN = {
 const ask = (besides) => real.asked({ ...DESIGN, besides }, DESIGN);
 
 test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
-  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, pin: { support: "rigid" }, load: { torque_direction: "reverse" } });
+  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, load: { torque_direction: "reverse" } });
   assert.deepEqual(body, {
     mechanism: { pins: 3, satellites: 2, ratio: 20 },
     load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, torque_direction: "reverse" },
@@ -182,7 +182,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
   const { hole_radius_mm: _, ...others } = DESIGN.contact;
   assert.deepEqual(ask({ contact: { hole_clearance_mm: 0.03 } }).contact, { ...others, hole_clearance_mm: 0.03 });
   assert.equal(ask({ contact: { hole_clearance_mm: 0.05 } }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
-  assert.deepEqual(ask({ pin: { support: "cantilever", satellite_positions_mm: [5, 15] } }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
+  const pin = { support: "cantilever", satellite_positions_mm: [5, 15], rotates: false };
+  assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
+  assert.equal(ask({ pin }).pin, undefined);
 });
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {

@@ -7,6 +7,8 @@ import { evaluate } from "../../static/lib/formula/evaluate.js";
 import { mathml, plainText } from "../../static/lib/formula/mathml.js";
 import { parse } from "../../static/lib/formula/notation.js";
 import { definition, fromSI, quantity as q } from "../../static/lib/formula/evaluate.js";
+import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
+import { flattened } from "../../static/lib/checks.js";
 import { filled } from "./model.mjs";
 
 // What the service answers to its examples and some more; kept up by a test of the service.
@@ -17,7 +19,10 @@ const materialOf = (path, given) =>
 
 async function stepsOf({ calculator, input, answer }) {
   const { workedSteps } = await import(`../../static/calculators/${calculator}/worked.js`);
-  return workedSteps({ input: filled(calculator, input), answer, materialOf });
+  const wanted = WANTED.filter(({ id, section }) => section && input.besides?.[id]);
+  const more = Object.fromEntries(await Promise.all(wanted.map(async ({ id }) =>
+    [id, (await import(`../../static/calculators/crank-planetary/${id}.js`)).steps])));
+  return workedSteps({ input: filled(calculator, input), answer, materialOf, more });
 }
 
 /** The values as they are written, rounded to their digits. */
@@ -58,7 +63,9 @@ for (const [i, one] of cases.entries()) {
         "slope_B_mrad", "slope_C_mrad", "conformal_error", ...judged];
       const again = section === "meshing_load" ? ["total_length_mm"] : []; // worked with the lines
       const bodies = (values.safety ?? []).map(({ body }) => `safety_${body}`);
-      for (const name of [...Object.keys(values).filter((one) => one !== "safety"), ...bodies]) {
+      const isList = (value) => Array.isArray(value) && typeof value[0] === "object"; // the steps are of the worst, or of all
+      const names = flattened(values).filter(([name, value]) => !isList(value) && name !== "deflection_satellite").map(([name]) => name);
+      for (const name of [...names, ...bodies]) {
         if (![...aside, ...again].includes(name)) assert.ok(worked.has(name), `${section} ${name}`);
       }
     }

@@ -11,11 +11,13 @@ import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { WANTED } from "./wanted.js";
+import { partsOf, WANTED, wantedSections } from "./wanted.js";
 import { pressedBy, workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
-const DESIGN = ["contact_law", "deviations", "pin", "satellite_body", "requirements"]; // parts that are judged beside the contact
+const DESIGN = [ // parts that are judged beside the contact
+  "contact_law", "deviations", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
+];
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
 const TRADE_OFF = {
@@ -24,21 +26,22 @@ const TRADE_OFF = {
 };
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
+function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, ...load } }) {
   return { ...mechanism, ...load };
 }
 
 function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
-  const { contact, force } = pressedBy(given, answer);
-  return { ...contact, force_N: force };
+  const { contact, force, edge } = pressedBy(given, answer);
+  return { ...contact, force_N: force * edge };
 }
 
-/** The design with what it is made to, where that is wanted: the verdict is of it too. */
-async function madeOf({ besides, ...input }, filled, get) {
+/** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
+async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
+  const input = { ...given, ...partsOf({ ...given, besides }, sections) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
-  const { contact, contact_law: law, deviations, pin } = await bodyOf(asked({ ...input, besides }, filled), { get });
-  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }), ...(pin && { pin }) };
+  const { contact, contact_law: law, deviations } = await bodyOf(asked({ ...given, besides }, filled), { get });
+  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }) };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -48,7 +51,7 @@ function clearanceOf({ contact }) {
 
 /** Whether the design is stated as it is made, so that its real forces are judged. */
 function asMade(input) {
-  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations", "pin"].some((part) => input[part]);
+  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations"].some((part) => input[part]);
 }
 
 function clearanceNote(input) {
@@ -94,10 +97,13 @@ function peakCell(section, { contact }) {
 }
 
 function pressureCell(section, { requirements }) {
-  const { governing_pressure_MPa: pressure, safety_factor: safety } = section;
+  const { governing_pressure_MPa: pressure, safety_factor: safety, line_load_factor: edge = 1 } = section;
   return {
     ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
-    note: safety === undefined ? "" : message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
+    note: [
+      safety !== undefined && message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
+      edge !== 1 && message("verdict.edge", { factor: formatNumber(edge, 3) }),
+    ].filter(Boolean).join("; "),
   };
 }
 
@@ -159,15 +165,15 @@ export default {
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
-    load: ["torque", "contact.dynamic_factor"],
+    load: ["torque", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["pitting_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
+    requirements: ["life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
     more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
   },
   hidden: [
-    "requirements.bending_safety", "requirements.max_deflection_mm", "requirements.max_slope_mrad",
-    "contact.hole_clearance_mm", "load.torque_direction", // asked where clearance and errors are wanted
+    ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
+    "load.application_factor", // the contact's dynamic factor
     "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
   ],
   choices: {
@@ -176,7 +182,10 @@ export default {
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
   optional: ["mechanism.crank_spacing_deg"],
-  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials" },
+  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
+
+  /** What an empty name of a table means: that of another box. */
+  alike: { "pin.material": "contact.pin_material" },
 
   /** The value that the theory gives for a box, where the other boxes allow it. */
   suggestions: {
@@ -205,10 +214,12 @@ export default {
   },
 
   /** The sections in the order in which each needs the one before. */
-  sections: ["cyclogram", "contact_force", "hertz", "geometry"],
+  sections: ["cyclogram", "contact_force", "hertz", "geometry", ...WANTED.map(({ section }) => section).filter(Boolean)],
 
-  async ask({ post, get, input: given, filled, sections, tables }) {
-    const input = await madeOf(given, filled, get);
+  async ask({ post, get, input: given, filled, sections: all, tables }) {
+    const wanted = wantedSections(given);
+    const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
+    const input = await madeOf(given, filled, get, sections);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
@@ -236,7 +247,7 @@ export default {
   ],
 
   /** Values of the answer that the figures and their tables show, or that only place the others. */
-  elsewhere: ["pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
+  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },

@@ -5,6 +5,7 @@
 import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { eccentricityOf } from "./mechanism.js";
+import { partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
 function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
@@ -13,7 +14,8 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, ...load } = {}, contact = {}, besides = {} }) {
-  const { pin: { support, ...pin } = {}, contact_law: law, geometry, lost_motion_torque_share: share } = besides;
+  const { contact_law: law, geometry, lost_motion_torque_share: share } = besides;
+  const { pin: { rotates, diameter_mm, ...pin } = {} } = partsOf({ besides: { ...besides, requirements: undefined } }, ["pin_strength"]); // which bend where their strength is wanted
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   const clearance = besides.contact?.hole_clearance_mm;
   const { hole_radius_mm: hole, ...others } = sizes;
@@ -23,7 +25,7 @@ export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: 
     load: { ...load, ...besides.load },
     contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
     ...(law && { contact_law: law }),
-    ...(support && support !== "rigid" && { pin: { support, ...pin } }),
+    ...(pin.support && { pin: { ...pin, ...(diameter_mm !== undefined && { diameter_mm }) } }),
     ...(geometry && { geometry }),
     ...(share !== undefined && { lost_motion_torque_share: share }),
   };

@@ -1,16 +1,16 @@
 /**
  * The groups of the crank-planetary form that are off until wanted: their fields, by the paths of the bodies that they
- * ask with, and the page's own. What they ask and say is in real.js and study.js, loaded when they are switched on.
+ * ask with, and the page's own. What they ask and say is in modules of their own, loaded when they are switched on.
  */
+import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
+import { ratioOf } from "./mechanism.js";
 
 const MOST_ROWS = 400; // of a table; more are for other programs
 
 const counted = (count, label) => Array.from({ length: Math.min(count, MOST_ROWS) || 0 }, (_, i) => label(i));
 const deviated = (part) => ["radial", "tangential", "radius"].map((way) => `deviations.${part}_${way}_mm`);
 const law = (...kinds) => ({ when: ["contact_law.kind", ...kinds], required: true });
-const held = (...supports) => ({ when: ["pin.support", ...supports] });
-const SUPPORTS = ["cantilever", "supported", "fixed"];
 const rare = { advanced: true };
 const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`, words: [`${part}_class`, "study"], ...letters });
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
@@ -26,10 +26,6 @@ const REAL = {
   "contact_law.exponent": law("power"),
   "contact_law.reference_force_N": law("power"),
   "contact_law.reference_approach_mm": law("power"),
-  "pin.support": { options: ["rigid"], default: "rigid", words: ["support", "real"] },
-  "pin.satellite_positions_mm": { ...held(...SUPPORTS), required: true },
-  "pin.span_mm": { ...held("supported", "fixed"), required: true },
-  "pin.diameter_mm": held(...SUPPORTS),
   "deviations.pins": {
     words: ["pins", "real"],
     columns: deviated("pin"),
@@ -74,6 +70,94 @@ const STUDY = {
     "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"].map((name) => [`limits.${name}`, rare])),
 };
 
+const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
+const judgedBy = (...ways) => ({ when: ["strength.fatigue", ...ways] });
+const STRENGTH = {
+  "pin.support": {},
+  "pin.satellite_positions_mm": { required: true },
+  "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
+  "pin.material": { without: ["allowable_pressure_MPa"] },
+  "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
+  "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
+  "strength.fatigue": { options: ["notch_factor", "notch", "endurance_limit", "plain"], default: "notch_factor", words: ["fatigue", "strength"] },
+  "fatigue.surface": { ...judgedBy("notch_factor", "notch"), default: "machined" },
+  "fatigue.fatigue_notch_factor": judgedBy("notch_factor"),
+  "fatigue.notch.theoretical_factor": { ...judgedBy("notch"), required: true },
+  "fatigue.notch.radius_mm": { ...judgedBy("notch"), required: true },
+  "fatigue.reliability_percent": judgedBy("notch_factor", "notch"),
+  "fatigue.endurance_limit_MPa": { ...judgedBy("endurance_limit"), required: true },
+  "fatigue.criterion": { ...rare, ...judgedBy("notch_factor", "notch", "endurance_limit") },
+  "fatigue.edition": { ...rare, ...judgedBy("notch_factor", "notch") },
+  "pin.rotates": rare,
+  ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
+};
+
+const LOSSES = {
+  "friction.coefficient": { required: true },
+  "friction.wear_rate_mm3_per_Nm": {},
+  ...asked("min_efficiency", "max_wear_mm", "max_pv_MPa_m_per_s", "max_sliding_speed_m_per_s"),
+};
+
+const ring = (kind) => ({ when: ["gear.kind", kind], required: true });
+const BEARINGS = {
+  "gear.kind": { options: ["ratio"], default: "involute" },
+  "gear.module_mm": ring("involute"),
+  "gear.teeth_difference": ring("involute"),
+  "gear.reference_pressure_angle_deg": { ...rare, when: ["gear.kind", "involute"] },
+  "gear.ring_pin_circle_radius_mm": ring("cycloid"),
+  "gear.radial_force_ratio": ring("ratio"),
+  "bearing.kind": { default: "roller" },
+  "bearing.dynamic_rating_N": {},
+  "bearing.static_rating_N": {},
+  "bearing.reliability_percent": {},
+  "bearing.ring_factor": rare,
+  "bearing.weibull_slope": rare,
+  ...asked("static_safety"),
+};
+
+const shaftBearing = (index, letter) => ({
+  [`crankshaft.bearings.${index}.kind`]: { default: "ball", words: [`kind_${letter}`, "crank"] },
+  [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
+});
+const CRANK = {
+  "crankshaft.satellite_positions_mm": { required: true },
+  "crankshaft.bearing_positions_mm": { required: true },
+  ...shaftBearing(0, "a"),
+  ...shaftBearing(1, "b"),
+  "crankshaft.satellite_mass_kg": {},
+  ...asked("max_unbalance_N", "max_unbalance_couple_Nm"),
+};
+
+const GAP = 2; // mm between satellites, and before the first
+const USUAL_RPM = 1500;
+const MODULES = [0.5, 0.8, 1, 1.25, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 8, 10];
+
+/** Middle planes of satellites beside each other, the first so far from the origin. */
+function planes({ mechanism: { satellites }, contact: { contact_length_mm: width } = {} }, first) {
+  return Array.from({ length: Math.min(satellites, 100) || 0 }, (_, j) => tidy(first + width / 2 + j * (width + GAP)));
+}
+
+/** A ring that leaves room for the holes: involute teeth where their circle does, else pins about a cycloid disc. */
+function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm: pin } = {} }) {
+  const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
+  const u = ratioOf(mechanism);
+  const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
+  const holes = load?.pin_circle_radius_mm + pin + e;
+  return {
+    "gear.kind": holes < e * u ? "involute" : "cycloid",
+    "gear.module_mm": MODULES.findLast((m) => m * difference < 1.95 * e),
+    "gear.teeth_difference": difference,
+    "gear.ring_pin_circle_radius_mm": Math.ceil(Math.max(1.4 * e * (u + 1), 1.2 * holes)),
+  };
+}
+
+/** Bearings a satellite's width away from the satellites. */
+function shaft({ mechanism, contact }) {
+  const width = contact?.contact_length_mm;
+  const satellites = planes({ mechanism, contact }, width / 2);
+  return { satellites, bearings: [0, tidy(satellites.at(-1) + width)] };
+}
+
 /** Tolerances to start from when they are switched on: the classes of the fit where there is one. */
 function starts({ besides }) {
   const { play, pin_class: pin, hole_class: hole } = besides?.real ?? {};
@@ -86,6 +170,8 @@ function starts({ besides }) {
     "tolerances.disc_phase_deg": 0.01,
   };
 }
+
+const WHOLE = ["/crank-planetary"];
 
 export const WANTED = [
   {
@@ -102,4 +188,72 @@ export const WANTED = [
     starts,
     load: () => Promise.all([import("./study.js"), import("../../views/study.js")]),
   },
+  {
+    id: "strength",
+    section: "pin_strength",
+    paths: WHOLE,
+    fields: STRENGTH,
+    judged: true,
+    starts: (input) => ({ "pin.satellite_positions_mm": planes(input, GAP), "fatigue.reliability_percent": 99 }),
+    load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
+  },
+  {
+    id: "losses",
+    section: "output_efficiency",
+    paths: WHOLE,
+    fields: LOSSES,
+    judged: true,
+    starts: () => ({ "friction.coefficient": 0.08, "load.input_speed_rpm": USUAL_RPM }),
+    load: () => Promise.all([import("./losses.js"), import("../../views/part.js")]),
+  },
+  {
+    id: "bearings",
+    section: "satellite_bearing",
+    paths: WHOLE,
+    fields: BEARINGS,
+    judged: true,
+    starts: (input) => ({ ...ringOf(input), "load.input_speed_rpm": USUAL_RPM }),
+    load: () => Promise.all([import("./bearings.js"), import("../../views/part.js")]),
+  },
+  {
+    id: "crank",
+    section: "crankshaft",
+    needs: "bearings",
+    paths: WHOLE,
+    fields: CRANK,
+    judged: true,
+    starts: (input) => ({ "crankshaft.satellite_positions_mm": shaft(input).satellites, "crankshaft.bearing_positions_mm": shaft(input).bearings }),
+    load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
+  },
 ];
+
+/** Whether a group is on. */
+const isOn = ({ besides }, id) => besides?.[id]?.on === "on";
+
+/** Sections of the answer that are wanted. */
+export const wantedSections = (input) => WANTED.filter(({ id, section }) => section && isOn(input, id)).map(({ section }) => section);
+
+/** Whether sleeves are on the pins. */
+export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
+
+/** The parts of the document that the groups which are on say, for these sections of the answer. */
+export function partsOf(input, sections) {
+  const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
+  const { pin, fatigue, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, requirements } = input.besides ?? {};
+  return {
+    ...(on("strength") && { pin, ...(fatigue && { fatigue }) }),
+    ...(on("losses") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
+    ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
+    ...(on("crank") && { crankshaft }),
+    ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
+  };
+}
+
+const DRIVEN = ["output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm"];
+
+/** The parts of the document that a figure of a wanted section asks with. */
+export function chartOf(input) {
+  const { revolutions, ...mechanism } = input.mechanism;
+  const load = Object.fromEntries(Object.entries(input.load).filter(([name]) => DRIVEN.includes(name)));
+  return { mechanism, load, ...partsOf(input, wantedSections(input)) };
+}

@@ -2,6 +2,7 @@
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { cranksOf, eccentricityOf, ratioOf } from "./mechanism.js";
+import { WANTED } from "./wanted.js";
 
 const HALF_TURN = q("180°", 180, "°");
 const TURN = q("360°", 360, "°");
@@ -197,7 +198,7 @@ function forceSteps(section, mechanism, load) {
   return found;
 }
 
-function hertzSteps(section, contact, force, materialOf) {
+function hertzSteps(section, { contact, force, edge }, materialOf) {
   const pin = materialOf("contact.pin_material", contact.pin_material);
   const hole = materialOf("contact.hole_material", contact.hole_material);
   const F = q("F", force, "N");
@@ -205,8 +206,10 @@ function hertzSteps(section, contact, force, materialOf) {
   const r = q("r_in", contact.pin_radius_mm, "mm");
   const R = q("r_out", contact.hole_radius_mm, "mm");
   const load = intermediate("lineLoad", "w", "N/mm", {
-    formula: "F/b*K_A*K_α",
-    values: { F, b, K_A: q("K_A", contact.dynamic_factor), K_α: q("K_α", contact.distribution_factor) },
+    formula: edge === 1 ? "F/b*K_A*K_α" : "F/b*K_A*K_α*K_b",
+    values: {
+      F, b, K_A: q("K_A", contact.dynamic_factor), K_α: q("K_α", contact.distribution_factor), ...(edge !== 1 && { K_b: q("K_b", edge) }),
+    },
     source: "yanchevsky2018",
     equation: "2",
   });
@@ -224,6 +227,7 @@ function hertzSteps(section, contact, force, materialOf) {
   const paper = { source: "yanchevsky2018", equation: "2" };
   const johnson = { source: "johnson" };
   const found = [
+    ...(edge === 1 ? [] : [result(section, "line_load_factor", "K_b", { note: "edge" })]),
     load,
     result(section, "reduced_radius_mm", "ρ", {
       formula: "r_out*r_in/(r_out-r_in)", values: { r_out: R, r_in: r }, ...paper,
@@ -313,21 +317,25 @@ function geometrySteps(section, contact) {
   })];
 }
 
-/** The contact and the force of its pressure: with clearance the force is that under the dynamic load. */
-export function pressedBy(contact, { contact_force: ideal, load_sharing: real }) {
-  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N };
-  return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N };
+/** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
+export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
+  const edge = hertz?.line_load_factor ?? 1;
+  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N, edge };
+  return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-/** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values. */
-export function workedSteps({ input, answer, materialOf }) {
+/** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values, `more` are the steps of wanted groups by their ids. */
+export function workedSteps({ input, answer, materialOf, more = {} }) {
   const mechanism = mechanismOf(input.mechanism);
   const { cyclogram, contact_force: force, hertz, geometry } = answer;
   const pressed = hertz && pressedBy(input.contact, answer);
   return [
     cyclogram && { section: "cyclogram", steps: cyclogramSteps(cyclogram, mechanism) },
     force && { section: "contact_force", steps: forceSteps(force, mechanism, input.load) },
-    hertz && { section: "hertz", steps: hertzSteps(hertz, pressed.contact, pressed.force, materialOf) },
+    hertz && { section: "hertz", steps: hertzSteps(hertz, pressed, materialOf) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
+    ...WANTED.map(({ id, section }) => answer[section] && more[id] && {
+      section, steps: more[id](answer[section], { ...input, mechanism }, materialOf),
+    }),
   ].filter(Boolean);
 }

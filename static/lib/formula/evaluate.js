@@ -17,6 +17,15 @@ const IN_SI = {
   GPa: 1e9,
   "mm/N": 1e-3,
   "°": Math.PI / 180,
+  mrad: 1e-3,
+  rpm: Math.PI / 30,
+  h: 3600,
+  W: 1,
+  kg: 1,
+  "kg·mm": 1e-3,
+  "m/s": 1,
+  "MPa·m/s": 1e6,
+  "mm³/(N·m)": 1e-9,
 };
 
 function toSI(value, unit) {
@@ -40,7 +49,7 @@ export function definition(symbol, formula) {
 
 const FUNCTIONS = {
   sqrt: Math.sqrt, sin: Math.sin, cos: Math.cos, abs: Math.abs, min: Math.min, max: Math.max,
-  ln: Math.log, atan: Math.atan,
+  ln: Math.log, atan: Math.atan, acos: Math.acos,
 };
 const OPERATORS = {
   "+": (a, b) => a + b,

@@ -8,7 +8,7 @@ const MULTIPLY = 2;
 const POWER = 3;
 const ATOM = 4;
 const WRITTEN_TERMS = 4; // of a sum with numbers; of a longer one, and of integrals, some and the last
-const FUNCTION_NAMES = { atan: "arctan" };
+const FUNCTION_NAMES = { atan: "arctan", acos: "arccos" };
 
 /** The two ways of writing: what each part becomes, given its written parts. */
 const MATHML = {

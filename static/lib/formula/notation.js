@@ -3,7 +3,7 @@
  *
  * The same tree is written as MathML (mathml.js) and computed (evaluate.js), so that what a worked
  * step shows is what was checked. Names are keys of the step's values. Functions: sqrt, sin, cos,
- * abs, min, max, ln, atan, and
+ * abs, min, max, ln, atan, acos, and
  * `sum(term)`, over the values of the term that are lists, and
  * `integral(term; z; from; to)`, where `z` is bound in the term.
  */

@@ -1,0 +1,145 @@
+/** Pin and crankshaft to scale along their axes, with what holds and loads them. No DOM. */
+import { formatQuantity } from "../../lib/format.js";
+import { html } from "../../lib/html.js";
+import { arrow, createView, dimension, label, line, mm, paper, path, scaleBar, roundBelow } from "../../lib/svg.js";
+import { message } from "../../messages/index.js";
+import { cranksOf } from "./mechanism.js";
+import { sleeved } from "./wanted.js";
+
+const MOST_NAMED = 4; // satellites whose place is written
+const MOST_DRAWN = 40;
+const TIER = 24; // px between dimensions
+const RADIAN = Math.PI / 180;
+
+/** A view in which so much of an axis and so much about it fit, dimensions below. */
+function viewOf({ width, height }, { from, to, above, below, tiers }) {
+  const [left, right, top, bottom] = [64, 40, 34, TIER * tiers + 44];
+  const scale = Math.min((width - left - right) / (to - from), (height - top - bottom) / (above + below));
+  const middle = (width - (to - from) * scale + left - right) / 2;
+  return createView({ x: middle - from * scale, y: top + ((height - top - bottom) - (above + below) * scale) / 2 + above * scale, scale });
+}
+
+const bar = ({ at }, x0, x1, y0, y1, kind, field = "") => path([at([x0, y0]), at([x1, y0]), at([x1, y1]), at([x0, y1])], kind, field);
+
+/** What is built in: hatched on the side away from the part. */
+function wall([x, y], half, side) {
+  const marks = Array.from({ length: 7 }, (_, i) => y - half + (i * 2 * half) / 6);
+  return html`<path class="clamp" d="M${x} ${y - half}V${y + half}${marks.map((mark) => `M${x} ${mark}l${-8 * side} 8`).join("")}"/>`;
+}
+
+/** A support that lets the part tilt, under it. */
+function knife([x, y]) {
+  return html`<path class="clamp" d="M${x} ${y}l-8 13h16zM${x - 12} ${y + 16}h24"/>`;
+}
+
+/** Dimensions of places along the axis from the origin, each lower than the one before. */
+function places(view, zero, all, low, field, symbol) {
+  const level = (i) => low + TIER * (i + 1);
+  const named = all.slice(0, MOST_NAMED);
+  const last = level(named.length - 1) + 4;
+  return html`${line([view.at([zero, 0])[0], low], [view.at([zero, 0])[0], last], "extension")}
+    ${named.map((place, i) => {
+      const x = view.at([place, 0])[0];
+      return html`${line([x, low], [x, level(i) + 4], "extension")}
+        ${dimension([view.at([zero, 0])[0], level(i)], [x, level(i)], symbol(i), { value: mm(place - zero), field, beside: -12 })}`;
+    })}`;
+}
+
+const ends = (values) => [Math.min(...values), Math.max(...values)];
+
+/** The pin in its supports and the holes that load it: each satellite on the side of its crank. */
+export function pinDrawing({ input, width, height }) {
+  const { mechanism, contact, besides: { pin } } = input;
+  const rolls = sleeved(input);
+  const { pin_radius_mm: rim, hole_radius_mm: hole, contact_length_mm: b } = contact;
+  const planes = pin.satellite_positions_mm.slice(0, MOST_DRAWN);
+  const radius = rolls ? pin.diameter_mm / 2 : rim;
+  const held = pin.support === "cantilever" ? null : pin.span_mm;
+  const end = Math.max(held ?? 0, ...planes.map((z) => z + b / 2));
+  const tall = Math.max(2 * hole, 2 * rim) + 0.35 * rim;
+  const reach = { from: -0.06 * end, to: end * 1.02, above: tall - rim, below: tall - rim, tiers: Math.min(planes.length, MOST_NAMED) + (held ? 1 : 0) };
+  const view = viewOf({ width, height }, reach);
+  const sides = cranksOf(mechanism).map((angle) => (Math.cos(angle * RADIAN) < -1e-9 ? -1 : 1));
+  const low = view.at([0, -(tall - rim)])[1];
+  const axis = (x) => view.at([x, 0]);
+  const half = view.size(radius) + 12;
+  const marks = roundBelow(end / 2, "mm");
+  return {
+    markup: paper(width, height, html`
+      ${planes.map((z, j) => {
+        const side = sides[j] ?? 1;
+        const far = -side * (2 * hole - rim); // the hole's other edge
+        return html`<g class="series-${(j % 6) + 1}">${[[side * rim, side * (tall - rim)], [far, far - side * 0.35 * rim]].map(([y0, y1]) =>
+          bar(view, z - b / 2, z + b / 2, y0, y1, "body satellite-body", "pin.satellite_positions_mm contact.hole_radius_mm contact.contact_length_mm"))}
+          ${rolls && bar(view, z - b / 2, z + b / 2, -rim, rim, "body", "contact.pin_radius_mm")}
+          ${arrow(view.at([z, side * rim + side * 26 / view.scale]), view.at([z, side * rim]), "force")}
+          ${label([view.at([z, 0])[0], view.at([0, side * rim])[1] + (side > 0 ? -30 : 40)], `F_${j + 1}`)}</g>`;
+      })}
+      ${bar(view, 0, end, -radius, radius, "body", "pin.diameter_mm contact.pin_radius_mm")}
+      ${line(axis(reach.from), axis(reach.to), "centre")}
+      ${held !== null && pin.support === "supported" ? knife([axis(0)[0], view.at([0, -radius])[1]]) : wall(axis(0), half, 1)}
+      ${held !== null && (pin.support === "supported" ? knife([axis(held)[0], view.at([0, -radius])[1]]) : wall(axis(held), half, -1))}
+      ${dimension([axis(0)[0] - 26, view.at([0, -radius])[1]], [axis(0)[0] - 26, view.at([0, radius])[1]], "d", { value: "", field: "pin.diameter_mm contact.pin_radius_mm", beside: -6 })}
+      ${places(view, 0, planes, low, "pin.satellite_positions_mm", (i) => `z_${i + 1}`)}
+      ${held !== null && places({ ...view }, 0, [held], low + TIER * Math.min(planes.length, MOST_NAMED), "pin.span_mm", () => "L")}
+      ${scaleBar([12, height - 12], view.size(marks), mm(marks))}`, { "px-per-mm": view.scale }),
+    caption: message("strength.scale", { diameter: mm(2 * radius) }),
+  };
+}
+
+/** A bearing in section: two rolling elements about the shaft. */
+function rolling(view, x, radius) {
+  const [cx, cy] = view.at([x, 0]);
+  const [size, away] = [8, view.size(radius)];
+  return html`${[-1, 1].map((side) => {
+    const y = cy + side * (away + size);
+    return html`<path class="body" d="M${cx - size} ${y - size}h${2 * size}v${2 * size}h${-2 * size}zM${cx - size} ${y - size}l${2 * size} ${2 * size}M${cx + size} ${y - size}l${-2 * size} ${2 * size}"/>`;
+  })}`;
+}
+
+/** The crankshaft with its bearings and satellites in the plane of the first crank. */
+export function crankDrawing({ input, answer, width, height }) {
+  const { mechanism, load, contact, crankshaft: _, satellite_body: body = {}, besides } = input;
+  const { satellite_positions_mm: all, bearing_positions_mm: [A, B] } = besides.crankshaft;
+  const { eccentricity_mm: e, contact_length_mm: b, hole_radius_mm: hole } = contact;
+  const planes = all.slice(0, MOST_DRAWN);
+  const outer = body.outer_radius_mm ?? load.pin_circle_radius_mm + hole;
+  const bore = body.bore_radius_mm ?? Math.max(load.pin_circle_radius_mm - 1.5 * hole, 0.3 * outer);
+  const shaft = Math.max(bore / 2 - e, 0.25 * bore);
+  const offsets = cranksOf(mechanism).map((angle) => e * Math.cos(angle * RADIAN));
+  const [from, to] = ends([A, B, ...planes.map((z) => z - b / 2), ...planes.map((z) => z + b / 2)]);
+  const tall = outer + e;
+  const named = Math.min(planes.length, MOST_NAMED);
+  const view = viewOf({ width, height }, { from, to, above: tall, below: tall, tiers: named + 1 });
+  const low = view.at([0, -tall])[1];
+  const { bearings } = answer.crankshaft;
+  const most = Math.max(...bearings.map(({ peak_N: force }) => force));
+  const newton = most > 0 ? Math.min(70, view.size(tall) - 20) / most : 0;
+  const marks = roundBelow((to - from) / 2, "mm");
+  return {
+    markup: paper(width, height, html`
+      ${planes.map((z, j) => {
+        const o = offsets[j] ?? 0;
+        return html`<g class="series-${(j % 6) + 1}">
+          ${[1, -1].map((side) => bar(view, z - b / 2, z + b / 2, o + side * bore, o + side * outer, "body satellite-body", "crankshaft.satellite_positions_mm contact.contact_length_mm"))}
+          ${bar(view, z - b / 2, z + b / 2, o - bore * 0.8, o + bore * 0.8, "body", "contact.eccentricity_mm")}
+          ${line(view.at([z - b / 2 - b / 8, o]), view.at([z + b / 2 + b / 8, o]), "centre crank-axis")}
+          ${label([view.at([z, 0])[0], view.at([0, o + outer])[1] - 6], `${j + 1}`)}</g>`;
+      })}
+      ${bar(view, from, to, -shaft, shaft, "body")}
+      ${line(view.at([from, 0]).map((x, i) => x - (i === 0 ? 16 : 0)), view.at([to, 0]).map((x, i) => x + (i === 0 ? 16 : 0)), "centre")}
+      ${[A, B].map((place, i) => {
+        const [x, y] = view.at([place, 0]);
+        const tip = y + view.size(shaft) + 18;
+        return html`${rolling(view, place, shaft)}<g data-bearing="${"AB"[i]}" data-length="${bearings[i].peak_N * newton}">${arrow([x, tip + bearings[i].peak_N * newton], [x, tip], "force")}</g>
+          ${label([x + (i === 0 ? -10 : 10), tip + bearings[i].peak_N * newton / 2 + 14], `R_${"AB"[i]}`, { anchor: i === 0 ? "end" : "start" })}`;
+      })}
+      ${places(view, A, [...planes.slice(0, MOST_NAMED)], low, "crankshaft.satellite_positions_mm", (i) => `z_${i + 1}`)}
+      ${places(view, A, [B], low + TIER * named, "crankshaft.bearing_positions_mm", () => "AB")}
+      ${scaleBar([12, height - 12], view.size(marks), mm(marks))}
+      ${most > 0 && scaleBar([view.size(marks) + 110, height - 12], roundBelow(most, "N") * newton, formatQuantity(roundBelow(most, "N"), "N", 3), "force")}`, {
+      "px-per-mm": view.scale, "px-per-n": newton,
+    }),
+    caption: message(body.outer_radius_mm ? "crank.scale" : "crank.scaleAssumed", { eccentricity: mm(e) }),
+  };
+}
