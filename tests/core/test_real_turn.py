@@ -139,6 +139,29 @@ def test_the_peak_is_that_over_the_turn(exact: bool, torque: float) -> None:
     assert np.abs(turn.on_pins).max() == pytest.approx(peak, rel=turn.error)
 
 
+def test_the_stated_error_is_that_of_closer_samples(monkeypatch: pytest.MonkeyPatch) -> None:
+    rough = made(UNLIKE)
+    pin = PIN | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    bearing = BEARING | {"mechanism": UNLIKE.mechanism}
+    shaft = SHAFT | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    calls = (
+        (lambda of: pin_strength(**pin, made=of), ("peak_force", "peak_equivalent_stress")),
+        (lambda of: satellite_bearings(**bearing, made=of), ("peak_load", "equivalent_load")),
+        (lambda of: crankshaft(**shaft, made=of), ("peak_reaction", "equivalent_reaction")),
+    )
+    found = [call(rough) for call, _ in calls]
+    monkeypatch.setattr("core.output.real_turn.ENOUGH", 1e-6)
+    close = made(UNLIKE)
+    assert len(close(500.0).wave) > 2 * len(rough(500.0).wave)
+    for one, (call, names) in zip(found, calls, strict=True):
+        other = call(close)
+        error = one.accuracy.relative_error
+        assert 3 * other.accuracy.relative_error < error < 2e-4
+        for name in names:
+            off = np.abs(np.asarray(getattr(one, name)) / getattr(other, name) - 1)
+            assert 0 < off.max() < error
+
+
 def test_spikes_are_not_between_the_samples() -> None:
     """The two pins of the real mechanism's own test whose errors nearly use up the clearance."""
     radial = (0.0, 0.0, 0.0, 0.0, -1.997556539047208e-05, 0.0, -1.999650934149601e-05)
