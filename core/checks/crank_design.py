@@ -435,7 +435,7 @@ class CrankDesign:
         """Factor on the torque under which the largest line load is so many times as large."""
         force, edge = self.judged_forces, self.edge_factor(1.0)
         on_force, before = factor, 0.0
-        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-13 * on_force:
+        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-9 * on_force:
             on_force, before = factor * edge / self.edge_factor(on_force), on_force
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
