@@ -56,7 +56,7 @@ from core.checks.crank_design import (
     CrankDesign,
 )
 from core.checks.crank_planetary import crank_checks
-from core.checks.real_forces import WAYS, RealForces
+from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.fixes import crank_fixes
@@ -71,6 +71,7 @@ from core.output.pin_geometry import (
     pin_fit,
     pin_geometry,
 )
+from core.output.sampled_turn import WAYS
 
 Section = Literal[
     "cyclogram",
