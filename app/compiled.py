@@ -29,6 +29,9 @@ from core.tolerance.tolerances import Tolerances
 
 LOG = logging.getLogger("khv.compiled")
 
+LOOKED_AT_S = 60.0
+"""How often the service looks whether it has to be compiled."""
+
 State = Literal["ready", "preparing", "missing"]
 
 
@@ -105,20 +108,35 @@ def prepare() -> None:
             mark.touch()
 
 
+def forget() -> None:
+    """Do without what was compiled, as it cannot be read; it can be compiled anew."""
+    compiled.unload()
+    mark = _mark()
+    if mark is not None:
+        mark.unlink(missing_ok=True)
+        for part in mark.parent.rglob(f"{Path(sharing_kernel.__file__).stem}.*.nb[ci]"):
+            part.unlink(missing_ok=True)
+
+
 @asynccontextmanager
 async def prepared() -> AsyncIterator[None]:
-    """Compile in a process of its own beside the service, where that has not been done."""
-    if state() != "preparing":
-        yield
-        return
-    preparing = asyncio.create_task(_prepare_beside())
+    """Compile in a process of its own beside the service, where that has not been done, or has to
+    be done anew.
+    """
+    preparing = asyncio.create_task(_keep_prepared())
     try:
         yield
     finally:
         preparing.cancel()
 
 
-async def _prepare_beside() -> None:
+async def _keep_prepared() -> None:
+    while state() != "preparing" or await _prepare_beside():
+        await asyncio.sleep(LOOKED_AT_S)
+
+
+async def _prepare_beside() -> bool:
+    """Compile, and whether that could be done."""
     LOG.info("compiling the load sharing, once: until then studies are small and slow")
     process = await asyncio.create_subprocess_exec(
         sys.executable, "-m", "app.compiled", stderr=asyncio.subprocess.PIPE
@@ -132,6 +150,7 @@ async def _prepare_beside() -> None:
         LOG.info("the load sharing is compiled")
     else:
         LOG.warning("the load sharing was not compiled: %s", said.decode(errors="replace")[-500:])
+    return process.returncode == 0
 
 
 if __name__ == "__main__":

@@ -8,4 +8,5 @@ try:
     if compiled.use() == "ready":
         compiled.run_once()
 except Exception:  # a cache that is broken must not keep the service from starting
-    logging.getLogger("khv.compiled").exception("the compiled load sharing cannot be used")
+    logging.getLogger("khv.compiled").exception("the compiled load sharing is compiled anew")
+    compiled.forget()

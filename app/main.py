@@ -4,7 +4,6 @@ import asyncio
 import gc
 import gzip
 import hashlib
-import os
 import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -14,10 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import orjson
-from fastapi import FastAPI, Request
+from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
-from fastapi.staticfiles import StaticFiles
 from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
@@ -106,18 +104,29 @@ class Packed:
 
 
 @cache
-def _packed_file(path: str, changed_ns: int) -> Packed:
-    return Packed(Path(path).read_bytes(), guess_type(path)[0] or "application/octet-stream")
+def _packed_file(path: Path, changed_ns: int) -> Packed:
+    return Packed(path.read_bytes(), guess_type(path)[0] or "application/octet-stream")
 
 
-class Files(StaticFiles):
-    """Files with tags of what is in them."""
+@cache
+def _files() -> dict[str, Path]:
+    """Files of the page by their paths: what is no key is not served."""
+    files = (path for path in STATIC.rglob("*") if path.is_file())
+    return {path.relative_to(STATIC).as_posix(): path for path in files}
 
-    def file_response(
-        self, full_path: Any, stat_result: os.stat_result, scope: Scope, status_code: int = 200
-    ) -> Response:
-        """Answer of a file."""
-        return _packed_file(str(full_path), stat_result.st_mtime_ns).response(scope)
+
+def file_response(name: str, scope: Scope) -> Response:
+    """Answer of a file of the page, as it is now.
+
+    Raises
+    ------
+    HTTPException
+        If there is none of that name.
+    """
+    path = _files().get(name)
+    if path is None or not path.exists():
+        raise HTTPException(404)
+    return _packed_file(path, path.stat().st_mtime_ns).response(scope)
 
 
 @asynccontextmanager
@@ -158,6 +167,11 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     for kind in REFUSED:
         app.add_exception_handler(kind, refused)
+
+    @app.get("/static/{name:path}", include_in_schema=False)  # first: a page asks for sixty
+    async def static(name: str, request: Request) -> Response:
+        return file_response(name, request.scope)
+
     app.router.route_class = CalculationRoute
     for each in CALCULATIONS.values():
         app.post(
@@ -190,15 +204,13 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         )
     app.add_middleware(Requests, settings=settings)
 
-    files = Files(directory=STATIC)
-
     @app.get("/", include_in_schema=False)
     async def page(request: Request) -> Response:
-        return await files.get_response("index.html", request.scope)
+        return file_response("index.html", request.scope)
 
     @app.get("/docs", include_in_schema=False)
     async def docs(request: Request) -> Response:
-        return await files.get_response("docs.html", request.scope)
+        return file_response("docs.html", request.scope)
 
     @app.get("/livez", include_in_schema=False)
     async def livez() -> PlainTextResponse:
@@ -223,7 +235,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def openapi(request: Request) -> Response:
         return description().response(request.scope)
 
-    app.mount("/static", files, name="static")
     return app
 
 

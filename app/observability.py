@@ -203,10 +203,11 @@ def _meters(method: str, route: str, status: int) -> tuple[Counter, Histogram, H
 
 
 def _template(scope: Scope) -> str:
-    """Path of a request, but none that a client made up; our routes have no parameters in it."""
-    if "route" in scope:
-        return str(scope["path"])
-    return "/static" if scope["path"].startswith("/static/") else "unknown"
+    """Path of a request, but none that a client made up: of our routes files alone are many."""
+    path = str(scope["path"])
+    if path.startswith("/static/"):
+        return "/static"
+    return path if "route" in scope else "unknown"
 
 
 def _forget_the_dead(shared: Path) -> None:

@@ -3,7 +3,7 @@
 import re
 import time
 from collections.abc import Callable, Iterator
-from typing import TypeVar
+from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel
 
@@ -69,17 +69,37 @@ def _fields(body: BaseModel) -> Iterator[tuple[tuple[str, ...], str]]:
 
 def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator[str | int]:
     """The rest of a path, below a field: indices, and names with the units they have there."""
-    value: object = body
+    value: Any = body
     for part in path:
-        value = getattr(value, part)
+        value = _within(value, part)
     for part in rest:
         if part.isdigit():
             yield int(part)
             value = value[int(part)] if isinstance(value, list) else None
-        elif isinstance(value, BaseModel):
-            names = type(value).model_fields
+            continue
+        name = part
+        if value is not None and not isinstance(value, list):
+            names = _model(value).model_fields
             name = next((each for each in names if core_name(each) == part), part)
-            yield name
-            value = getattr(value, name, None)
-        else:
-            yield part
+            value = _within(value, name) if name in names else None
+        yield name
+
+
+def _model(value: Any) -> type[BaseModel]:
+    return value if isinstance(value, type) else type(value)
+
+
+def _within(value: Any, name: str) -> Any:
+    """What a field of a model holds; where it is not given, the model that it could hold."""
+    model = _model(value)
+    found = None if value is model else getattr(value, name)
+    if found is not None and not isinstance(found, BaseModel | list):
+        return None
+    return _model_in(model.model_fields[name].annotation) if found is None else found
+
+
+def _model_in(annotation: Any) -> type[BaseModel] | None:
+    """The model that a field may hold, if any."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    return next(filter(None, map(_model_in, get_args(annotation))), None)

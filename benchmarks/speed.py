@@ -7,20 +7,30 @@ import math
 import timeit
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from benchmarks.options import options
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
+from core.crank.bearing_life import rating_life
+from core.crank.crankshaft import crankshaft
+from core.crank.ring_mesh import RingMesh
+from core.crank.satellite_bearing import satellite_bearings
 from core.exploration.solve import solve_for
+from core.fatigue import size_factor, utilisation
 from core.fixes import crank_fixes
 from core.hertz import hertz
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_force import contact_force
 from core.output.cyclogram import cyclogram
+from core.output.losses import pin_losses
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
+from core.output.pin_beam import PinBeam, face_load_factor
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import pin_strength
 from core.precession.contact_line import contact_lines
 from core.precession.rollers import RollerByLength
 from core.rollers.roller_strength import roller_strength
@@ -72,6 +82,42 @@ def _fixes() -> object:
     return crank_fixes(design=replace(REF, output_torque=1500.0), codes=["contact_pressure_hole"])
 
 
+MECHANISM = _mechanism()
+STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
+LOADED = {"mechanism": MECHANISM, "output_torque": 500.0, "pin_circle_radius": 0.05}
+CRANKED = LOADED | {"eccentricity": 0.002, "mesh": RingMesh(0.69)}
+
+
+def _losses(radius: Any) -> object:
+    return pin_losses(
+        **LOADED | {"pin_circle_radius": radius}, input_speed=157.0, eccentricity=0.002,
+        pin_radius=0.008, contact_length=0.02, friction_coefficient=0.08,
+    )  # fmt: skip
+
+
+def _pin(**support: Any) -> object:
+    return pin_strength(
+        **LOADED, diameter=0.016, contact_length=0.02, satellite_positions=(0.015, 0.037),
+        material=STEEL, fatigue=STRENGTH, pair_stiffness=(3.0, 1.0), **support,
+    )  # fmt: skip
+
+
+DESIGNS = 1_000_000
+
+
+def _algebra(size: Any) -> object:
+    """Losses, endurance limit, safety of a cycle, life, slope and edge load: no search in them."""
+    beam = PinBeam.round(
+        support="cantilever", diameter=size, contact_length=0.02, youngs_modulus=210e9,
+        poissons_ratio=0.3,
+    )  # fmt: skip
+    slope = 3e3 * beam.slope(0.037, 0.037)
+    face_load_factor(slope=slope, contact_length=0.02, approach=4e-6)
+    limit = 0.8 * size_factor(diameter=size) * 500e6
+    utilisation(amplitude=150e6, mean=150e6, endurance=limit, tensile_strength=1e9)
+    return rating_life(load=1e6 * size, rating=6e4, kind="ball")
+
+
 def _inverse() -> object:
     return solve_for(function=lambda x: x * x, low=1.0, high=9.0, target=2.0, log=True)
 
@@ -89,6 +135,16 @@ CALLS: dict[str, Callable[[], object]] = {
     "contact line": _line,
     "checks of a design": _checks,
     "six fixes": _fixes,
+    "pin strength": _pin,
+    "pin strength, fixed": lambda: _pin(support="fixed", span=0.052),
+    "satellite bearings": lambda: satellite_bearings(**CRANKED, input_speed=157.0, kind="ball"),
+    "crankshaft": lambda: crankshaft(
+        **CRANKED, satellite_positions=(0.02, 0.042), bearing_positions=(0.0, 0.062)
+    ),
+    "pin losses": lambda: _losses(0.05),
+    "losses, a million": lambda: _losses(np.linspace(0.05, 0.06, DESIGNS)),
+    "closed algebra": lambda: _algebra(0.016),
+    "algebra, a million": lambda: _algebra(np.linspace(0.015, 0.02, DESIGNS)),
     "solve x^2": _inverse,
 }
 

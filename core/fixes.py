@@ -14,6 +14,8 @@ from core.checks.check import MARGIN, Check, Verdict
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
 from core.checks.pin_contact import CONTACT, real_reserve
+from core.checks.pins import PIN_FATIGUE
+from core.checks.pins import PINS as PIN_CHECKS
 from core.checks.play import PLAY
 from core.errors import CalculationError
 from core.exploration.solve import Solution, solve_for
@@ -47,6 +49,9 @@ _STRESS = (
     "output_torque",
 )
 
+_PIN = ("pin.diameter", "pin_radius", "pin_circle_radius", "pins", "output_torque")
+_LIFE = ("bearing.dynamic_rating", "pin_circle_radius", "input_speed", "output_torque")
+
 VARIED: dict[str, tuple[str, ...]] = {
     "dead_centre": ("pins", "satellites"),
     "crank_balance": ("crank_spacing",),
@@ -79,6 +84,40 @@ VARIED: dict[str, tuple[str, ...]] = {
     "roller_room": ("hole_circle_radius", "sphere_diameter"),
     "roller_tilt": ("cylinder_length",),
     "assembly": ("satellites",),
+    "outer_diameter": ("outer_radius",),
+    "pin_static": (*_PIN, "peak_torque"),
+    "pin_fatigue": _PIN,
+    "pin_deflection": _PIN,
+    "pin_slope": _PIN,
+    "efficiency": ("friction.coefficient", "pin_circle_radius", "pin.diameter"),
+    "sliding_speed": ("input_speed", "pin.diameter"),
+    "pv": ("pin_radius", "contact_length", "pin_circle_radius", "input_speed", "output_torque"),
+    "wear": (
+        "friction.wear_rate",
+        "contact_length",
+        "pin_radius",
+        "pin_circle_radius",
+        "input_speed",
+        "output_torque",
+    ),
+    "pressure_angle": ("gear.module",),
+    "gear_room": ("pin_circle_radius", "pin_radius", "gear.ring_pin_circle_radius"),
+    "bearing_life": _LIFE,
+    "bearing_static": (
+        "bearing.static_rating",
+        "pin_circle_radius",
+        "output_torque",
+        "peak_torque",
+    ),
+    "system_life": _LIFE,
+    "crank_bearing_life": (
+        "crankshaft.dynamic_rating",
+        "pin_circle_radius",
+        "input_speed",
+        "output_torque",
+    ),
+    "unbalance_force": ("crankshaft.satellite_mass", "input_speed"),
+    "unbalance_couple": ("crankshaft.satellite_mass", "input_speed"),
     "line_spacing": ("roller_radius", "roller_circle_radius"),
     "shaft_in_circle": ("shaft_diameter", "roller_radius", "roller_circle_radius"),
     "shaft_deflection": ("shaft_diameter", "overhang", "bearing_distance"),
@@ -100,6 +139,40 @@ GROWTH = {
 }
 """With which power of an input the torque reserve of a pressure grows, about: where a search for a
 fix of the mechanism as it is made starts."""
+
+PINS = {*PIN_CHECKS, *PIN_FATIGUE}
+"""Checks of the pin itself: its sleeve does not count."""
+
+POWERS = {
+    "pin_static": {"pin.diameter": 3.0, "pin_radius": 3.0, "peak_torque": -1.0},
+    "pin_fatigue": {"pin.diameter": 3.0, "pin_radius": 3.0},
+    "pin_deflection": {"pin.diameter": 4.0, "pin_radius": 4.0},
+    "pin_slope": {"pin.diameter": 4.0, "pin_radius": 4.0},
+    "efficiency": {"pin.diameter": -1.0},
+    "sliding_speed": {"pin.diameter": -1.0},
+    "pv": {},
+    "wear": {},
+    "bearing_life": {"bearing.dynamic_rating": 1.0, "input_speed": -0.3},
+    "bearing_static": {"bearing.static_rating": 1.0, "peak_torque": -1.0},
+    "system_life": {"bearing.dynamic_rating": 1.0, "input_speed": -0.3},
+    "crank_bearing_life": {"crankshaft.dynamic_rating": 1.0, "input_speed": -0.3},
+    "unbalance_force": {"input_speed": -2.0},
+    "unbalance_couple": {"input_speed": -2.0},
+    "outer_diameter": {"outer_radius": -1.0},
+}
+"""The same of checks that grow or fall with a power of their inputs: of the reserve, else of the
+reciprocal of the utilisation. What is not named is one of `USUAL`."""
+
+USUAL = {
+    "contact_length": 1.0,
+    "pin_radius": 1.0,
+    "pin_circle_radius": 1.0,
+    "output_torque": -1.0,
+    "input_speed": -1.0,
+    "friction.coefficient": -1.0,
+    "friction.wear_rate": -1.0,
+    "crankshaft.satellite_mass": -1.0,
+}
 
 SEARCHED = 8
 """Most steps of that search, and of the one for a clearance."""
@@ -295,11 +368,12 @@ def _changed(before: Check, after: Check) -> bool:
 def _sizes(variable: str, exact: float, up: bool) -> list[tuple[float, bool]]:
     """Rounded sizes on the safe side of an exact one, the best first, and whether standard ones."""
     sizes: list[tuple[float, bool]] = []
-    if variable == "pin_radius":
+    if variable in ("pin_radius", "pin.diameter"):
+        unit = 2000 if variable == "pin_radius" else 1000
         beyond_it = [
-            size / 2000
+            size / unit
             for size in PIN_SIZES
-            if (size / 2000 >= exact if up else size / 2000 <= exact)
+            if (size / unit >= exact if up else size / unit <= exact)
         ]
         if beyond_it:
             sizes.append((beyond_it[0] if up else beyond_it[-1], True))
@@ -326,14 +400,55 @@ def vary(*, design: CrankDesign, variable: str, value: float) -> CrankDesign:
     """
     if variable in WHOLE:
         return replace(design, **{variable: round(value)})  # type: ignore[arg-type]
+    if variable == "crankshaft.dynamic_rating":
+        return _rated(design, value)
+    section, _, name = variable.rpartition(".")
+    if section:
+        part = replace(getattr(design, section), **{name: value})
+        return replace(design, **{section: part})
     changed: dict[str, float] = {variable: value}
     if variable in ("pin_radius", "eccentricity") and design.hole_radius is not None:
         changed["hole_radius"] = design.hole_radius + value - (getattr(design, variable) or 0.0)
     made = replace(design, **changed)  # type: ignore[arg-type]
-    pin, former = design.pin, 2 * (design.pin_radius or 0.0)
-    if variable == "pin_radius" and pin and math.isclose(pin.diameter, former, rel_tol=1e-12):
-        made = replace(made, pin=replace(pin, diameter=2 * value))  # no sleeve
+    if variable == "pin_radius" and design.pin and not design.sleeved:
+        made = replace(made, pin=replace(design.pin, diameter=2 * value))
     return made
+
+
+def _rated(design: CrankDesign, rating: float) -> CrankDesign:
+    """With both bearings of the crankshaft of a rating."""
+    shaft = design.crankshaft
+    assert shaft is not None and shaft.bearings is not None
+    one, other = (replace(each, dynamic_rating=rating) for each in shaft.bearings)
+    return replace(design, crankshaft=replace(shaft, bearings=(one, other)))
+
+
+def value_of(*, design: CrankDesign, variable: str) -> float | None:
+    """An input of a design.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    variable : str
+        Its attribute, with its section's name before a dot.
+
+    Returns
+    -------
+    float or None
+        None where it is not given, or no input of its own: the diameter of a pin without a sleeve
+        is that of the contact, with one the contact is not the pin's.
+    """
+    if variable == "crankshaft.dynamic_rating":
+        bearings = design.crankshaft and design.crankshaft.bearings
+        ratings = [each.dynamic_rating for each in bearings or ()]
+        return None if not ratings or None in ratings else min(ratings)  # type: ignore[type-var]
+    if variable == "pin.diameter" and not design.sleeved:
+        return None
+    found: Any = design
+    for name in variable.split("."):
+        found = None if found is None else getattr(found, name)
+    return found  # type: ignore[no-any-return]
 
 
 def crank_fixes(
@@ -358,34 +473,43 @@ def crank_fixes(
     fixes = []
     for code in codes:
         for variable in VARIED.get(code, ()):
-            before = getattr(design, variable)
-            if code in ("interference", "clearance", "crank_balance"):
-                fix = _closed(design, code, variable, current)
-            elif code in PLAY:
-                fix = _less_clearance(design, code, current)
-            elif before is None or (variable == "satellites" and not _even(design)):
+            try:
+                fix = _fix(design, code, variable, current)
+            except CalculationError:  # a size that would cure it makes no design
                 continue
-            elif code in CONTACT and design.as_made:
-                fix = _as_made(design, code, variable, current)
-            else:
-
-                def change(value: float, code: str = code, variable: str = variable) -> Check:
-                    return CRANK[code](vary(design=design, variable=variable, value=value))
-
-                def whole_list(value: float, variable: str = variable) -> Verdict:
-                    return crank_checks(vary(design=design, variable=variable, value=value))
-
-                fix = fix_of(
-                    code=code,
-                    variable=variable,
-                    before=float(before),
-                    change=change,
-                    whole_list=whole_list,
-                    current=current,
-                )
             if fix is not None:
                 fixes.append(fix)
     return in_order(fixes)
+
+
+def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix of a check by one input."""
+    before = value_of(design=design, variable=variable)
+    if code in ("interference", "clearance", "crank_balance"):
+        return _closed(design, code, variable, current)
+    if code in PLAY:
+        return _less_clearance(design, code, current)
+    if not before or (variable == "satellites" and not _even(design)):
+        return None
+    strength = code in POWERS or (code in CONTACT and design.pin is not None)
+    if strength and variable not in WHOLE:
+        return _by_power(design, code, variable, current)
+    if design.as_made and code in CONTACT:
+        return _as_made(design, code, variable, current)
+    if design.as_made and strength:  # each number would be solved over the turn
+        return None
+
+    def changed(value: float) -> CrankDesign:
+        return vary(design=design, variable=variable, value=value)
+
+    return fix_of(
+        code=code,
+        variable=variable,
+        before=float(before),
+        change=lambda value: CRANK[code](changed(value)),
+        whole_list=lambda value: crank_checks(changed(value)),
+        current=current,
+    )
 
 
 def plain_fixes(
@@ -442,7 +566,53 @@ def plain_fixes(
 
 
 def _even(design: CrankDesign) -> bool:
-    return design.crank_angles is None and design.crank_spacing is None
+    """Whether the number of satellites may change: nothing is listed for each of them."""
+    listed = (design.crank_angles, design.crank_spacing, design.pin, design.crankshaft)
+    return all(each is None for each in (*listed, design.deviations))
+
+
+def _by_power(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix of what grows or falls about with a power of an input."""
+    powers = GROWTH if code in CONTACT else USUAL | POWERS[code]
+    growth = powers.get(variable)
+    if growth is None or (variable == "pin_radius" and design.sleeved and code in PINS):
+        return None
+
+    def beyond_aim(value: float) -> float:
+        check = CRANK[code](vary(design=design, variable=variable, value=value))
+        if check.torque_reserve is not None:
+            return check.torque_reserve / (1.0 if check.warning else MARGIN)
+        return 1 / check.utilisation if check.utilisation else math.nan
+
+    before = value_of(design=design, variable=variable)
+    assert before is not None
+    exact = _secant(beyond_aim, before, growth)
+    return None if exact is None else _checked(design, code, variable, exact, current)
+
+
+def _secant(beyond_aim: Callable[[float], float], before: float, growth: float) -> float | None:
+    """Where a measure that is about a power of an input is 1, or a trifle more."""
+    points: list[tuple[float, float]] = []
+    value = before
+    for _ in range(SEARCHED):
+        try:
+            found = beyond_aim(value)
+        except (CalculationError, AssertionError):
+            return None
+        if not found > 0:
+            return None
+        points.append((math.log(value), math.log(found)))
+        if 0 <= points[-1][1] <= 1e-6:
+            break
+        if len(points) > 1 and points[-1][0] != points[-2][0]:
+            growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
+        if not abs(growth) > 0.1:
+            return None
+        # a trifle beyond, so that it is met from the safe side
+        value = math.exp(points[-1][0] - (points[-1][1] - 5e-7) / growth)
+        if not before / RANGE <= value <= before * RANGE:
+            return None
+    return value
 
 
 def _as_made(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
@@ -452,30 +622,14 @@ def _as_made(design: CrankDesign, code: str, variable: str, current: Verdict) ->
     before, check = getattr(design, variable), current[code]
     if variable not in GROWTH or check.limit is None or check.value is None:
         return None
-    limit, value = check.limit, before
-    aim = 1.0 if check.warning else MARGIN
-    points: list[tuple[float, float]] = []
-    for _ in range(SEARCHED):
-        try:
-            changed = vary(design=design, variable=variable, value=value)
-            reserve = real_reserve(design=changed, limit=limit)
-        except (CalculationError, AssertionError):
-            return None
-        if not reserve > 0:
-            return None
-        points.append((math.log(value), math.log(reserve / aim)))
-        if 0 <= points[-1][1] <= 1e-6:
-            break
-        growth = GROWTH[variable]
-        if len(points) > 1 and points[-1][0] != points[-2][0]:
-            growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
-        if not abs(growth) > 0.1:
-            return None
-        # a trifle beyond, so that it is met from the safe side
-        value = math.exp(points[-1][0] - (points[-1][1] - 5e-7) / growth)
-        if not before / RANGE <= value <= before * RANGE:
-            return None
-    return _checked(design, code, variable, value, current)
+    limit, aim = check.limit, 1.0 if check.warning else MARGIN
+
+    def beyond_aim(value: float) -> float:
+        changed = vary(design=design, variable=variable, value=value)
+        return real_reserve(design=changed, limit=limit) / aim
+
+    exact = _secant(beyond_aim, before, GROWTH[variable])
+    return None if exact is None else _checked(design, code, variable, exact, current)
 
 
 def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | None:
@@ -506,7 +660,8 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
 
 def _checked(design: CrankDesign, code: str, variable: str, exact: float, current: Verdict) -> Fix:
     """A fix that was found, with all checks made again."""
-    before = float(getattr(design, variable))
+    before = value_of(design=design, variable=variable)
+    assert before is not None
     ends = (exact, exact * RANGE) if exact >= before else (exact / RANGE, exact)
     if variable == "hole_radius":
         ends = (exact, exact)

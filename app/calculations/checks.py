@@ -1,5 +1,6 @@
 """Verdict, checks and fixes in requests and answers."""
 
+import math
 from collections.abc import Iterable
 from typing import Any, Literal
 
@@ -211,6 +212,7 @@ class PlaceOut(ResponseModel):
     """Where a value is reached."""
 
     satellite: Maybe[int] = result("Satellite.", default=None)
+    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.", default=None)
     pin: Maybe[int] = result("Pin.", default=None)
     crank_angle_deg: Maybe[float] = result("Crank angle.", default=None)
 
@@ -369,24 +371,40 @@ def _value(body: Any, path: tuple[str | int, ...]) -> Any:
     return body
 
 
+SETS = {
+    "crankshaft.dynamic_rating": tuple(
+        f"crankshaft.bearings[{index}].dynamic_rating" for index in (0, 1)
+    )
+}
+"""What fixes of several fields set."""
+
+
 def fix_values(fix: Fix, body: BaseModel) -> Values:
     """Values of a fix, with all that it sets in a request."""
-    path = path_of(body, fix.variable)
-    assert path is not None
+    paths = [
+        path
+        for each in SETS.get(fix.variable, (fix.variable,))
+        if (path := path_of(body, each)) is not None
+    ]
+    path = paths[0]
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
-    sets = {pointer(path): to}
-    hole, clearance = (path_of(body, each) for each in ("hole_radius", "hole_clearance"))
+    sets = {pointer(each): to for each in paths}
+    hole, clearance, pin = (
+        path_of(body, each) for each in ("hole_radius", "hole_clearance", "pin.diameter")
+    )
     if fix.variable == "pin_radius" and hole is not None and _value(body, hole) is not None:
         sets[pointer(hole)] = round(float(_value(body, hole)) + to - before, 9)
+    inside = _value(body, pin) if pin is not None else None
+    no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)
+    if fix.variable == "pin_radius" and no_sleeve:
+        sets[pointer(pin)] = 2 * to  # type: ignore[arg-type]
     loose = _value(body, clearance) if clearance is not None else None
     if fix.variable == "hole_radius" and loose is not None:
         sets[pointer(clearance)] = round(float(loose) + to - before, 9)  # type: ignore[arg-type]
         if _value(body, path) is None:  # the hole follows the clearance
             del sets[pointer(path)]
-    parent: Any = body
-    for part in path[:-1]:
-        parent = getattr(parent, str(part))
+    parent: Any = _value(body, path[:-1])
     values: Values = {
         "code": fix.code,
         "pointer": pointer(path),

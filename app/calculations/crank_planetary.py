@@ -269,7 +269,7 @@ class CrankPlanetaryRequest(RequestModel):
         if not self.as_made or "hertz" not in allowed:
             return allowed
         if self.design.judged_forces is None:
-            return [each for each in allowed if each != "hertz"]
+            return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [*allowed, "load_sharing"]
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -298,10 +298,11 @@ class CrankPlanetaryRequest(RequestModel):
     def solve_hertz(self) -> HertzContact:
         """Contact under the ideal peak force, or under those of the mechanism as it is made."""
         if self.as_made:
-            return self._known(self.design.loading).contact_at(1.0)
+            self._known(self.design.loading)
         if isinstance(self.design.force, ImpossibleMechanism):
             raise self.design.force
-        assert self.design.contact is not None
+        if self.design.contact is None:
+            raise self._too_many("pin_strength")
         return self.design.contact
 
     def solve_strength(self, section: Section) -> Any:
@@ -309,10 +310,16 @@ class CrankPlanetaryRequest(RequestModel):
         found = getattr(self.design, STRENGTH[section])
         if isinstance(found, ImpossibleMechanism):
             raise found
+        if found is None and self.design.unmade:
+            self._known(self.design.real_forces)
         if found is None:
-            limit = self.mechanism.most_pins(MOST_PAIRS[section])
-            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+            raise self._too_many(section)
         return found
+
+    def _too_many(self, section: Section) -> InvalidInput:
+        """Refusal of more pairs than a section is calculated for."""
+        limit = self.mechanism.most_pins(MOST_PAIRS[section])
+        return InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
 
     def solve_sharing(self) -> RealForces:
         """Forces of the mechanism as it is made, under the torque itself."""
@@ -524,6 +531,17 @@ class LoadSharingOut(OverTurnOut):
         return super().values(result.turn, run_time_us, **(own | given))
 
 
+class DesignHertzOut(HertzResponse):
+    """The contact with the largest pressure."""
+
+    line_load_factor: Maybe[float] = result(
+        "Largest line load over the even one of the force, where pins bend: by how they share the "
+        "load, and by their slope. All else is said of that line load.",
+        default=None,
+        symbol="K_b",
+    )
+
+
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
@@ -534,9 +552,10 @@ class CrankPlanetaryResponse(JudgedResponse):
     load_sharing: Maybe[LoadSharingOut] = result(
         "As `/load-sharing` answers over the turn.", default=None
     )
-    hertz: Maybe[HertzResponse] = result(
-        "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or "
-        "elasticity of the pair and under the force with the largest pressure.",
+    hertz: Maybe[DesignHertzOut] = result(
+        "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
+        "law of contact of the pair and under the force with the largest pressure; with bending "
+        "pins under the largest line load.",
         default=None,
     )
     pin_strength: Maybe[PinStrengthResponse] = result(
@@ -631,7 +650,9 @@ def solve(body: CrankPlanetaryRequest) -> Values:
             sharing, sharing_us, judged_force_N=force_N
         )
     if "hertz" in asked:
-        sections["hertz"] = HertzResponse.values(*run(body, body.solve_hertz))
+        contact, hertz_us = run(body, body.solve_hertz)
+        factor = body.design.edge_factor(1.0) if body.pin else None
+        sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.solve_strength, name))

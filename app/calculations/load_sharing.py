@@ -255,6 +255,9 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
             pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
             pressure=np.array([each.max_pressure for each in hardest if each is not None]),
             lag_curve=self.lag_curve(real),
+            play=loaded_position(
+                real=real, crank_angle=self.crank_angles[0], output_torque=self.torque
+            ).play,
         )
 
 

@@ -24,6 +24,9 @@ class Drawn:
         Largest pressure at each crank angle.
     lag_curve : StiffnessCurve
         Lag over torque.
+    play : (float, float) or None
+        Ends of the play at its crank angle, through which the lag moves without torque; None where
+        parts are pressed together.
     """
 
     curves: RealCurves
@@ -31,6 +34,7 @@ class Drawn:
     pairs: list[tuple[int, int]]
     pressure: FloatArray
     lag_curve: StiffnessCurve
+    play: tuple[float, float] | None
 
 
 def load_sharing_figure(shown: Drawn, theme: Theme) -> Figure:
@@ -91,9 +95,12 @@ def load_sharing_figure(shown: Drawn, theme: Theme) -> Figure:
     place = from_si("angle_deg", lag_curve.crank_angle)
     name = text("torque_over_lag", angle=Amount(place, "°"))
     hovered = text("torque_at_lag", torque=Amount("%{y:.5g}", "N·m"), lag=Amount("%{x:.5g}", "′"))
-    rotation = from_si("lag_arcmin", lag_curve.rotation)
+    points = [*zip(lag_curve.torque, lag_curve.rotation, strict=True)]
+    points += [(0.0, lag) for lag in shown.play or ()]
+    torques, lags = zip(*sorted(points), strict=True)
+    rotation = from_si("lag_arcmin", lags)
     own = {"xaxis": "x2", "yaxis": "y4", "mode": "lines+markers"}
-    data.append(curve(name, rotation, lag_curve.torque, 0, theme, hovered, colour=3) | own)
+    data.append(curve(name, rotation, torques, 0, theme, hovered, colour=3) | own)
     return {
         "data": data,
         "layout": layout(

@@ -155,7 +155,12 @@ class ToleranceStudyRequest(RealDesignFields):
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         self.refuse_other_shares()
-        loops, positions = self.loops, self._positions_of_a_pair
+        self.refuse_longer(settings)
+        self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
+
+    def refuse_longer(self, settings: Settings, times: int = 1) -> None:
+        """Refuse more samples than there is time for, if all is done so many times over."""
+        loops, positions = self.loops, times * self._positions_of_a_pair
         budget, soon = (
             int(POSITIONS_PER_SECOND[state] * settings.max_seconds)
             for state in (loops, "ready" if loops == "preparing" else loops)
@@ -168,7 +173,6 @@ class ToleranceStudyRequest(RealDesignFields):
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
         if self.samples > budget // (positions * self.mechanism.pairs):
             raise unavailable("Large studies are being prepared, once after an installation", 10)
-        self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
 
     @property
     def _positions_of_a_pair(self) -> int:

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field
 
+from app import compiled
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.load_sharing import LoadSharingRequest
@@ -11,8 +12,10 @@ from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
+from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values, result
 from app.running import run
+from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
 from core.errors import InvalidInput
@@ -24,6 +27,7 @@ from core.work_precision.peak_force import peak_force_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
+from core.work_precision.tolerance import COST, tolerance_sampling_study
 from core.work_precision.total_force import total_force_study
 
 MAX_ROLLERS = 24
@@ -146,6 +150,28 @@ class LoadSharingStudy(Study):
         return real_peak_study(real=self.input.real(), output_torque=self.input.torque)
 
 
+class ToleranceSamplingStudy(Study):
+    """The highest percentile asked of the first quantity, its mean where none is."""
+
+    calculation: Literal["tolerance-study"]
+    input: ToleranceStudyRequest
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what the operator does not allow, or what takes too long, as often as it is done
+        here.
+        """
+        self.input.refuse_longer(settings, COST)
+        self.input.refuse_beyond(settings)
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        compiled.use()
+        return tolerance_sampling_study(
+            study=self.input.study(lambda share: None),
+            percent=max(self.input.percentiles, default=None),
+        )
+
+
 def _refuse_many(rollers: int) -> None:
     if rollers > MAX_ROLLERS:
         raise InvalidInput("rollers", rollers, "service_limit", limit=MAX_ROLLERS)
@@ -158,7 +184,8 @@ WorkPrecisionRequest = Annotated[
     | MeshingLoadStudy
     | RollerSharingStudy
     | ShaftDeflectionStudy
-    | LoadSharingStudy,
+    | LoadSharingStudy
+    | ToleranceSamplingStudy,
     Field(discriminator="calculation"),
 ]
 

@@ -12,7 +12,10 @@ real_forces         forces with clearance, deviations and elasticity, in each di
 sections            pin, fatigue, friction, ring, bearings, crankshaft, as far as given
 crank_design        a crank-planetary reducer, as far as it is given
 pin_contact         pressure, shakedown and yield where pin and hole touch
+pins                static strength, fatigue, deflection and slope of the pins
+friction            efficiency, sliding speed, pv and wear
 play                backlash and lost motion of the output
+crank               bearings of the satellites, ring, crankshaft
 crank_planetary     cranks, pins, holes and satellite; all checks of the reducer
 rollers             swinging rollers
 shaft               the precessional gear and its shaft

@@ -38,6 +38,8 @@ class Check:
     torque_reserve : float or None
         Factor on the torque at which the value is at its limit; None where it does not depend on
         it, or is not known.
+    rough : bool
+        Whether the reserve is rough: with other torques forces are shared otherwise.
     impossible : bool
         Whether the mechanism cannot exist or move so.
     warning : bool
@@ -59,6 +61,7 @@ class Check:
     keep: Literal["below", "above"] = "below"
     utilisation: float | None = None
     torque_reserve: float | None = None
+    rough: bool = False
     impossible: bool = False
     warning: bool = False
     reason: str = ""
@@ -151,6 +154,25 @@ def judged(
     )
 
 
+def not_asked(*, code: str, value: float | None, name: str) -> Check:
+    """A check whose limit nobody asks.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    value : float or None
+        What would be compared, where it is known.
+    name : str
+        Core name of the limit.
+
+    Returns
+    -------
+    Check
+    """
+    return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
+
+
 def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:
     """A wall or a gap: more than nothing, else the part cannot exist, and at least what is asked.
 
@@ -188,8 +210,8 @@ class Verdict:
     torque_reserve : float or None
         Factor on the torque at which the first check fails.
     largest_torque_known : bool
-        Whether the torque alone decides: nothing fails that less torque does not cure, and nothing
-        is unknown.
+        Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
+        that is known, and nothing is unknown.
     counts : dict of str to int
         How many checks have each status.
     not_considered : tuple of str
@@ -264,7 +286,9 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         outcome = "incomplete"
     elif counts["marginal"]:
         outcome = "marginal"
-    stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
+    stuck = any(
+        each.status == "fail" and (each.torque_reserve is None or each.rough) for each in decided
+    )
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,

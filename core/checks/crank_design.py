@@ -6,7 +6,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar
 
-from core.checks.real_forces import Direction, RealForces
+import numpy as np
+
+from core.checks.real_forces import WAYS, Direction, RealForces
 from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -15,14 +17,17 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, HertzLaw
+from core.output.contact_law import ContactLaw, HertzLaw, contact_compliance
 from core.output.losses import PinLosses, pin_losses
 from core.output.mechanism import Mechanism
+from core.output.pin_beam import PinBeam, face_load_factor
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_geometry import FIT_TOLERANCE, PinFit, pin_fit
+from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.results import Notice
+from core.output.real_turn import made
+from core.output.sampled_turn import Made, SampledTurn
+from core.results import Accuracy, Notice
 
 MOST_REAL_PAIRS = 100
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
@@ -342,12 +347,69 @@ class CrankDesign:
     @property
     def unsolved(self) -> str:
         """Why the forces that are judged are not known."""
+        if self.judged_forces is not None:
+            return "too_large"  # for what bends
         return self.why_unknown(self.loading if self.as_made else self.force)
 
     @cached_property
     def contact(self) -> HertzContact | None:
-        """The contact with the largest pressure, where the forces are known."""
-        return None if self.judged_forces is None else self.contact_at(1.0)
+        """The contact with the largest pressure, where the forces are known: at the end of the
+        length where the pin slopes.
+        """
+        if self.judged_forces is None:
+            return None
+        if self.pin is not None and not isinstance(self.pin_loads, PinStrength):
+            return None
+        return self.contact_at(self.edge_factor(1.0))
+
+    def edge_factor(self, factor: float) -> float:
+        """Largest line load of a contact over the mean one of the largest force: where pins bend,
+        by the worse of equal and stiffness sharing, and by their slope.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the forces and the slopes.
+
+        Returns
+        -------
+        float
+        """
+        return max(self._edges(factor), default=(1.0, 0))[0]
+
+    def _edges(self, factor: float) -> list[tuple[float, int]]:
+        """The same of each satellite, with its number."""
+        loads, judged = self.pin_loads if self.pin else None, self.judged_forces
+        if not isinstance(loads, PinStrength) or loads.deflection is None or judged is None:
+            return []
+        base = self.dynamic_factor * getattr(judged, "peak_force", 0.0)
+        if isinstance(judged, RealForces):
+            base = judged.force
+        edges = []
+        bent = zip(loads.deflection.forces, loads.deflection.slopes, strict=True)
+        for satellite, (force, slope) in enumerate(bent, 1):
+            if not force > 0:
+                continue
+            approach = factor * force * self._compliance(factor * force)
+            even = face_load_factor(
+                slope=factor * slope, contact_length=self.contact_length or 0.0, approach=approach
+            )
+            edges.append((float(even) * force / base, satellite))
+        return edges
+
+    def _compliance(self, force: float) -> float:
+        """Approach of a contact over its force, m/N."""
+        assert self.contact_length is not None and self.pin_radius is not None
+        assert self.hole_radius is not None
+        return contact_compliance(
+            law=self.law or HertzLaw(),
+            force=force,
+            contact_length=self.contact_length,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            pin=self.pin_material,
+            hole=self.hole_material,
+        )
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
@@ -370,14 +432,21 @@ class CrankDesign:
         )
 
     def torque_factor(self, factor: float) -> float:
-        """Factor on the torque under which that contact carries so many times its force."""
-        force = self.judged_forces
-        return force.torque_factor(factor) if isinstance(force, RealForces) else factor
+        """Factor on the torque under which the largest line load is so many times as large."""
+        force, edge = self.judged_forces, self.edge_factor(1.0)
+        on_force, before = factor, 0.0
+        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-13 * on_force:
+            on_force, before = factor * edge / self.edge_factor(on_force), on_force
+        return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
     @cached_property
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
+        if edges := self._edges(1.0):
+            satellite = max(edges)[1]
+            known = isinstance(force, RealForces) and force.place["satellite"] == satellite
+            return force.place if known else {"satellite": satellite}  # type: ignore[union-attr]
         if isinstance(force, RealForces):
             return force.place
         if force is None:
@@ -407,12 +476,15 @@ class CrankDesign:
 
     @property
     def _forced(self) -> dict[str, Any]:
-        """What the ideal forces follow from, as arguments."""
+        """What the forces follow from, as arguments."""
         return {
-            "mechanism": self.driven,
+            "mechanism": self.mechanism,
             "force_exponent": self.force_exponent,
             "output_torque": self.output_torque,
             "pin_circle_radius": self.pin_circle_radius,
+            "torque_direction": self.torque_direction,
+            "pair_stiffness": self.pair_stiffness,
+            "made": self.made,
         }
 
     @property
@@ -421,10 +493,58 @@ class CrankDesign:
         moving = {"eccentricity": self.eccentricity, "input_speed": self.input_speed}
         return self._forced | moving
 
+    @cached_property
+    def made(self) -> Made | None:
+        """The forces of the mechanism as it is made under any torque, where they are judged."""
+        return made(self.real) if self.as_made and self.real is not None else None
+
+    @property
+    def unmade(self) -> bool:
+        """Whether the forces of the mechanism as it is made are wanted and cannot be solved."""
+        return self.as_made and self.real is None
+
+    @cached_property
+    def pair_stiffness(self) -> tuple[float, ...] | None:
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load."""
+        pin, force = self.pin, self.force
+        if pin is None or self.as_made or not isinstance(force, ContactForce):
+            return None
+        length = self.pin_length
+        far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
+        held = all(length / 2 <= z <= far - length / 2 for z in pin.satellite_positions)
+        if not held or len(pin.satellite_positions) != self.satellites or self.satellites == 1:
+            return None
+        beam = PinBeam.round(
+            support=pin.support,
+            diameter=pin.diameter,
+            contact_length=length,
+            youngs_modulus=pin.material.youngs_modulus,
+            poissons_ratio=pin.material.poissons_ratio,
+            span=pin.span,
+        )
+        return beam.pair_stiffness(
+            positions=pin.satellite_positions,
+            contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
+        )
+
+    @property
+    def pin_length(self) -> float:
+        """Length of the contact along the pin, m."""
+        assert self.contact_length is not None
+        given = None if self.pin is None else self.pin.contact_length
+        return self.contact_length if given is None else given
+
     @property
     def pairs(self) -> int:
         """Number of pairs of pin and hole."""
         return self.pins * self.satellites
+
+    @property
+    def sleeved(self) -> bool:
+        """Whether what touches the hole is not the pin, but a sleeve of it."""
+        if self.pin is None or self.pin_radius is None:
+            return False
+        return not math.isclose(self.pin.diameter, 2 * self.pin_radius, rel_tol=1e-12)
 
     @property
     def static_torque(self) -> float:
@@ -432,6 +552,22 @@ class CrankDesign:
         assert self.output_torque is not None
         peak = self.peak_torque
         return self.output_torque * self.dynamic_factor if peak is None else peak
+
+    @property
+    def static_share(self) -> float:
+        """That torque over the one with the factor."""
+        assert self.output_torque is not None
+        return self.static_torque / (self.output_torque * self.dynamic_factor)
+
+    def unturned(self, found: object) -> tuple[str, tuple[str, ...]]:
+        """Why what turns is not known, as the reason of a check, and which inputs are missing."""
+        if isinstance(found, ImpossibleMechanism):
+            return self.why_unknown(found), ()
+        if self.eccentricity is None:
+            return "eccentricity_missing", ("eccentricity",)
+        if self.input_speed is None:
+            return "speed_missing", ("input_speed",)
+        return (self.why_unknown(None) if self.unmade else "too_large"), ()
 
     @cached_property
     def fatigue_strength(self) -> FatigueStrength | Notice | None:
@@ -442,55 +578,55 @@ class CrankDesign:
         return _named("fatigue", lambda: basis.strength(pin))
 
     @cached_property
+    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins without their fatigue, with their deflection."""
+        known = self.__dict__.get("pin_strength")
+        return known or self._pin_strength(None)
+
+    @cached_property
     def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
         """Strength of the pins under the dynamic load, its static safety under the peak torque; why
         it is not known; None without pins, or of too many.
         """
-        if not (self.loaded and self.touching and self.pin) or self.pairs > MOST_PIN_PAIRS:
+        judged = self.fatigue_strength
+        if not isinstance(judged, FatigueStrength):
+            found = self.pin_loads
+        else:
+            found = self._pin_strength(judged)
+        if self.pin is None or not isinstance(found, PinStrength):
+            return found
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid = self.pin.valid_diameter
+        if valid is not None and self.pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(found, notices=notices + found.notices)
+
+    def _pin_strength(
+        self, fatigue: FatigueStrength | None
+    ) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins; why it is not known."""
+        if not (self.loaded and self.touching and self.pin) or self.unmade:
             return None
-        pin, judged = self.pin, self.fatigue_strength
-        assert self.output_torque is not None and self.contact_length is not None
-        length = self.contact_length if pin.contact_length is None else pin.contact_length
-        torque = self.output_torque * self.dynamic_factor
-        found = _known(
+        if self.pairs > MOST_PIN_PAIRS:
+            return None
+        pin = self.pin
+        return _known(
             "pin",
             lambda: pin_strength(
-                **self._forced | {"output_torque": torque},
+                **self._forced,
+                application_factor=self.dynamic_factor,
+                peak_torque=self.static_torque,
                 diameter=pin.diameter,
-                contact_length=length,
+                contact_length=self.pin_length,
                 satellite_positions=pin.satellite_positions,
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
                 rotates=pin.rotates,
-                fatigue=judged if isinstance(judged, FatigueStrength) else None,
+                fatigue=fatigue,
                 input_speed=self.input_speed,
                 deflection=True,
             ),
-        )
-        if isinstance(found, ImpossibleMechanism):
-            return found
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        valid, safety = pin.valid_diameter, found.static_safety_factor
-        if valid is not None and pin.diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
-        return replace(
-            found,
-            static_safety_factor=None if safety is None else safety * torque / self.static_torque,
-            notices=notices + found.notices,
-        )
-
-    @property
-    def fit(self) -> PinFit | None:
-        """How pins and holes fit, as far as their sizes are given."""
-        if self.pin_radius is None or self.hole_radius is None:
-            return None
-        return pin_fit(
-            pins=self.pins,
-            pin_radius=self.pin_radius,
-            hole_radius=self.hole_radius,
-            eccentricity=self.eccentricity,
-            pin_circle_radius=self.pin_circle_radius,
         )
 
     @cached_property
@@ -501,21 +637,37 @@ class CrankDesign:
         friction = self.friction
         if friction is None or not (self.loaded and self.input_speed and self.eccentricity):
             return None
+        if self.unmade:
+            return None
         inside = self.pin.diameter if friction.sleeve and self.pin else None
-        return _known(
-            "pin",
-            lambda: pin_losses(
-                **self._turning,
-                pin_radius=self.pin_radius,
-                hole_radius=self.hole_radius,
-                contact_length=self.contact_length,
-                friction_coefficient=friction.coefficient,
-                diameter=inside,
-                wear_rate=friction.wear_rate,
-                life=None
-                if friction.wear_rate is None
-                else (self.life if friction.life is None else friction.life),
-            ),
+        life = self.life if friction.life is None else friction.life
+        return _known("pin", lambda: self._losses(friction, inside, life))
+
+    def _losses(self, friction: Friction, inside: float | None, life: float) -> PinLosses:
+        """Losses of the ideal forces, or of those of the mechanism as it is made."""
+        assert self.output_torque is not None and self.pin_circle_radius is not None
+        found = pin_losses(
+            mechanism=self.driven,
+            force_exponent=self.force_exponent,
+            output_torque=self.output_torque,
+            pin_circle_radius=self.pin_circle_radius,
+            input_speed=self.input_speed,
+            eccentricity=self.eccentricity,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            contact_length=self.contact_length,
+            friction_coefficient=friction.coefficient,
+            diameter=inside,
+            wear_rate=friction.wear_rate,
+            life=None if friction.wear_rate is None else life,
+        )
+        if self.made is None:
+            return found
+        turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
+        reference = self.output_torque / self.pin_circle_radius
+        return max(
+            (made_losses(losses=found, turn=turn, reference=reference) for turn in turns),
+            key=lambda each: each.mean_loss,
         )
 
     @cached_property
@@ -536,9 +688,9 @@ class CrankDesign:
         bearing, mesh = self.bearing, self.mesh
         if bearing is None or mesh is None or not (self.loaded and self.input_speed):
             return None
-        if self.pairs > MOST_BEARING_PAIRS:
+        if self.pairs > MOST_BEARING_PAIRS or self.unmade:
             return None
-        found = _known(
+        return _known(
             "bearing",
             lambda: satellite_bearings(
                 **self._turning,
@@ -549,13 +701,9 @@ class CrankDesign:
                 reliability_percent=bearing.reliability_percent,
                 ring_factor=bearing.ring_factor,
                 weibull_slope=bearing.weibull_slope,
+                peak_torque=self.static_torque,
             ),
         )
-        if isinstance(found, ImpossibleMechanism) or found.static_safety_factor is None:
-            return found
-        assert self.output_torque is not None
-        share = self.output_torque / self.static_torque
-        return replace(found, static_safety_factor=found.static_safety_factor * share)
 
     @cached_property
     def shaft(self) -> Crankshaft | ImpossibleMechanism | None:
@@ -565,7 +713,7 @@ class CrankDesign:
         own, mesh = self.crankshaft, self.mesh
         if own is None or mesh is None or not (self.loaded and self.input_speed):
             return None
-        if self.pairs > MOST_BEARING_PAIRS:
+        if self.pairs > MOST_BEARING_PAIRS or self.unmade:
             return None
         given = self._turning
         if own.bearings is not None:
@@ -583,6 +731,49 @@ class CrankDesign:
                 satellite_mass=own.satellite_mass,
             ),
         )
+
+
+def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
+    """Losses of a mechanism as it is made: all forces of a satellite act along its crank but for
+    its deviations, so that together they are what they do to it.
+
+    Parameters
+    ----------
+    losses : PinLosses
+        Those of the ideal forces.
+    turn : SampledTurn
+        Forces under the torque.
+    reference : float
+        ``F0 = T/R``, N.
+
+    Returns
+    -------
+    PinLosses
+    """
+    total = np.abs(turn.on_satellites).sum(axis=0) / reference
+    mean, least, largest = float(turn.mean(total)), float(total.min()), float(total.max())
+    peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
+    part = mean / float(losses.mean_total_force_ratio)
+    share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
+    pin, hole = (
+        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
+    )
+    error = turn.error + losses.accuracy.relative_error
+    return replace(
+        losses,
+        mean_total_force_ratio=mean,
+        mean_loss=losses.mean_loss * part,
+        efficiency=1 / (1 + share * mean),
+        min_efficiency=1 / (1 + share * largest),
+        max_efficiency=1 / (1 + share * least),
+        peak_force=losses.peak_force * peak,
+        peak_pv=losses.peak_pv * peak,
+        mean_pv=losses.mean_pv * part,
+        friction_couple=losses.friction_couple * part,
+        pin_wear=pin,
+        hole_wear=hole,
+        accuracy=Accuracy("sampling", error, turn.evaluations),
+    )
 
 
 SECTION_OF = {

@@ -1,11 +1,14 @@
-"""Checks of a crank-planetary reducer: cranks, contact, fit of pin and hole, play, walls."""
+"""Checks of a crank-planetary reducer: cranks, fit of pin and hole, walls; all of its parts."""
 
 import cmath
 from collections.abc import Callable
 
-from core.checks.check import Check, Verdict, judged, verdict, wall
+from core.checks.check import Check, Verdict, judged, not_asked, verdict, wall
+from core.checks.crank import BEARING, GEAR, SHAFT
 from core.checks.crank_design import CrankDesign
+from core.checks.friction import FRICTION
 from core.checks.pin_contact import CONTACT
+from core.checks.pins import PIN_FATIGUE, PINS
 from core.checks.play import PLAY, no_eccentricity
 from core.checks.real_forces import RealForces
 from core.output.mechanism import assembly_angles
@@ -97,6 +100,21 @@ def _wall_bore(design: CrankDesign) -> Check:
     return wall("wall_bore", width=width, size=design.hole_radius, least=design.min_wall)
 
 
+def _outer_diameter(design: CrankDesign) -> Check:
+    """Of the circle in which a satellite moves."""
+    code, limit = "outer_diameter", design.max_outer_diameter
+    radius, eccentricity = design.outer_radius, design.eccentricity
+    value = None if radius is None or eccentricity is None else 2 * (radius + eccentricity)
+    if limit is None:
+        return not_asked(code=code, value=value, name="max_outer_diameter")
+    if radius is None:
+        missing = ("satellite_body.outer_radius",)
+        return Check(
+            code=code, status="not_checked", limit=limit, reason="size_missing", missing=missing
+        )
+    return no_eccentricity(code) if value is None else judged(code, value, limit)
+
+
 Table = dict[str, Callable[[CrankDesign], Check]]
 
 MECHANISM: Table = {
@@ -110,8 +128,12 @@ PLACE: Table = {
     "pins_apart": _pins_apart,
     "holes_off_centre": _holes_off_centre,
 }
-SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore}
-CRANK = MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE
+SPACE: Table = {"outer_diameter": _outer_diameter}
+SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore} | SPACE
+CRANK = (
+    MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE
+    | PINS | PIN_FATIGUE | FRICTION | GEAR | BEARING | SHAFT
+)  # fmt: skip
 """Checks of a crank-planetary reducer, by code."""
 
 
@@ -131,11 +153,26 @@ def crank_tables(design: CrankDesign) -> Table:
     tables = dict(MECHANISM)
     if design.touching:
         tables |= FIT
+    if design.max_outer_diameter is not None:
+        tables |= SPACE
     if design.touching and design.loaded:
         tables |= CONTACT | PLAY | PLACE
-        if design.has_body:
-            tables |= SATELLITE
+        for section, table in SECTIONS.items():
+            if getattr(design, section):
+                tables |= table
     return tables
+
+
+SECTIONS: dict[str, Table] = {
+    "has_body": SATELLITE,
+    "pin": PINS,
+    "fatigue": PIN_FATIGUE,
+    "friction": FRICTION,
+    "gear": GEAR,
+    "bearing": BEARING,
+    "crankshaft": SHAFT,
+}
+"""What is checked where a section of a design is there, besides mechanism, load and contact."""
 
 
 def crank_checks(design: CrankDesign) -> Verdict:
@@ -150,15 +187,18 @@ def crank_checks(design: CrankDesign) -> Verdict:
     -------
     Verdict
     """
+    tables = crank_tables(design)
+    if "pin_fatigue" in tables and design.loaded:
+        _ = design.pin_strength  # of which the others take what they need
     real = design.loaded and design.touching and isinstance(design.judged_forces, RealForces)
     absent = {
         "load": not design.loaded,
         "contact": not design.touching,
         "satellite_body": not design.has_body,
         "clearance": not real,
+        **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
     }
-    later = ("pin", "friction", "gear", "bearing", "crankshaft")
     return verdict(
-        [check(design) for check in crank_tables(design).values()],
-        (*[name for name, so in absent.items() if so], *later),
+        [check(design) for check in tables.values()],
+        tuple(name for name, so in absent.items() if so),
     )

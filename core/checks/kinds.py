@@ -39,6 +39,11 @@ GROUPS = {
     "contact": "Contact of pin and hole",
     "geometry": "Pins and holes",
     "play": "Play of the output",
+    "pin": "Strength of the pins",
+    "friction": "Friction and wear",
+    "gear": "Ring",
+    "bearing": "Bearings of the satellites",
+    "crankshaft": "Crankshaft",
     "body": "Satellite",
     "rollers": "Rollers",
     "lines": "Contact lines",
@@ -48,9 +53,13 @@ GROUPS = {
 """What checks are about, in English, by code."""
 
 CHECK_SOURCES = {
+    "archard_1953": "Archard 1953, with the wear coefficient that was given",
+    "balance": "statics of rotating masses",
     "beam": "beam theory (Mohr)",
     "geometry": "geometry",
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
+    "iso_281_life": "ISO 281:2007, with the ratings that were given",
+    "iso_76_rating": "ISO 76: the rating is the load that dents by 1e-4 of a rolling element",
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
     "p = 2.31*Re (Mises)",
@@ -59,7 +68,10 @@ CHECK_SOURCES = {
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
+    "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
+    "turns it",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
@@ -78,31 +90,42 @@ REASONS = {
     "strength where it is a steel",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "mass_unknown": "No mass of a satellite is given",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
     "soft for the load, or the clearance is too large",
+    "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
+    "no_involute": "It is one of involute teeth",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "no_teeth": "No teeth or pins of the ring are given",
     "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
+    "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
+    "section_missing": "A part of the design that it needs is not given",
+    "size_missing": "A size that it needs is not given",
+    "speed_missing": "No input speed is given",
+    "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
     "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
     "to the axis",
+    "too_large": "There are more pairs of pin and hole than it is calculated for",
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
+    "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one",
 }
 """Why a status is what it is, where numbers do not say it, in English, by code."""
 
 NOT_CONSIDERED = {
-    "bearing": "bearings",
+    "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
     "crankshaft": "crankshaft and balance of masses",
@@ -123,6 +146,45 @@ NOT_CONSIDERED = {
 _FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
 _HOLE = ("pin_radius", "hole_radius", "hole_clearance")
 _CONTACT = (*_FORCE, "contact_length", *_HOLE, "dynamic_factor")
+_PIN = (
+    *_FORCE,
+    "dynamic_factor",
+    "application_factor",
+    "pin.diameter",
+    "pin.satellite_positions",
+    "pin.support",
+    "pin.span",
+    "pin.contact_length",
+    "pin.material",
+)
+_FATIGUE = (
+    "fatigue.surface",
+    "fatigue.surface_factor",
+    "fatigue.reliability_percent",
+    "fatigue.reliability_factor",
+    "fatigue.fatigue_notch_factor",
+    "fatigue.notch",
+    "fatigue.endurance_limit",
+    "fatigue.criterion",
+)
+_TURNING = ("input_speed", "ratio", "eccentricity")
+_RING = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "gear.ring_pin_circle_radius",
+    "gear.radial_force_ratio",
+)
+_BEARING = (*_FORCE, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
+_BALANCE = (
+    "input_speed",
+    "eccentricity",
+    "crankshaft.satellite_mass",
+    "crankshaft.satellite_positions",
+    "crank_spacing",
+    "crank_angles",
+)
 _PLAY = ("pins", "satellites", "pin_circle_radius", *_HOLE, "eccentricity")
 _ROLLER = (
     "output_torque",
@@ -133,16 +195,6 @@ _ROLLER = (
     "sphere_width",
     "position_tolerance",
     "gaps",
-)
-_TIRED = (
-    "fatigue.surface",
-    "fatigue.surface_factor",
-    "fatigue.reliability_percent",
-    "fatigue.reliability_factor",
-    "fatigue.fatigue_notch_factor",
-    "fatigue.notch",
-    "fatigue.endurance_limit",
-    "fatigue.criterion",
 )
 _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
 
@@ -236,6 +288,94 @@ CHECKS = {
         "Otherwise the holes break into the bore of the satellite.",
         ("bore_radius", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016",
     ),
+    "outer_diameter": Kind(
+        "Diameter of the space of the satellites", "body", "mm", "2·(r_o + e) ≤ D_max",
+        "Otherwise the satellites do not fit into the space that is asked.",
+        ("outer_radius", "eccentricity", "max_outer_diameter"),
+    ),
+    "pin_static": Kind(
+        "Static strength of the pins", "pin", "MPa", "σ_v ≤ R_e/S_F",
+        "Above it the pins bend for good.",
+        (*_PIN, "peak_torque", "bending_safety"), "pin_beam",
+    ),
+    "pin_fatigue": Kind(
+        "Fatigue of the pins", "pin", "", "n ≥ S_D",
+        "Below it the pins break after some time where they bend most.",
+        (*_PIN, *_FATIGUE, "fatigue_safety"), "shigley",
+    ),
+    "pin_deflection": Kind(
+        "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",
+        "Above it the satellites share the load unevenly.", (*_PIN, "max_deflection"), "beam",
+    ),
+    "pin_slope": Kind(
+        "Slope of the pins in the satellites", "pin", "mrad", "θ ≤ θ_max",
+        "Above it the contacts carry on their edges.", (*_PIN, "max_slope"), "beam",
+    ),
+    "efficiency": Kind(
+        "Efficiency of the output mechanism", "friction", "", "η ≥ η_min",
+        "Below it more is lost than is asked.",
+        ("friction.coefficient", "friction.sleeve", "pin.diameter", "pin_circle_radius", "ratio",
+         "eccentricity", "pins", "satellites", "min_efficiency"), "user",
+    ),
+    "sliding_speed": Kind(
+        "Sliding speed", "friction", "m_per_s", "v ≤ v_max",
+        "Above it the surfaces get hot.",
+        (*_TURNING, "friction.sleeve", "pin.diameter", "pin_radius", "max_sliding_speed"), "user",
+    ),
+    "pv": Kind(
+        "Pressure times sliding speed", "friction", "MPa_m_per_s", "p·v ≤ (pv)_all",
+        "Above it the surfaces get hot and wear fast.",
+        (*_FORCE, *_TURNING, "friction.sleeve", "pin_radius", "contact_length", "max_pv"), "user",
+    ),
+    "wear": Kind(
+        "Wear of pins and holes", "friction", "mm", "h ≤ h_max",
+        "Above it the output has more play than is asked before the end of its life.",
+        (*_FORCE, *_TURNING, "friction.wear_rate", "friction.life", "pin_radius",
+         "contact_length", "max_wear"), "archard_1953",
+    ),
+    "pressure_angle": Kind(
+        "Operating pressure angle", "gear", "deg", "α_w ≤ 55°",
+        "Above it the ring loads the bearings far more than the torque needs.",
+        (*_RING, "eccentricity"), "steep",
+    ),
+    "gear_room": Kind(
+        "Holes within the teeth", "gear", "mm", "e·u − R − r_out > 0, R_p − e − R − r_out > 0",
+        "Otherwise the holes lie in the teeth of the satellite, or beyond.",
+        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius"),
+    ),
+    "bearing_life": Kind(
+        "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",
+        "Otherwise a bearing of a satellite fails before the life that is asked.",
+        (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent", "requirements.life"),
+        "iso_281_life",
+    ),
+    "bearing_static": Kind(
+        "Static load of the satellites' bearings", "bearing", "", "C₀/Q_max ≥ S_0",
+        "Otherwise rolling elements dent their tracks.",
+        (*_BEARING, "peak_torque", "bearing.static_rating", "static_safety"), "iso_76_rating",
+    ),
+    "system_life": Kind(
+        "Life of all satellites' bearings together", "bearing", "h", "(Σ L_j^−β)^(−1/β) ≥ L",
+        "Otherwise one of the bearings fails before the life that is asked.",
+        (*_BEARING, "bearing.dynamic_rating", "bearing.weibull_slope", "requirements.life"),
+        "iso_281_life",
+    ),
+    "crank_bearing_life": Kind(
+        "Life of the crankshaft's bearings", "crankshaft", "h", "L_10h ≥ L",
+        "Otherwise a bearing of the crankshaft fails before the life that is asked.",
+        (*_FORCE, *_TURNING, *_RING, "crankshaft.bearings", "crankshaft.satellite_positions",
+         "crankshaft.bearing_positions", "requirements.life"), "iso_281_life",
+    ),
+    "unbalance_force": Kind(
+        "Unbalanced force of the satellites", "crankshaft", "N", "|Σ m·e·ω²| ≤ F_U",
+        "Above it the satellites shake the reducer more than is asked.",
+        (*_BALANCE, "max_unbalance"), "balance",
+    ),
+    "unbalance_couple": Kind(
+        "Unbalanced couple of the satellites", "crankshaft", "Nm", "|Σ m·e·z·ω²| ≤ M_U",
+        "Above it the satellites shake the reducer more than is asked.",
+        (*_BALANCE, "max_unbalance_couple"), "balance",
+    ),
     "roller_stress": Kind(
         "Bending stress of the rollers", "rollers", "MPa", "σ ≤ R_e/S",
         "Above it the rollers bend for good.",
@@ -245,7 +385,7 @@ CHECKS = {
     "roller_fatigue": Kind(
         "Fatigue of the rollers", "rollers", "", "n ≥ S_D",
         "Below it the rollers break after some time beside the middle sphere.",
-        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_TIRED,
+        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_FATIGUE,
          "fatigue_safety"), "shigley",
     ),
     "roller_sharing": Kind(
@@ -290,7 +430,7 @@ CHECKS = {
     "shaft_fatigue": Kind(
         "Fatigue of the shaft in bending", "shaft", "", "n ≥ S_D",
         "Below it the shaft breaks after some time where it bends most.",
-        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_TIRED, "fatigue_safety"),
+        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_FATIGUE, "fatigue_safety"),
         "shigley",
     ),
     "line_pressure": Kind(

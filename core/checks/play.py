@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from core.checks.check import Check, judged
+from core.checks.check import Check, judged, not_asked
 from core.checks.crank_design import CrankDesign
 from core.checks.real_forces import RealForces
 
@@ -23,12 +23,6 @@ def no_eccentricity(code: str) -> Check:
     return Check(code=code, status="not_checked", reason="eccentricity_missing", missing=missing)
 
 
-def _not_asked(code: str, value: float | None) -> Check:
-    """A check whose limit nobody asks."""
-    missing = (f"max_{code}",)
-    return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=missing)
-
-
 def _backlash(design: CrankDesign) -> Check:
     code, limit = "backlash", design.max_backlash
     forces = design.loading if design.as_made else None
@@ -36,7 +30,7 @@ def _backlash(design: CrankDesign) -> Check:
     if not design.as_made and design.clearance is not None:  # none, or interference
         value = 0.0
     if limit is None:
-        return _not_asked(code, value)
+        return not_asked(code=code, value=value, name=f"max_{code}")
     if design.eccentricity is None:
         return no_eccentricity(code)
     if value is None:
@@ -51,7 +45,8 @@ def _lost_motion(design: CrankDesign) -> Check:
     if limit is None:
         known = design.as_made and design.dynamic_factor == 1
         forces = design.real_forces if known else None
-        return _not_asked(code, forces.turn.lost_motion if isinstance(forces, RealForces) else None)
+        value = forces.turn.lost_motion if isinstance(forces, RealForces) else None
+        return not_asked(code=code, value=value, name=f"max_{code}")
     if design.eccentricity is None:
         return no_eccentricity(code)
     forces = design.real_forces  # at the torque itself, of which it takes a share

@@ -32,6 +32,16 @@ class DesignPin(PinSupport):
 
     Attributes
     ----------
+    support : {"cantilever", "supported", "fixed"}
+        Held at one end, simply supported at both, clamped at both.
+    diameter : float
+        Diameter d of the pin itself, m.
+    satellite_positions : tuple of float
+        Distance z_j of the middle of each satellite from the support, m.
+    material : ElasticMaterial
+        The pin's material, with its yield strength.
+    span : float or None
+        Distance L of the supports, m.
     contact_length : float or None
         Length of the contact along it, m; that of the contact where not given.
     rotates : bool
@@ -44,6 +54,8 @@ class DesignPin(PinSupport):
         Largest diameter that these strengths hold for, m.
     own_material : bool
         Whether that is given by values.
+    says_material : bool
+        Whether the section of the pin says it: else it is that of the contact.
     """
 
     contact_length: float | None = None
@@ -52,6 +64,7 @@ class DesignPin(PinSupport):
     steel: bool = False
     valid_diameter: float | None = None
     own_material: bool = False
+    says_material: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

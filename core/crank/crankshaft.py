@@ -300,7 +300,7 @@ def _made_reactions(
     """By the forces of the mechanism as it is made."""
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn in turns:
-        load = made_parts(turn, arm, radial_force_ratio).load
+        load = made_parts(turn=turn, arm=arm, radial_force_ratio=radial_force_ratio).load
         reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
         scale = (np.abs(carried) @ np.abs(load)).max(axis=1)
         for row, size in enumerate(np.abs(reaction)):

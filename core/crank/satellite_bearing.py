@@ -284,22 +284,18 @@ def _ideal_loads(
         for each in (mesh.radial_force_ratio, arm)
     )
     turns = [satellite_turn(mechanism, force_exponent, each) for each in stiffnesses]
+    phases = mechanism.phases
+    even = len(phases.sector_phases) == phases.symmetry and len({*phases.multiplicity}) == 1
     found = [
-        [_loads(turn, j, rho, along, exponent) for j in range(mechanism.satellites)]
-        for turn in turns
+        _loads(turn, even and each is None, rho, along, exponent)
+        for turn, each in zip(turns, stiffnesses, strict=True)
     ]
     scale = np.asarray(across)[..., None]
-    each = [
-        [
-            scale * np.stack(column, axis=-1).reshape(*shape, -1)
-            for column in zip(*(loads for loads, *_ in rows), strict=True)
-        ]
-        for rows in found
-    ]
+    each = [[scale * x.reshape(*shape, -1) for x in loads] for loads, *_ in found]
     most, least, mean, ring = zip(*each, strict=True)
-    off = max(each for rows in found for _, each, _ in rows)
+    off = max(off for _, off, _ in found)
     off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
-    truncation = max(each for rows in found for *_, each in rows)
+    truncation = max(each for *_, each in found)
     return _Loads(
         np.maximum.reduce(most),
         np.minimum.reduce(least),
@@ -314,7 +310,7 @@ def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: 
     """Loads of the mechanism as it is made; of both directions the worse."""
     loads, rings, means, error = [], [], [], 0.0
     for turn in turns:
-        parts = made_parts(turn, arm, float(mesh.radial_force_ratio))
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
         load = np.abs(parts.load)
         loads.append(load)
         rings.append(np.abs(parts.ring))
@@ -349,7 +345,7 @@ class MadeParts:
     ring: FloatArray
 
 
-def made_parts(turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
+def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
     """Forces on the satellites of a mechanism as it is made.
 
     Parameters
@@ -372,24 +368,30 @@ def made_parts(turn: SampledTurn, arm: float, radial_force_ratio: float) -> Made
 
 
 def _loads(
-    turn: SatelliteTurn, satellite: int, rho: FloatArray, along: FloatArray, exponent: float
-) -> tuple[tuple[FloatArray, ...], float, float]:
-    """Largest, least and equivalent load of a satellite, and the largest force of the ring across
-    the crank, over that of all the torque, one a design; their error by rounding; and the error of
-    the mean of powers.
+    turn: SatelliteTurn, alike: bool, rho: FloatArray, along: FloatArray, exponent: float
+) -> tuple[list[FloatArray], float, float]:
+    """Largest, least and equivalent load of each satellite, and the largest force of the ring
+    across the crank, over that of all the torque, shape (designs, K); their error by rounding; and
+    the error of the mean of powers.
     """
-    channels = np.eye(len(turn.forces))
-    own, pins = channels[satellite], channels[satellite + len(channels) // 2]
-    arms = np.repeat(own[None], len(rho), axis=0), np.outer(rho, own) + np.outer(along, pins)
+    satellites = len(turn.forces) // 2
+    some = 1 if alike else satellites
+    own, pins = np.split(np.eye(2 * satellites), 2)
+    across = np.tile(own[:some], (len(rho), 1))
+    inwards = rho[:, None, None] * own[:some] + along[:, None, None] * pins[:some]
+    arms = across, inwards.reshape(across.shape)
     most = largest(turn=turn, arms=arms, measure=np.hypot)
     least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
-    ring = largest(turn=turn, arms=(own[None],), measure=np.real)
+    ring = np.tile(largest(turn=turn, arms=(own[:some],), measure=np.real), len(rho))
     mean, truncation = mean_power(
         turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
     )
-    share, force = turn.errors.reshape(2, -1)[:, satellite]
-    off = max(((np.hypot(1, rho) * share + along * force) / mean).max(), share / ring[0])
-    return (most, np.maximum(least, 0.0), mean, np.repeat(ring, len(rho))), float(off), truncation
+    share, force = turn.errors.reshape(2, -1)[:, :some]
+    off = np.outer(np.hypot(1, rho), share) + np.outer(along, force)
+    error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring[:some]).max()))
+    each = (most, np.maximum(least, 0.0), mean, ring)
+    shape = len(rho), satellites
+    return [np.broadcast_to(x.reshape(-1, some), shape) for x in each], error, truncation
 
 
 def mean_power(

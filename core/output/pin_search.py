@@ -7,32 +7,40 @@ the best point near it, and drops only what cannot hold it:
 - Where a component of the moment is largest of all directions, one at an angle a beside it is
   ``cos(a)`` of it; so is a utilisation that is the largest of sums of such components.
 - Along the pin the moment is curved by the line load alone, ``M'' = F/b``.
+
+What is left when that is little is narrowed down in all variables at once.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import count
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import BoolArray, FloatArray
+from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.pin_turn import Turn, combine
 from core.output.sampled_turn import PinSamples
 
-ROUNDS = 9
-"""Rounds over the turn that are always enough: where the forces are not smooth a summit may be much
-narrower than a cell; where they are, fewer are taken."""
+ROUGH, ROUGHLY = 2, 1 - 1e-6
+"""Rounds over the turn while points are still dropped, and what part of the largest they find at
+least."""
 
-SETTLED = 4e-14
-"""How much lower the neighbours of the best place may be, as a part of it, for it to be the end."""
+SMOOTH, ROUNDS = 5, 14
+"""Rounds over the turn that are always enough, where the forces are smooth and where not: there a
+summit may be much narrower than a cell."""
 
-CELLS = 16
+CELLS = 8
 """Cells of a round's grid on each side of the best place."""
 
 AFTER = np.maximum(np.arange(-CELLS, CELLS + 1) / CELLS, 0.0)
 BEFORE = AFTER[::-1]
+
+SETTLED = 1e-15
+"""How much lower the neighbours of the best place are, as a part of it, where it is the end."""
+
+JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
+"""Rounds in all variables at once, where the forces are smooth and where not."""
 
 BLOCK = 1_000_000
 """Numbers that are worked on at once."""
@@ -44,7 +52,10 @@ ALONG = 4
 """Parts of each stretch of the pin that are looked at first."""
 
 ENOUGH = 2e-13
-"""What a largest value may be missed by, as a part of it, at which the search ends."""
+"""What a largest value may be missed by, as a part of it."""
+
+NEAR = 1e-5
+"""What may be left, as a part of it, when the search goes on in all variables at once."""
 
 SAMPLED = 0.95
 """Least share of the largest sample that may belong to what turns out largest."""
@@ -57,13 +68,67 @@ THIRDS = np.array([-1.0, 0.0, 1.0]) / 3
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
 
+Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
+"""Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
+
+
+@dataclass(frozen=True, slots=True)
+class Summits:
+    """Summits of samples over the turn, that may hold the largest value.
+
+    Attributes
+    ----------
+    row : array of int, shape (n,)
+        Which row of the arms.
+    arc : array of int, shape (n,)
+        Which arc of the turn.
+    place, width : array, shape (n,)
+        Where on it, as a part of the way, and the distance of the farther neighbour.
+    """
+
+    row: IntArray
+    arc: IntArray
+    place: FloatArray
+    width: FloatArray
+
+
+def summits(
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure
+) -> tuple[FloatArray, Summits]:
+    """Largest samples of a measure over the turn, and the summits that may hold the largest value.
+
+    Parameters
+    ----------
+    turn : Turn
+        Forces over the turn.
+    arms : tuple of array, each shape (rows, K)
+        What unit forces of the satellites do; complex where the direction counts.
+    measure : callable
+        Of the sums, each shape (rows, m).
+
+    Returns
+    -------
+    values : array, shape (rows,)
+    summits : Summits
+    """
+    samples = turn.forces.reshape(len(turn.forces), -1)
+    values = measure(*(combine(arms=each, forces=samples) for each in arms))
+    values = values.reshape(len(values), -1, len(turn.nodes))
+    chosen, drop = _tops(values)
+    chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
+    row, arc, node = np.nonzero(chosen)
+    gaps = np.concatenate(([0.0], np.diff(turn.nodes), [0.0]))
+    width = np.maximum(gaps[node], gaps[node + 1])
+    found = Summits(row, turn.arcs[arc], turn.nodes[node], width)
+    return np.asarray(values.max(axis=(1, 2))), found
+
 
 def largest(
     *,
     turn: Turn | PinSamples,
     arms: tuple[NDArray[Any], ...],
     measure: Measure,
-    rounds: int = ROUNDS,
+    rounds: int | None = None,
 ) -> FloatArray:
     """The largest of a measure over the turn.
 
@@ -75,16 +140,17 @@ def largest(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
-    rounds : int
-        Most rounds in which summits are narrowed.
+    rounds : int, optional
+        Rounds in which summits are narrowed; as many as they need where not given.
 
     Returns
     -------
     array, shape (rows,)
     """
-    samples = turn.forces.reshape(len(turn.forces), -1)
-    more = 0 if isinstance(turn, PinSamples) else 2 * CELLS * turn.weights.shape[1]
-    rows = max(1, BLOCK // (samples.shape[1] + more))
+    most = turn.forces[0].size
+    if isinstance(turn, Turn):
+        most += 2 * CELLS * turn.weights.shape[1]
+    rows = max(1, BLOCK // most)
     if len(arms[0]) > rows:
         parts = [slice(i, i + rows) for i in range(0, len(arms[0]), rows)]
         return np.concatenate(
@@ -98,19 +164,17 @@ def largest(
                 for part in parts
             ]
         )
-    values = measure(*(combine(arms=each, forces=samples) for each in arms))
     if isinstance(turn, PinSamples):
-        return np.asarray(values.max(axis=1))
-    values = values.reshape(len(values), -1, len(turn.nodes))
-    chosen, drop = _summits(values)
-    chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
-    row, arc, node = np.nonzero(chosen)
-    own = tuple(each[row] for each in arms)
-    at = turn.at(turn.arcs[arc])
-    gaps = np.concatenate(([0.0], np.diff(turn.nodes), [0.0]))
-    place, width = turn.nodes[node], np.maximum(gaps[node], gaps[node + 1])
-    every, best = np.arange(len(row)), values[chosen]
-    for _ in range(rounds):
+        sums = (combine(arms=each, forces=turn.forces) for each in arms)
+        return np.asarray(measure(*sums).max(axis=1))
+    if rounds == 0:
+        samples = turn.forces.reshape(len(turn.forces), -1)
+        return np.asarray(measure(*(combine(arms=a, forces=samples) for a in arms)).max(axis=1))
+    result, tops = summits(turn=turn, arms=arms, measure=measure)
+    own, at = tuple(each[tops.row] for each in arms), turn.at(tops.arc)
+    every, place, width = np.arange(len(tops.row)), tops.place, tops.width
+    closer = 1 / CELLS**2 if turn.smooth else 1 / CELLS
+    for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
         grid = place[:, None] + (after[:, None] * AFTER - before[:, None] * BEFORE)
         grid = np.minimum(np.maximum(grid, 0.0), 1.0)
@@ -118,32 +182,98 @@ def largest(
         found = measure(*(combine(arms=each, forces=forces) for each in own))
         index = found.argmax(axis=1)
         index = np.where(found[every, index] > found[:, CELLS], index, CELLS)
-        best, place = found[every, index], grid[every, index]
+        np.maximum.at(result, tops.row, found[every, index])
+        place = grid[every, index]
         end = (place == 0) | (place == 1)
         stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
-        width = width * np.where(stuck, 2.0, 1 / CELLS)
-        beside, beyond = (
-            np.minimum(
-                found[every, np.maximum(index - step, 0)],
-                found[every, np.minimum(index + step, 2 * CELLS)],
-            )
-            for step in (1, 2)
+        place = np.where(end | stuck, place, _vertex(grid, found, np.clip(index, 1, 2 * CELLS - 1)))
+        width = width * np.where(stuck, 2.0, closer)
+        beside = np.minimum(
+            found[every, np.maximum(index - 1, 0)], found[every, np.minimum(index + 1, 2 * CELLS)]
         )
-        settled = best - beside <= SETTLED * best
-        if turn.smooth:  # and steep at the end of its arc: no summit lies within the last cell
-            settled |= end & (best - beside > (beside - beyond) / 2)
-        if settled.all():
+        if (found[every, index] - beside <= SETTLED * np.abs(found[every, index])).all():
             break
-    result = np.asarray(values.max(axis=(1, 2)))
-    np.maximum.at(result, row, best)
     return result
 
 
-def _summits(values: FloatArray) -> tuple[BoolArray, FloatArray]:
+def _vertex(grid: FloatArray, values: FloatArray, index: IntArray) -> FloatArray:
+    """Where the parabola through three points of each row is largest, between the outer two."""
+    every = np.arange(len(index))
+    (x0, f0), (x1, f1), (x2, f2) = (
+        (grid[every, index + k], values[every, index + k]) for k in (-1, 0, 1)
+    )
+    rise, fall = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0)
+    bent = rise - fall
+    known = bent > 0
+    part = np.where(known, rise / np.where(known, bent, 1.0), 0.5)
+    middle = (x0 + x1) / 2 + part * (x2 - x0) / 2
+    return np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
+
+
+def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
     """Which values are largest beside their neighbours along the last axis, and by how much."""
     before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
     after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
     return (values >= before) & (values >= after), values - np.minimum(before, after)
+
+
+Limits = tuple[FloatArray | float, FloatArray | float]
+
+
+def narrowed(
+    *,
+    value: Value,
+    places: tuple[FloatArray, ...],
+    widths: tuple[FloatArray, ...],
+    limits: tuple[Limits, ...],
+    cells: tuple[int, ...],
+    rounds: int,
+) -> tuple[FloatArray, tuple[FloatArray, ...]]:
+    """Largest values near places: a grid of all variables that closes in on its best point.
+
+    Parameters
+    ----------
+    value : callable
+        Of the grids, one a variable.
+    places, widths : tuple of array, each shape (rows,)
+        Where each variable starts, and how far about it is looked first.
+    limits : tuple of (low, high)
+        Of each variable, numbers or shape (rows,).
+    cells : tuple of int
+        Cells of each variable's grid on each side of its best place.
+    rounds : int
+        Rounds.
+
+    Returns
+    -------
+    values : array, shape (rows,)
+    places : tuple of array, each shape (rows,)
+    """
+    every = np.arange(len(places[0]))
+    best = np.full(len(every), -np.inf)
+    here, around = list(places), list(widths)
+    steps = [np.arange(-each, each + 1) / each for each in cells]
+    columns = [tuple(map(_column, each)) for each in limits]
+    for _ in range(rounds):
+        grids = [
+            np.minimum(np.maximum(at[:, None] + width[:, None] * parts, low), high)
+            if width.any()
+            else at[:, None]
+            for at, width, parts, (low, high) in zip(here, around, steps, columns, strict=True)
+        ]
+        found, picks = value(*grids)
+        best = np.maximum(best, found)
+        for k, (grid, index, (low, high)) in enumerate(zip(grids, picks, limits, strict=True)):
+            here[k] = grid[every, index]
+            if grid.shape[1] > 1:
+                edge = (index == 0) | (index == 2 * cells[k])
+                stuck = edge & (here[k] != low) & (here[k] != high)
+                around[k] = around[k] * np.where(stuck, 2.0, 2 / cells[k])
+    return best, tuple(here)
+
+
+def _column(limit: FloatArray | float) -> FloatArray | float:
+    return limit[:, None] if isinstance(limit, np.ndarray) else limit
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,12 +288,26 @@ class Points:
         Distance of neighbouring sections, m.
     angle : float
         Of neighbouring directions, rad.
+    low, high : array, shape (rows,)
+        Ends of the stretch of the pin on which the section lies, m.
     """
 
     section: FloatArray
     direction: FloatArray
     length: FloatArray
     angle: float
+    low: FloatArray
+    high: FloatArray
+
+    def of(self, index: IntArray) -> "Points":
+        """Some of them, or some several times."""
+        rows = (self.section, self.direction, self.length, self.low, self.high)
+        section, direction, length, low, high = (each[index] for each in rows)
+        return Points(section, direction, length, self.angle, low, high)
+
+
+Found = tuple[float, float, float]
+"""A largest value, its section, m, and direction, rad."""
 
 
 def highest(
@@ -171,8 +315,9 @@ def highest(
     value: Callable[[Points, int], tuple[FloatArray, FloatArray]],
     ends: FloatArray,
     around: bool = False,
-    enough: float = ENOUGH,
-) -> tuple[float, float, float]:
+    enough: float,
+    climb: Callable[[Points], Found],
+) -> Found:
     """The largest value of all sections, and of all directions where they count.
 
     Parameters
@@ -187,7 +332,9 @@ def highest(
     around : bool
         Whether directions count.
     enough : float
-        What the value may be missed by, as a part of it.
+        What may be left above the best point, as a part of the value, for this search to end.
+    climb : callable
+        The largest value about the points that are left, the best first.
 
     Returns
     -------
@@ -201,27 +348,35 @@ def highest(
     else:
         stretches = np.array([ends, ends, ends, [0.0]])
     directions = 2 * np.pi * np.arange(AROUND) / AROUND if around else np.zeros(1)
-    angle = directions[1] if around else 0.0
     x, low, high, length = np.repeat(stretches, len(directions), axis=1)
-    chi = np.tile(directions, stretches.shape[1])
+    angle = float(directions[1]) if around else 0.0
+    at = Points(x, np.tile(directions, stretches.shape[1]), length, angle, low, high)
     moves = np.meshgrid(THIRDS if long else 0.0, THIRDS if around else 0.0)
     move_x, move_chi = (each.ravel() for each in moves)
-    best = -np.inf, 0.0, 0.0
-    for level in count():
-        rounds = min(2 * level, ROUNDS) if long or around else ROUNDS
-        values, room = value(Points(x, chi, length, angle), rounds)
-        top = int(values.argmax())
-        best = max(best, (float(values[top]), float(x[top]), float(chi[top])))
-        if rounds == ROUNDS and room.max() <= enough * best[0]:
-            break
-        # no more than rounding may have put the best of all above the best of these
-        least = min(best[0] * (1 if rounds else SAMPLED), float(values[top]))
+    best = -np.inf
+    level = 0
+    while True:
+        values, room = value(at, ROUGH * (level > 0))
+        best = max(best, float(values.max()))
+        least = min(best * (ROUGHLY if level else SAMPLED), float(values.max()))
         kept = np.flatnonzero(values + room >= least)
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
-        x = (x[kept, None] + length[kept, None] * move_x).ravel()
-        chi = (chi[kept, None] + angle * move_chi).ravel()
-        low, high, length = (np.repeat(each[kept], len(move_x)) for each in (low, high, length / 3))
-        angle /= 3
-        inside = (x >= low) & (x <= high)
-        x, chi, low, high, length = (each[inside] for each in (x, chi, low, high, length))
-    return best
+        if room.max() <= enough * best:
+            return climb(at.of(kept[_apart(at.of(kept))]))
+        many = at.of(np.repeat(kept, len(move_x)))
+        x = many.section + many.length * np.tile(move_x, len(kept))
+        chi = many.direction + at.angle * np.tile(move_chi, len(kept))
+        inside = np.flatnonzero((x >= many.low) & (x <= many.high))
+        at = Points(x, chi, many.length / 3, at.angle / 3, many.low, many.high).of(inside)
+        level += 1
+
+
+def _apart(points: Points) -> IntArray:
+    """Points that are no neighbours of one before them."""
+    chosen: list[int] = []
+    for k, (x, chi) in enumerate(zip(points.section, points.direction, strict=True)):
+        far = np.abs(points.section[chosen] - x) > 1.5 * points.length[chosen]
+        turned = np.abs(points.direction[chosen] - chi) > 1.5 * points.angle
+        if (far | turned).all():
+            chosen.append(k)
+    return np.array(chosen)

@@ -8,8 +8,6 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -18,16 +16,14 @@ from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
+from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, Support, section_stress
+from core.output.pin_beam import PinBeam, Support
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH, ROUNDS, Points, highest, largest
-from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
+from core.output.pin_search import ENOUGH
+from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
-
-Sharing = Literal["equal", "stiffness"]
-"""How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -261,7 +257,7 @@ def pin_strength(
         span=span if support != "cantilever" else None,
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
-    pin = _Pin(beam, diameter, np.array(satellite_positions))
+    pin = LoadedPin(beam, diameter, np.array(satellite_positions))
     ways = WAYS[torque_direction]
     static = 1.0
     if made is None:
@@ -282,49 +278,44 @@ def pin_strength(
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
-    wanted = fatigue, rotates, deflection, locus
-    strength = _worst([_strength(pin, case, mechanism, *wanted) for case in cases])
+    found = [_stresses(pin, case) for case in cases]
+    bent = max(found, key=lambda each: each.bent)
+    worst = max(found, key=lambda each: each.equivalent)
+    most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
     if made is not None and static_torque != torque:
-        most = max(
-            pin.equivalent(case)
-            for case in _made_cases([made(way * static_torque) for way in ways])
-        )
-        static = most / strength.peak_equivalent_stress
-    notices = []
-    cycle = strength.fatigue
-    if cycle is not None and cycle.cycles is not None:
-        if input_speed is not None:
+        again = _made_cases([made(way * static_torque) for way in ways])
+        static = max(pin.equivalent(case) for case in again) / most
+    cycle, seen, notices = None, worst.place, []
+    if fatigue is not None:
+        worst, cycle = _fatigue(pin, found, fatigue, rotates)
+        seen = cycle.position
+        if input_speed is not None and cycle.cycles is not None:
             frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
             cycle = replace(cycle, life=cycle.cycles / frequency)
         if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
             notices.append(Notice("low_cycle_fatigue"))
     if min(satellite_positions) < diameter / 2:
         notices.append(Notice("short_pin"))
+    chi = None if cycle is None else cycle.direction
     accuracy = Accuracy(method, error + _of_two_supports(beam, satellite_positions), evaluations)
-    safety = None
-    if material.yield_strength is not None:
-        safety = material.yield_strength / (static * strength.peak_equivalent_stress)
-    return replace(
-        strength,
-        static_safety_factor=safety,
+    strength = material.yield_strength
+    return PinStrength(
+        peak_force=float(max(each.forces.max() for each in found)),
+        peak_moment=bent.bent * pin.modulus,
+        peak_moment_position=bent.place,
+        peak_bending_stress=bent.bent,
+        peak_shear_force=mean_shear * pin.area,
+        peak_shear_stress=4 / 3 * mean_shear,
+        peak_equivalent_stress=most,
+        static_safety_factor=None if strength is None else strength / (static * most),
         fatigue=cycle,
+        deflection=_deflection(found) if deflection else None,
+        locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
+        sharing=worst.loads.sharing,
+        pin=worst.loads.pin,
         accuracy=accuracy,
         notices=(*notices, *poorly_known(accuracy)),
     )
-
-
-@dataclass(frozen=True, slots=True)
-class _Case:
-    """Forces on a pin, in a unit, N, negative in reverse; of ideal ones both ways where it
-    alternates.
-    """
-
-    turn: PinTurn | PinSamples
-    unit: float
-    alternates: bool = False
-    sharing: Sharing | None = None
-    pin: int = 1
-    wave: FloatArray | None = None
 
 
 def _ideal_cases(
@@ -334,10 +325,10 @@ def _ideal_cases(
     reference: float,
     ways: tuple[float, ...],
     stiffnesses: tuple[tuple[float, ...] | None, ...],
-) -> list[_Case]:
+) -> list[PinLoads]:
     """All pins are alike; of an alternating torque the reverse is the same the other way."""
     return [
-        _Case(
+        PinLoads(
             turn=pin_turn(mechanism, force_exponent, each),
             unit=ways[0] * reference,
             alternates=len(ways) > 1,
@@ -347,193 +338,83 @@ def _ideal_cases(
     ]
 
 
-def _made_cases(turns: list[SampledTurn]) -> list[_Case]:
+def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
     """Each pin under all directions."""
     wave = np.concatenate([turn.wave for turn in turns])
     return [
-        _Case(
+        PinLoads(
             turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1)),
             unit=1.0,
             pin=n + 1,
+            error=max(turn.error for turn in turns),
             wave=wave,
         )
         for n in range(turns[0].on_pins.shape[1])
     ]
 
 
-@dataclass(frozen=True)
-class _Pin:
-    """A pin as a beam, and where satellites load it."""
+@dataclass(frozen=True, slots=True)
+class _Stresses:
+    """Largest over the turn: stresses, Pa, and at each satellite forces, N, deflections, m, and
+    slopes, rad.
+    """
 
-    beam: PinBeam
-    diameter: float
-    positions: FloatArray
-
-    @property
-    def area(self) -> float:
-        """Of its section, m^2."""
-        return math.pi * self.diameter**2 / 4
-
-    @property
-    def modulus(self) -> float:
-        """Section modulus W, m^3."""
-        return math.pi * self.diameter**3 / 32
-
-    @cached_property
-    def ends(self) -> FloatArray:
-        """Ends of loads and supports: the root alone of a cantilever, as no other section is
-        worse.
-        """
-        if self.beam.span is None:
-            return np.zeros(1)
-        half = self.beam.contact_length / 2
-        ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
-        return np.unique(np.clip(ends, 0, self.beam.span))
-
-    def moments(self, x: FloatArray, unit: float) -> FloatArray:
-        """Bending stress at sections by unit forces of the satellites."""
-        found: FloatArray = unit / self.modulus * self.beam.moment(x[:, None], self.positions)
-        return found
-
-    def shears(self, x: FloatArray, unit: float) -> FloatArray:
-        """Mean shear stress of the same."""
-        found: FloatArray = unit / self.area * self.beam.shear(x[:, None], self.positions)
-        return found
-
-    def curvature(self, case: _Case) -> float:
-        """Largest second derivative of the bending stress along the pin."""
-        most = float(np.abs(case.turn.forces).sum(axis=0).max())
-        return abs(case.unit) / self.modulus * most / float(self.beam.contact_length)
-
-    def bending(self, case: _Case) -> tuple[float, float]:
-        """Largest bending stress of any section, and its place."""
-        curvature = self.curvature(case)
-
-        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            arms = (self.moments(at.section, case.unit),)
-            values = largest(turn=case.turn, arms=arms, measure=np.abs, rounds=rounds)
-            return values, curvature * at.length**2 / 8
-
-        bent, place, _ = highest(value=value, ends=self.ends)
-        return bent, place
-
-    def equivalent(self, case: _Case) -> float:
-        """Largest equivalent stress of any section."""
-        curvature = self.curvature(case)
-
-        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            arms = self.moments(at.section, case.unit), self.shears(at.section, case.unit)
-            values = largest(turn=case.turn, arms=arms, measure=_stress, rounds=rounds)
-            return values, curvature * at.length**2 / 8
-
-        return highest(value=value, ends=self.ends)[0]
-
-    def cycle(
-        self, case: _Case, strength: FatigueStrength, bent: float
-    ) -> tuple[float, float, float, float]:
-        """Largest and least stress of the worst cycle, its section and direction."""
-        curvature = self.curvature(case)
-        steepest = curvature * float(self.beam.contact_length)
-
-        def cycles(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            """Largest and least stress of points of the edge."""
-            arms = self.moments(at.section, case.unit) * np.exp(-1j * at.direction)[:, None]
-            both = (np.concatenate((arms, -arms)),)
-            found = largest(turn=case.turn, arms=both, measure=np.real, rounds=rounds)
-            top, bottom = found[: len(arms)], -found[len(arms) :]
-            if case.alternates:
-                top = np.maximum(top, -bottom)
-                bottom = -top
-            return top, bottom
-
-        def used(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            top, bottom = cycles(at, rounds)
-            use: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
-            room = (steep * at.length**2 + use * at.angle**2) / 8
-            if strength.criterion == "fkm_haigh" and always_loaded:
-                # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
-                # largest where it has a corner, from which it falls at once
-                reach = (bent * at.angle + steepest * at.length) / 2
-                corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
-                more = strength.utilisation((top - bottom) / 2 + reach, (top + bottom) / 2)
-                room = room + corner * (more - use)
-            return use, room
-
-        always_loaded = bool(np.abs(case.turn.forces).sum(axis=0).min() > 0)
-        steep = strength.utilisation(curvature, 0.0) + strength.utilisation(0.0, curvature)
-        _, seen, angle = highest(value=used, ends=self.ends, around=True)
-        at = Points(np.array([seen]), np.array([angle]), np.zeros(1), 0.0)
-        top, bottom = cycles(at, ROUNDS)
-        return float(top[0]), float(bottom[0]), seen, angle
+    loads: PinLoads
+    bent: float
+    place: float
+    mean_shear: float
+    equivalent: float
+    forces: FloatArray
+    deflections: FloatArray
+    slopes: FloatArray
 
 
-def _strength(
-    pin: _Pin,
-    case: _Case,
-    mechanism: Mechanism,
-    fatigue: FatigueStrength | None,
-    rotates: bool,
-    deflection: bool,
-    locus: bool,
-) -> PinStrength:
-    """Strength of a pin under the forces of a case."""
-    bent, place = pin.bending(case)
-    arms = (pin.shears(pin.ends, case.unit),)
-    mean_shear = float(largest(turn=case.turn, arms=arms, measure=np.abs).max())
-    force = largest(turn=case.turn, arms=(np.eye(len(pin.positions)),), measure=np.abs)
-    forces = abs(case.unit) * force
-    cycle, chi, seen = None, None, place
-    if fatigue is not None:
-        top, bottom = bent, -bent
+def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
+    """What a pin bears under loads."""
+    beam, z, ends = pin.beam, pin.positions, pin.ends
+    rows = (
+        np.eye(len(z)),
+        beam.deflection(z[:, None], z),
+        beam.slope(z[:, None], z),
+        beam.shear(ends[:, None], z) / pin.area,
+        beam.moment(np.zeros((1, 1)), z) / pin.modulus,
+    )
+    found = pin.largest(loads, np.concatenate(rows))
+    forces, deflections, slopes, shears, at_root = np.split(
+        found, np.cumsum([len(each) for each in rows[:-1]])
+    )
+    return _Stresses(
+        loads,
+        *((float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)),
+        mean_shear=float(shears.max()),
+        equivalent=pin.equivalent(loads),
+        forces=forces,
+        deflections=deflections,
+        slopes=slopes,
+    )
+
+
+def _fatigue(
+    pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
+) -> tuple[_Stresses, PinFatigue]:
+    """The worst cycle of all cases; none is worse than its largest stress, fully reversed."""
+    worst: tuple[_Stresses, PinFatigue] | None = None
+    for case in sorted(cases, key=lambda each: -each.bent):
+        reversed_use = strength.utilisation(case.bent, 0.0)
+        if worst is not None and reversed_use * worst[1].safety_factor <= 1:
+            break
+        top, bottom, seen, chi = case.bent, -case.bent, case.place, None
         if not rotates:
-            top, bottom, seen, angle = pin.cycle(case, fatigue, bent)
+            if case.loads.alternates:
+                angle = pin.direction(case.loads, case.place)
+            else:
+                top, bottom, seen, angle = pin.cycle(case.loads, strength, case.bent)
             chi = _turned(angle)
-        cycle = judged(strength=fatigue, direction=chi, position=seen, largest=top, least=bottom)
-    return PinStrength(
-        peak_force=float(forces.max()),
-        peak_moment=bent * pin.modulus,
-        peak_moment_position=place,
-        peak_bending_stress=bent,
-        peak_shear_force=mean_shear * pin.area,
-        peak_shear_stress=4 / 3 * mean_shear,
-        peak_equivalent_stress=pin.equivalent(case),
-        static_safety_factor=None,
-        fatigue=cycle,
-        deflection=_deflection(pin, case, forces) if deflection else None,
-        locus=_locus(pin, case, mechanism, seen, chi) if locus else None,
-        sharing=case.sharing,
-        pin=case.pin,
-        accuracy=Accuracy("locus_support", 0.0, 0),
-        notices=(),
-    )
-
-
-def _worst(cases: list[PinStrength]) -> PinStrength:
-    """The largest of all, with the fatigue, else the stress, of the worst."""
-    bent = max(cases, key=lambda each: each.peak_moment)
-    most = max(each.peak_equivalent_stress for each in cases)
-    if cases[0].fatigue is None:
-        worst = max(cases, key=lambda each: each.peak_equivalent_stress)
-    else:
-        worst = min(cases, key=lambda each: each.fatigue.safety_factor)  # type: ignore[union-attr]
-    deflections = [each.deflection for each in cases if each.deflection is not None]
-    deflection = max(deflections, key=lambda each: each.deflection, default=None)
-    if deflection is not None:
-        rows = zip(*(each.slopes for each in deflections), strict=True)
-        deflection = replace(deflection, slopes=tuple(max(each) for each in rows))
-        rows = zip(*(each.forces for each in deflections), strict=True)
-        deflection = replace(deflection, forces=tuple(max(each) for each in rows))
-    return replace(
-        worst,
-        peak_force=max(each.peak_force for each in cases),
-        peak_moment=bent.peak_moment,
-        peak_moment_position=bent.peak_moment_position,
-        peak_bending_stress=bent.peak_bending_stress,
-        peak_shear_force=max(each.peak_shear_force for each in cases),
-        peak_shear_stress=max(each.peak_shear_stress for each in cases),
-        peak_equivalent_stress=most,
-        deflection=deflection,
-    )
+        cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
+        if worst is None or cycle.safety_factor < worst[1].safety_factor:
+            worst = case, cycle
+    assert worst is not None
+    return worst
 
 
 def _check_positions(
@@ -552,14 +433,8 @@ def _check_positions(
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
 
 
-def _stress(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
-    """Equivalent stress."""
-    found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
-    return found
-
-
 def _locus(
-    pin: _Pin, case: _Case, mechanism: Mechanism, position: float, chi: float | None
+    pin: LoadedPin, case: PinLoads, mechanism: Mechanism, position: float, chi: float | None
 ) -> MomentLocus:
     """The locus of a section, with its stress in a direction, else in that of the largest
     moment.
@@ -599,18 +474,17 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     return found
 
 
-def _deflection(pin: _Pin, case: _Case, forces: FloatArray) -> PinDeflection:
-    """Deflection and rotation where the pin bends most in the middle of a satellite."""
-    z, beam = pin.positions, pin.beam
-    bent = np.stack((beam.deflection(z[:, None], z), beam.slope(z[:, None], z)))
-    arms = case.unit * bent.reshape(-1, len(z))
-    found = largest(turn=case.turn, arms=(arms,), measure=np.abs)
-    deflections, slopes = found.reshape(2, -1)
-    satellite = int(deflections.argmax())
+def _deflection(cases: list[_Stresses]) -> PinDeflection:
+    """Deflection and rotation where a pin bends most in the middle of a satellite."""
+    worst = max(cases, key=lambda each: float(each.deflections.max()))
+    satellite = int(worst.deflections.argmax())
+    slopes, forces = (
+        np.max([getattr(each, name) for each in cases], axis=0) for name in ("slopes", "forces")
+    )
     return PinDeflection(
         satellite=satellite + 1,
-        deflection=float(deflections[satellite]),
-        slope=float(slopes[satellite]),
+        deflection=float(worst.deflections[satellite]),
+        slope=float(worst.slopes[satellite]),
         slopes=tuple(slopes.tolist()),
         forces=tuple(forces.tolist()),
     )

@@ -63,7 +63,7 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
     wave = np.array(sorted({*even, *near}))
     force, lag, unsure = turn.forces(wave.tolist())
     for _ in range(HALVINGS):
-        rough = off_straight(wave, force.T).max(axis=0) > ENOUGH * force.max()
+        rough = off_straight(wave=wave, values=force.T).max(axis=0) > ENOUGH * force.max()
         gaps = np.diff(wave, append=wave[0] + 2 * math.pi)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):
@@ -74,7 +74,7 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
         force = np.concatenate((force, more_force))[order]
         lag = np.concatenate((lag, more_lag))[order]
         unsure = np.concatenate((unsure, more_unsure))
-    off = float(off_straight(wave, force.T).max())
+    off = float(off_straight(wave=wave, values=force.T).max())
     signed = math.copysign(1.0, output_torque) * lag
     return _directed(
         real, wave, force.T, signed, (off + float(unsure.max())) / force.max(), turn.evaluations

@@ -86,7 +86,7 @@ class SampledTurn:
         -------
         float
         """
-        return float(off_straight(self.wave, values).max())
+        return float(off_straight(wave=self.wave, values=values).max())
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -107,7 +107,7 @@ Made = Callable[[float], SampledTurn]
 `core.output.real_turn.real_turn`."""
 
 
-def off_straight(wave: FloatArray, values: NDArray[Any]) -> FloatArray:
+def off_straight(*, wave: FloatArray, values: NDArray[Any]) -> FloatArray:
     """How far each sample lies off the straight line between its neighbours.
 
     Parameters

@@ -15,4 +15,5 @@ mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton
 shaft          Mohr's integral in closed form and by quadrature
 load_sharing   peak with clearance and errors: sampling against narrowed summits
+tolerance      percentiles over many pieces: their number against positions of each
 """

@@ -18,6 +18,7 @@ REFERENCE_DIGITS = 40
 SETTINGS = {
     "default": "default",
     "level": "level {value}",
+    "pieces": "{value} pieces",
     "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps",

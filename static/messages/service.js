@@ -259,6 +259,10 @@ export default {
     "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",
+    "monte_carlo_double": "random pieces, twice the crank angles",
+    "monte_carlo_finest": "scatter of the pieces, four times the crank angles",
+    "monte_carlo_half": "random pieces, half the crank angles",
+    "monte_carlo_quarter": "random pieces, a quarter of the crank angles",
     "multiple_closed_form": "closed form in multiple precision",
     "multiple_peak": "peak refined in multiple precision",
     "multiple_sorting": "sorting in multiple precision",
@@ -288,6 +292,7 @@ export default {
   "settings": {
     "default": "default",
     "level": "level {value}",
+    "pieces": "{value} pieces",
     "positions": "{value} positions",
     "points": "n = {value}",
     "steps": "{value} steps"
@@ -1126,6 +1131,74 @@ export default {
       "Wall to the bore",
       "Otherwise the holes break into the bore of the satellite."
     ],
+    "outer_diameter": [
+      "Diameter of the space of the satellites",
+      "Otherwise the satellites do not fit into the space that is asked."
+    ],
+    "pin_static": [
+      "Static strength of the pins",
+      "Above it the pins bend for good."
+    ],
+    "pin_fatigue": [
+      "Fatigue of the pins",
+      "Below it the pins break after some time where they bend most."
+    ],
+    "pin_deflection": [
+      "Deflection of the pins",
+      "Above it the satellites share the load unevenly."
+    ],
+    "pin_slope": [
+      "Slope of the pins in the satellites",
+      "Above it the contacts carry on their edges."
+    ],
+    "efficiency": [
+      "Efficiency of the output mechanism",
+      "Below it more is lost than is asked."
+    ],
+    "sliding_speed": [
+      "Sliding speed",
+      "Above it the surfaces get hot."
+    ],
+    "pv": [
+      "Pressure times sliding speed",
+      "Above it the surfaces get hot and wear fast."
+    ],
+    "wear": [
+      "Wear of pins and holes",
+      "Above it the output has more play than is asked before the end of its life."
+    ],
+    "pressure_angle": [
+      "Operating pressure angle",
+      "Above it the ring loads the bearings far more than the torque needs."
+    ],
+    "gear_room": [
+      "Holes within the teeth",
+      "Otherwise the holes lie in the teeth of the satellite, or beyond."
+    ],
+    "bearing_life": [
+      "Life of the satellites' bearings",
+      "Otherwise a bearing of a satellite fails before the life that is asked."
+    ],
+    "bearing_static": [
+      "Static load of the satellites' bearings",
+      "Otherwise rolling elements dent their tracks."
+    ],
+    "system_life": [
+      "Life of all satellites' bearings together",
+      "Otherwise one of the bearings fails before the life that is asked."
+    ],
+    "crank_bearing_life": [
+      "Life of the crankshaft's bearings",
+      "Otherwise a bearing of the crankshaft fails before the life that is asked."
+    ],
+    "unbalance_force": [
+      "Unbalanced force of the satellites",
+      "Above it the satellites shake the reducer more than is asked."
+    ],
+    "unbalance_couple": [
+      "Unbalanced couple of the satellites",
+      "Above it the satellites shake the reducer more than is asked."
+    ],
     "roller_stress": [
       "Bending stress of the rollers",
       "Above it the rollers bend for good."
@@ -1184,6 +1257,11 @@ export default {
     "contact": "Contact of pin and hole",
     "geometry": "Pins and holes",
     "play": "Play of the output",
+    "pin": "Strength of the pins",
+    "friction": "Friction and wear",
+    "gear": "Ring",
+    "bearing": "Bearings of the satellites",
+    "crankshaft": "Crankshaft",
     "body": "Satellite",
     "rollers": "Rollers",
     "lines": "Contact lines",
@@ -1198,41 +1276,58 @@ export default {
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile strength where it is a steel",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "mass_unknown": "No mass of a satellite is given",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
+    "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
+    "no_involute": "It is one of involute teeth",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
+    "no_teeth": "No teeth or pins of the ring are given",
     "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the pressure",
+    "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
+    "section_missing": "A part of the design that it needs is not given",
+    "size_missing": "A size that it needs is not given",
+    "speed_missing": "No input speed is given",
+    "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
     "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
     "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel to the axis",
+    "too_large": "There are more pairs of pin and hole than it is calculated for",
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
+    "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one"
   },
   "checkSources": {
+    "archard_1953": "Archard 1953, with the wear coefficient that was given",
+    "balance": "statics of rotating masses",
     "beam": "beam theory (Mohr)",
     "geometry": "geometry",
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
+    "iso_281_life": "ISO 281:2007, with the ratings that were given",
+    "iso_76_rating": "ISO 76: the rating is the load that dents by 1e-4 of a rolling element",
     "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: p = 2.31*Re (Mises)",
     "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by load sharing",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
+    "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "steep": "derived: above 55° the ring presses the satellite along the crank far more than it turns it",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
     "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2"
   },
   "notConsidered": {
-    "bearing": "bearings",
+    "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
     "crankshaft": "crankshaft and balance of masses",

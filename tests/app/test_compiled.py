@@ -1,12 +1,13 @@
 """The compiled loops in the service: compiled once, told, and never waited for."""
 
 import asyncio
+import importlib
 import subprocess
 import sys
 
 import pytest
 
-from app import compiled
+from app import compiled, loaded
 from core.output import compiled as loops
 from core.output import sharing_kernel
 
@@ -66,6 +67,24 @@ print(state(), use())
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["missing", "missing"]
+
+
+def test_a_broken_cache_is_done_without_and_compiled_anew(elsewhere, monkeypatch):
+    for name in ("sharing_kernel.solve-1.py311.nbi", "sharing_kernel.solve-1.py311.1.nbc"):
+        (elsewhere / "output_0").mkdir(exist_ok=True)
+        (elsewhere / "output_0" / name).write_bytes(b"broken")
+    compiled._mark().touch()
+
+    def fails():
+        raise EOFError
+
+    monkeypatch.setattr(loops, "_at_hand", None)
+    monkeypatch.setattr(loops, "load", lambda: None)
+    monkeypatch.setattr(compiled, "run_once", fails)
+    importlib.reload(loaded)
+    assert loops.at_hand() is loops.PLAIN
+    assert compiled.state() == "preparing"
+    assert not [*elsewhere.rglob("*.nb?")]
 
 
 @pytest.mark.usefixtures("compiled_loops")

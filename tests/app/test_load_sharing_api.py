@@ -333,3 +333,11 @@ async def test_the_figure(api):
         # Where the ideal law lets a pair carry most, the real one is not far.
         top = max(range(12), key=lambda pair: ideal[pair]["y"][40])
         assert real[top]["y"][40] > 0
+        # Without torque the lag moves through the play: no slope there.
+        lags, torques = (figure["data"][-1][axis] for axis in "xy")
+        assert lags == sorted(lags) and torques == sorted(torques)
+        body |= {"include": ["positions"], "crank_angle_deg": [0]}
+        position = (await api.post(PATH, json=body)).json()["positions"][0]
+        assert [lag for lag, torque in zip(lags, torques, strict=True) if torque == 0] == (
+            pytest.approx(position["play_arcmin"])
+        )

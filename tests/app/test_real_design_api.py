@@ -85,7 +85,9 @@ async def test_the_section_is_that_of_load_sharing(api):
     checks = {each["code"]: each for each in answer["checks"]}
     pressure = checks["contact_pressure_hole"]
     assert pressure["value"] == answer["hertz"]["governing_pressure_MPa"]
-    assert answer["hertz"]["max_pressure_MPa"] == pytest.approx(found["max_pressure_MPa"])
+    # at the end of the contact, as the pins slope
+    peak = found["max_pressure_MPa"] * answer["hertz"]["line_load_factor"] ** 0.5
+    assert answer["hertz"]["max_pressure_MPa"] == pytest.approx(peak)
     assert {name: pressure["at"][name] for name in pair} == pair
     assert checks["backlash"]["value"] == found["backlash_max_arcmin"]
     assert checks["lost_motion"]["value"] == found["lost_motion_arcmin"]
@@ -101,7 +103,12 @@ async def test_the_section_is_at_the_torque_the_checks_at_the_dynamic_one(api):
     for name in ("judged_force_N",):
         assert one["load_sharing"][name] == pytest.approx(more["load_sharing"][name])
     assert one["hertz"]["max_pressure_MPa"] == pytest.approx(more["hertz"]["max_pressure_MPa"])
-    assert one["largest_torque_Nm"] == pytest.approx(base["largest_torque_Nm"] / 1.25)
+    reserves = (
+        {each["code"]: each.get("torque_reserve") for each in answer["checks"]}
+        for answer in (one, base)
+    )
+    less, full = (each["contact_pressure_hole"] for each in reserves)
+    assert less == pytest.approx(full / 1.25, rel=1e-2)
 
 
 @pytest.mark.parametrize(

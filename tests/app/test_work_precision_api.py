@@ -5,7 +5,11 @@ import math
 import plotly.graph_objects as go
 import pytest
 
+from app.calculations.tolerance_study import ToleranceStudyRequest
+from app.calculations.work_precision import ToleranceSamplingStudy
 from app.examples import REQUESTS
+from app.settings import Settings
+from core.errors import InvalidInput
 
 pytestmark = pytest.mark.anyio
 
@@ -98,6 +102,56 @@ async def test_a_study_of_the_real_peak_has_a_limit(api):
     response = await api.post("work-precision", json={"calculation": "load-sharing", "input": many})
     error = response.json()["errors"][0]
     assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 18)
+
+
+PIECES = {**REQUESTS["tolerance-study"], "crank_angles": 12, "percentiles": [50], "limits": {}}
+
+
+async def test_more_pieces_scatter_less_and_more_positions_miss_less(api):
+    own = {**PIECES, "samples": 160}
+    answer = (
+        await api.post("work-precision", json={"calculation": "tolerance-study", "input": own})
+    ).json()
+    lines: dict[str, list[dict]] = {}
+    for point in answer["points"]:
+        lines.setdefault(point["method_code"], []).append(point)
+    assert [*lines] == [f"monte_carlo{grid}" for grid in ("_quarter", "_half", "", "_double")]
+    for line, positions in zip(lines.values(), (3, 6, 12, 24), strict=True):
+        assert [point["setting_value"] for point in line] == [10, 40, 160]
+        assert [point["evaluations"] for point in line] == [
+            pieces * positions for pieces in (10, 40, 160)
+        ]
+        errors = [point["relative_error"] for point in line]
+        assert errors == sorted(errors, reverse=True)
+    ends = [line[-1]["relative_error"] for line in lines.values()]
+    assert ends == sorted(ends, reverse=True) and ends[0] > 2 * ends[-1]
+    assert answer["chosen"] == lines["monte_carlo"][-1]
+    # the study's own interval says the same of the scatter, the grid's bias taken away
+    study = (await api.post("tolerance-study", json=own)).json()["quantities"]["peak_force_N"]
+    interval = study["percentiles"][0]
+    said = (interval["high"] - interval["low"]) / (2 * 1.96) / interval["value"]
+    first, last = (lines["monte_carlo"][i]["relative_error"] ** 2 for i in (0, -1))
+    assert (first - last) ** 0.5 == pytest.approx(15**0.5 * said, rel=0.5)
+
+
+async def test_too_few_pieces_are_refused_by_name(api):
+    body = {"calculation": "tolerance-study", "input": {**PIECES, "samples": 20}}
+    error = (await api.post("work-precision", json=body)).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == ("/input/samples", "too_few")
+
+
+def test_pieces_take_eight_times_as_long_as_their_own_study():
+    own = {**PIECES, "samples": 1_000_000}
+    requests = (
+        ToleranceStudyRequest.model_validate(own),
+        ToleranceSamplingStudy(calculation="tolerance-study", input=own),
+    )
+    limits = []
+    for request in requests:
+        with pytest.raises(InvalidInput, match="samples") as refused:
+            request.refuse_beyond(Settings(max_seconds=10))
+        limits.append(refused.value.params["limit"])
+    assert limits[1] == limits[0] // 8
 
 
 @pytest.mark.parametrize("calculation", ["peak_force", "roller_sharing"])

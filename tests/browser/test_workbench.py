@@ -95,7 +95,7 @@ def test_units_are_shown_and_typed_as_chosen_and_stay_canonical_underneath(
     asked = httpx.URL(address(page)).params["contact.pin_radius_mm"]
     assert float(asked) == pytest.approx(7.62, rel=1e-12)
     page.get_by_role("button", name="Undo").click()
-    settled(page)
+    address(page)  # the browser is not to load again while the page writes it
     page.reload()
     settled(page)
     expect(page.locator('[data-path="contact.pin_radius_mm"] .unit')).to_have_text("in")

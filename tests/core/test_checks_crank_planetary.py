@@ -8,10 +8,16 @@ import pytest
 
 from core.checks.check import wall
 from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
+from core.checks.crank_planetary import (
+    CRANK,
+    SATELLITE,
+    SECTIONS,
+    crank_checks,
+    crank_tables,
+)
 from core.checks.real_forces import RealForces
 from core.output.contact_force import ContactForce
-from tests.oracles.checks import REF, says
+from tests.oracles.checks import REF, WHOLE, says
 
 
 @pytest.mark.parametrize("clearance", [-3e-5, -2e-11, -5e-12, 0.0, 5e-12, 2e-11, 3e-5])
@@ -167,11 +173,22 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
     no_body = replace(REF, has_body=False)
     no_load = replace(REF, output_torque=None)
     no_contact = replace(REF, pin_radius=None)
-    assert {*crank_tables(REF)} == {*CRANK}
-    assert {*crank_tables(no_body)} == {*CRANK} - {"wall_rim", "wall_bore"}
+    assert {*crank_tables(WHOLE)} == {*CRANK}
+    for section, table in SECTIONS.items():
+        without = replace(WHOLE, **{section: None})  # type: ignore[arg-type]
+        assert {*crank_tables(without)} == {*CRANK} - {*table}
+        name = "satellite_body" if section == "has_body" else section
+        assert crank_checks(replace(without, has_body=section != "has_body")).not_considered == (
+            *(["satellite_body"] if section == "has_body" else []),
+            "clearance",
+            *([] if section == "has_body" else [name]),
+        )
+    no_sections = {*CRANK}.difference(*SECTIONS.values())
+    assert {*crank_tables(REF)} == no_sections | {*SATELLITE}
+    assert {*crank_tables(no_body)} == no_sections
     assert {*crank_tables(no_load)} == mechanism | fit
     assert {*crank_tables(no_contact)} == mechanism
-    later = ("clearance", "pin", "friction", "gear", "bearing", "crankshaft")
+    later = ("clearance", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft")
     assert crank_checks(REF).not_considered == later
     assert crank_checks(no_body).not_considered == ("satellite_body", *later)
     assert crank_checks(no_load).not_considered == ("load", *later)

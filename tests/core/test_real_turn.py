@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from core.crank.crankshaft import crankshaft
@@ -73,8 +73,28 @@ def places(mechanism: Mechanism) -> tuple[float, ...]:
     return tuple(0.015 + 0.022 * j for j in range(mechanism.satellites))
 
 
+UNLIKE = as_made(
+    spaced(4, 2),
+    clearance=1e-5,
+    exact=True,
+    deviations=Deviations(
+        pin_radial=(4e-6, -2e-6, 5e-6, 0.0),
+        pin_tangential=(-6e-6, 3e-6, 0.0, 2e-6),
+        pin_radius=(1e-6, 0.0, -2e-6, 1e-6),
+        hole_radial=((3e-6, 0.0, -4e-6, 2e-6), (-1e-6, 5e-6, 2e-6, 0.0)),
+        hole_tangential=((-5e-6, 1e-6, 0.0, 2e-6), (0.0, -3e-6, 4e-6, 1e-6)),
+        hole_radius=((1e-6, 2e-6, 0.0, -1e-6), (0.0, 1e-6, -2e-6, 1e-6)),
+        eccentricity=(4e-6, -3e-6),
+        crank_phase=(-3e-4, 2e-4),
+        disc_phase=(5e-5, -8e-5),
+    ),
+)
+
+
 @given(real=reals(exact=True), torque=st.sampled_from([200.0, -200.0, 20.0]))
-@settings(max_examples=5)
+@example(real=UNLIKE, torque=200.0)
+@example(real=UNLIKE, torque=-200.0)
+@settings(max_examples=3)
 def test_the_crank_carries_what_pins_and_ring_press(real: RealMechanism, torque: float) -> None:
     """Across the crank: what turns it by the energy of the contacts. Along it: nothing turns."""
     try:
@@ -85,7 +105,7 @@ def test_the_crank_carries_what_pins_and_ring_press(real: RealMechanism, torque:
     own = real.deviations.eccentricity or (0.0,) * real.mechanism.satellites
     arms = np.array(own)[:, None] + real.eccentricity
     some = slice(None, None, len(turn.wave) // 7)
-    parts = made_parts(turn, 1.0, 0.0)
+    parts = made_parts(turn=turn, arm=1.0, radial_force_ratio=0.0)
     across = turn.on_satellites.imag + parts.ring / (arms * ratio)
     angles = (turn.wave - real.mechanism.initial_crank_angle) / (1 + 1 / ratio)
     curves = real_curves(real=real, crank_angle=angles[some], output_torque=torque)
@@ -94,7 +114,7 @@ def test_the_crank_carries_what_pins_and_ring_press(real: RealMechanism, torque:
     assert on_crank == pytest.approx(curves.input_torque, abs=1e-10 * size)
     # the pins turn the output: of all forces about its axis
     about_axis = (turn.couple - arms * turn.on_satellites.imag).sum(axis=0)
-    assert about_axis == pytest.approx(torque, abs=1e-9 * size / real.eccentricity * 0.04)
+    assert about_axis == pytest.approx(torque, abs=1e-9 * size / real.eccentricity * 0.05)
     if real.deviations == Deviations():
         return  # one pin stands for all
     pins = 1j * np.exp(2j * np.pi * np.arange(real.mechanism.pins) / real.mechanism.pins)

@@ -1,12 +1,14 @@
 """A design whose checks are known by hand, and what a check says."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from core.checks.check import Check
 from core.checks.crank_design import CrankDesign
+from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
 from core.materials import ContactLimit, ElasticMaterial
 
 PIN = ElasticMaterial(210e9, 0.3, ContactLimit("given", 900e6), yield_strength=300e6)
@@ -25,6 +27,31 @@ REF = CrankDesign(
     hole_material=HOLE,
     has_body=True,
 )
+WHOLE = replace(
+    REF,
+    input_speed=50 * math.pi,
+    pin=DesignPin(
+        support="cantilever",
+        diameter=0.016,
+        satellite_positions=(0.015, 0.037),
+        material=ElasticMaterial(210e9, 0.3, yield_strength=800e6),
+        tensile_strength=1000e6,
+        steel=True,
+    ),
+    fatigue=FatigueBasis(endurance_limit=300e6),
+    friction=Friction(coefficient=0.08, wear_rate=1e-17, life=3000 * 3600.0),
+    gear=Ring(
+        kind="involute",
+        module=3.5e-3,
+        teeth_difference=1,
+        reference_pressure_angle=math.radians(20),
+    ),
+    bearing=RollingBearing(kind="ball", dynamic_rating=60e3, static_rating=40e3),
+    crankshaft=Shaft(
+        satellite_positions=(0.020, 0.042), bearing_positions=(0.0, 0.062), satellite_mass=1.5
+    ),
+)
+"""The same with all its sections: the design of which strengths and lives are known by hand."""
 # the peak is 4/(2*6) of 10 kN; E* = 210 GPa/(2*0.91); 1/r - 1/R = 25 per metre
 LINE_LOAD, MODULUS = 1e4 / 3 / 0.02, 210e9 / 1.82
 PRESSURE = math.sqrt(LINE_LOAD * MODULUS * 25 / math.pi)

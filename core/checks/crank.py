@@ -1,0 +1,196 @@
+"""Checks of the crank: bearings of the satellites, ring, crankshaft."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from core.checks.check import Check, judged, not_asked, wall
+from core.checks.crank_design import CrankDesign
+from core.checks.play import no_eccentricity
+from core.crank.bearing_life import EXPONENTS
+from core.crank.crankshaft import Crankshaft
+from core.crank.ring_mesh import STEEP
+from core.crank.satellite_bearing import SatelliteBearings
+
+
+def _unknown(
+    design: CrankDesign, code: str, found: object, limit: float | None, section: str
+) -> Check:
+    """A check whose loads are not known: why, and what is missing."""
+    if getattr(design, section) is None or design.gear is None:
+        missing: tuple[str, ...] = (section if getattr(design, section) is None else "gear",)
+        reason = "section_missing"
+    else:
+        reason, missing = design.unturned(found)
+    return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+
+
+def _rating(code: str, limit: float, name: str) -> Check:
+    """A check that needs a load rating."""
+    missing = (name,)
+    return Check(
+        code=code, status="not_checked", limit=limit, reason="rating_unknown", missing=missing
+    )
+
+
+def _life(design: CrankDesign) -> Check:
+    code, limit, found = "bearing_life", design.life, design.bearings
+    if not isinstance(found, SatelliteBearings):
+        return _unknown(design, code, found, limit, "bearing")
+    assert design.bearing is not None
+    if found.life is None:
+        return _rating(code, limit, "bearing.dynamic_rating")
+    worst, power = int(np.argmin(found.life)), EXPONENTS[design.bearing.kind]
+    value = float(found.life[worst])
+    return judged(
+        code,
+        value,
+        limit,
+        keep="above",
+        reserve=(value / limit) ** (1 / power),
+        error=4 * power * float(found.accuracy.relative_error),
+        rough=design.as_made,
+        at={"satellite": worst + 1},
+    )
+
+
+def _static(design: CrankDesign) -> Check:
+    code, limit, found = "bearing_static", design.static_safety, design.bearings
+    if not isinstance(found, SatelliteBearings):
+        return _unknown(design, code, found, limit, "bearing")
+    if found.static_safety_factor is None:
+        return _rating(code, limit, "bearing.static_rating")
+    worst = int(np.argmin(found.static_safety_factor))
+    value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
+    return judged(
+        code,
+        value,
+        limit,
+        keep="above",
+        reserve=value / limit,
+        error=4 * error,
+        rough=design.as_made,
+        at={"satellite": worst + 1},
+    )
+
+
+def _system(design: CrankDesign) -> Check:
+    code, limit, found = "system_life", design.life, design.bearings
+    assert design.bearing is not None
+    if design.satellites == 1:
+        return Check(code=code, status="not_applicable", reason="one_only")
+    if design.bearing.weibull_slope is None:
+        return Check(code=code, status="not_asked", missing=("bearing.weibull_slope",))
+    if not isinstance(found, SatelliteBearings):
+        return _unknown(design, code, found, limit, "bearing")
+    if found.system_life is None:
+        return _rating(code, limit, "bearing.dynamic_rating")
+    value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
+    error = 4 * power * float(found.accuracy.relative_error)
+    reserve = (value / limit) ** (1 / power)
+    return judged(
+        code, value, limit, keep="above", reserve=reserve, error=error, rough=design.as_made
+    )
+
+
+def _pressure_angle(design: CrankDesign) -> Check:
+    code, mesh = "pressure_angle", design.mesh
+    if design.gear is not None and design.gear.kind != "involute":
+        return Check(code=code, status="not_applicable", reason="no_involute")
+    if mesh is None or mesh.operating_pressure_angle is None:
+        return no_eccentricity(code)
+    return judged(code, float(mesh.operating_pressure_angle), STEEP, warning="steep_mesh")
+
+
+def _gear_room(design: CrankDesign) -> Check:
+    """The holes within the teeth, as far as the ring says where these are: involute teeth of so
+    small a difference lie about the operating pitch circle of the satellite, ``e*u``; a cycloid
+    disc lies within the circle of the ring's pins less e.
+    """
+    code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
+    assert gear is not None and design.hole_radius is not None
+    if gear.kind not in ("involute", "cycloid"):
+        return Check(code=code, status="not_applicable", reason="no_teeth")
+    if eccentricity is None:
+        return no_eccentricity(code)
+    room = eccentricity * design.mechanism.ratio
+    if gear.ring_pin_circle_radius is not None:
+        room = gear.ring_pin_circle_radius - eccentricity
+    assert design.pin_circle_radius is not None
+    width = room - design.pin_circle_radius - design.hole_radius
+    return wall(code, width=width, size=design.hole_radius)
+
+
+def _shaft_life(design: CrankDesign) -> Check:
+    code, limit, found = "crank_bearing_life", design.life, design.shaft
+    assert design.crankshaft is not None
+    bearings = design.crankshaft.bearings
+    if bearings is None:
+        return Check(code=code, status="not_asked", missing=("crankshaft.bearings",))
+    if any(each.dynamic_rating is None for each in bearings):
+        return _rating(code, limit, "crankshaft.bearings")
+    if not isinstance(found, Crankshaft):
+        return _unknown(design, code, found, limit, "crankshaft")
+    lives = [math.inf if each is None else each for each in found.basic_life]
+    powers = [EXPONENTS[each.kind] for each in bearings]
+    value, worst = min(zip(lives, (1, 2), strict=True))
+    reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
+    return judged(
+        code,
+        value,
+        limit,
+        keep="above",
+        reserve=min(reserves),
+        error=4 * max(powers) * float(found.accuracy.relative_error),
+        rough=design.as_made,
+        at={"bearing": worst},
+    )
+
+
+def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> Check:
+    """What is left of the satellites' centrifugal forces against what is asked."""
+    found = design.shaft
+    known = found.balance if isinstance(found, Crankshaft) else None
+    value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
+    if limit is None:
+        return not_asked(code=code, value=value, name=name)
+    if value is not None:
+        return judged(code, value, limit)
+    assert design.crankshaft is not None
+    if design.crankshaft.satellite_mass is None:
+        missing = ("crankshaft.satellite_mass",)
+        return Check(
+            code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
+        )
+    return _unknown(design, code, found, limit, "crankshaft")
+
+
+def _unbalance_force(design: CrankDesign) -> Check:
+    return _balance(design, "unbalance_force", design.max_unbalance, "max_unbalance")
+
+
+def _unbalance_couple(design: CrankDesign) -> Check:
+    name = "max_unbalance_couple"
+    return _balance(design, "unbalance_couple", design.max_unbalance_couple, name)
+
+
+BEARING: dict[str, Callable[[CrankDesign], Check]] = {
+    "bearing_life": _life,
+    "bearing_static": _static,
+    "system_life": _system,
+}
+"""Checks of the satellites' bearings, by code."""
+
+GEAR: dict[str, Callable[[CrankDesign], Check]] = {
+    "pressure_angle": _pressure_angle,
+    "gear_room": _gear_room,
+}
+"""Checks of the ring against the satellite, by code."""
+
+SHAFT: dict[str, Callable[[CrankDesign], Check]] = {
+    "crank_bearing_life": _shaft_life,
+    "unbalance_force": _unbalance_force,
+    "unbalance_couple": _unbalance_couple,
+}
+"""Checks of the crankshaft, by code."""

@@ -1,0 +1,113 @@
+"""Checks of the pins as beams: static strength, fatigue, deflection, slope."""
+
+from collections.abc import Callable
+
+from core.checks.check import Check, judged, not_asked
+from core.checks.crank_design import CrankDesign
+from core.errors import ImpossibleMechanism
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength
+
+NO_BASIS = {"fatigue_no_basis": "endurance_unknown", "fatigue_no_notch": "notch_unknown"}
+"""Why there is no endurance limit, as the reason of a check."""
+
+HARDENED = 1400e6
+"""Tensile strength above which a steel hardly yields before it breaks, Pa."""
+
+
+def _missing(design: CrankDesign, value: str) -> tuple[str, ...]:
+    """What would have to be given: a value of an own material, or another material."""
+    assert design.pin is not None
+    own = design.pin.own_material and design.pin.says_material
+    return (f"pin.material.{value}",) if own else ("pin.material",)
+
+
+def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Check:
+    """A check whose forces are not known."""
+    if design.pin is None:
+        missing = ("pin",)
+        return Check(code=code, status="not_checked", reason="section_missing", missing=missing)
+    found = design.pin_strength
+    reason = "too_large"
+    if isinstance(found, ImpossibleMechanism) or design.unmade:
+        reason = design.why_unknown(found if isinstance(found, ImpossibleMechanism) else None)
+    return Check(code=code, status="not_checked", limit=limit, reason=reason)
+
+
+def _static(design: CrankDesign) -> Check:
+    code, found = "pin_static", design.pin_strength
+    if not isinstance(found, PinStrength):
+        return _unknown(design, code)
+    assert design.pin is not None
+    stress, tensile = (
+        found.peak_equivalent_stress * design.static_share,
+        design.pin.tensile_strength,
+    )
+    strength = design.pin.material.yield_strength
+    if strength is None and tensile is not None and tensile > HARDENED:
+        strength = tensile
+    if strength is None:
+        missing = _missing(design, "yield_strength")
+        return Check(
+            code=code, status="not_checked", value=stress, reason="yield_unknown", missing=missing
+        )
+    limit = strength / design.bending_safety
+    error = 4 * found.accuracy.relative_error
+    return judged(code, stress, limit, reserve=limit / stress, error=error, rough=design.as_made)
+
+
+def _fatigue(design: CrankDesign) -> Check:
+    code, found = "pin_fatigue", design.pin_strength
+    if not isinstance(found, PinStrength):
+        return _unknown(design, code)
+    assert design.pin is not None
+    if found.fatigue is None:
+        judged_by = design.fatigue_strength
+        assert not isinstance(judged_by, FatigueStrength) and judged_by is not None
+        reason = NO_BASIS[judged_by.code]
+        missing: tuple[str, ...] = ("fatigue.fatigue_notch_factor",)
+        if reason == "endurance_unknown":
+            missing = _missing(design, "tensile_strength")
+            if design.pin.tensile_strength is not None:
+                missing = ("fatigue.endurance_limit",)
+        return Check(code=code, status="not_checked", reason=reason, missing=missing)
+    safety, limit = found.fatigue.safety_factor, design.fatigue_safety
+    error = 4 * found.accuracy.relative_error
+    return judged(
+        code, safety, limit, keep="above", reserve=safety / limit, error=error, rough=design.as_made
+    )
+
+
+def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
+    """The largest deflection or slope against what is asked."""
+    found = design.pin_strength
+    known = isinstance(found, PinStrength) and found.deflection is not None
+    value = getattr(found.deflection, code.removeprefix("pin_")) if known else None  # type: ignore[union-attr]
+    if limit is None:
+        return not_asked(code=code, value=value, name=f"max_{code.removeprefix('pin_')}")
+    if value is None:
+        return _unknown(design, code, limit)
+    at = {"satellite": found.deflection.satellite}  # type: ignore[union-attr]
+    error = 4 * found.accuracy.relative_error  # type: ignore[union-attr]
+    return judged(
+        code, value, limit, reserve=limit / value, error=error, at=at, rough=design.as_made
+    )
+
+
+def _deflection(design: CrankDesign) -> Check:
+    return _bent(design, "pin_deflection", design.max_deflection)
+
+
+def _slope(design: CrankDesign) -> Check:
+    return _bent(design, "pin_slope", design.max_slope)
+
+
+PINS: dict[str, Callable[[CrankDesign], Check]] = {
+    "pin_static": _static,
+    "pin_deflection": _deflection,
+    "pin_slope": _slope,
+}
+"""Checks of the pins, by code."""
+
+PIN_FATIGUE: dict[str, Callable[[CrankDesign], Check]] = {"pin_fatigue": _fatigue}
+"""The check of their fatigue, where what judges it is given."""

@@ -1,0 +1,340 @@
+"""A pin under the forces of a turn: its largest stresses and its worst stress cycle."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray, IntArray
+from core.output.pin_beam import PinBeam, section_stress
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_search import (
+    CELLS,
+    JOINT_ROUNDS,
+    JOINT_SMOOTH,
+    NEAR,
+    Found,
+    Measure,
+    Points,
+    highest,
+    largest,
+    narrowed,
+    summits,
+)
+from core.output.pin_turn import ComplexArray, PinTurn, combine
+from core.output.sampled_turn import PinSamples
+
+Sharing = Literal["equal", "stiffness"]
+"""How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
+
+FIRST = np.zeros(1, dtype=np.intp)
+
+Arms = Callable[[FloatArray], tuple[FloatArray, ...]]
+"""Of sections: what unit forces of the satellites do there, each with the satellites last."""
+
+
+@dataclass(frozen=True, slots=True)
+class PinLoads:
+    """Forces on a pin over a turn.
+
+    Attributes
+    ----------
+    turn : PinTurn or PinSamples
+        Forces in a unit.
+    unit : float
+        The unit, N; negative where they act the other way.
+    error : float
+        Relative error of samples, at which a search of them ends.
+    alternates : bool
+        Whether they also act the other way.
+    sharing : {"equal", "stiffness"} or None
+        How satellites share the load, of ideal forces.
+    pin : int
+        Number of the pin, from 1.
+    wave : array or None
+        Wave angles of samples, rad.
+    """
+
+    turn: PinTurn | PinSamples
+    unit: float
+    error: float = NEAR
+    alternates: bool = False
+    sharing: Sharing | None = None
+    pin: int = 1
+    wave: FloatArray | None = None
+
+
+@dataclass(frozen=True)
+class LoadedPin:
+    """A pin as a beam, and where satellites load it.
+
+    Attributes
+    ----------
+    beam : PinBeam
+        In its supports.
+    diameter : float
+        Diameter d, m.
+    positions : array, shape (K,)
+        Middle planes of the satellites, m.
+    """
+
+    beam: PinBeam
+    diameter: float
+    positions: FloatArray
+
+    @property
+    def area(self) -> float:
+        """Of its section, m^2."""
+        return math.pi * self.diameter**2 / 4
+
+    @property
+    def modulus(self) -> float:
+        """Section modulus W, m^3."""
+        return math.pi * self.diameter**3 / 32
+
+    @cached_property
+    def ends(self) -> FloatArray:
+        """Ends of loads and supports: the root alone of a cantilever, as no other section is
+        worse.
+        """
+        if self.beam.span is None:
+            return np.zeros(1)
+        half = self.beam.contact_length / 2
+        ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
+        return np.unique(np.clip(ends, 0, self.beam.span))
+
+    def moments(self, x: FloatArray, unit: float) -> FloatArray:
+        """Bending stress at sections by a unit of each satellite's force, Pa."""
+        found: FloatArray = unit / self.modulus * self.beam.moment(x[..., None], self.positions)
+        return found
+
+    def shears(self, x: FloatArray, unit: float) -> FloatArray:
+        """Mean shear stress of the same, Pa."""
+        found: FloatArray = unit / self.area * self.beam.shear(x[..., None], self.positions)
+        return found
+
+    def _curvature(self, loads: PinLoads) -> float:
+        """Largest second derivative of the bending stress along the pin."""
+        most = float(np.abs(loads.turn.forces).sum(axis=0).max())
+        return abs(loads.unit) / self.modulus * most / float(self.beam.contact_length)
+
+    def largest(self, loads: PinLoads, arms: FloatArray) -> FloatArray:
+        """Largest over the turn of what unit forces of the satellites do, (rows, K) to (rows,)."""
+        return largest(turn=loads.turn, arms=(loads.unit * arms,), measure=np.abs)
+
+    def bending(self, loads: PinLoads) -> tuple[float, float]:
+        """Largest bending stress of any section, Pa, and the section, m."""
+        return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs)
+
+    def equivalent(self, loads: PinLoads) -> float:
+        """Largest equivalent stress of any section, Pa."""
+
+        def arms(x: FloatArray) -> tuple[FloatArray, ...]:
+            return self.moments(x, loads.unit), self.shears(x, loads.unit)
+
+        return self._along(loads, arms, _equivalent)[0]
+
+    def _along(self, loads: PinLoads, arms: Arms, measure: Measure) -> tuple[float, float]:
+        """Largest measure of any section, and the section."""
+        turn, curvature = loads.turn, self._curvature(loads)
+
+        def value(at: Points, rounds: int | None) -> tuple[FloatArray, FloatArray]:
+            values = largest(turn=turn, arms=arms(at.section), measure=measure, rounds=rounds)
+            return values, curvature * at.length**2 / 8
+
+        def climb(points: Points) -> Found:
+            if isinstance(turn, PinSamples) or len(self.ends) == 1:
+                return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
+            _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
+            own, at = points.of(tops.row), turn.at(tops.arc)
+
+            def grid_value(way: FloatArray, x: FloatArray) -> tuple[FloatArray, list[IntArray]]:
+                forces = at(way)
+                sums = (_summed(each, forces) for each in arms(x))
+                return _picked(measure(*sums), (1, 0))
+
+            values, (_, x) = narrowed(
+                value=grid_value,
+                places=(tops.place, own.section),
+                widths=(tops.width, own.length),
+                limits=((0.0, 1.0), (own.low, own.high)),
+                cells=(CELLS, CELLS // 2),
+                rounds=JOINT_SMOOTH if turn.smooth else JOINT_ROUNDS,
+            )
+            top = int(values.argmax())
+            return float(values[top]), float(x[top]), 0.0
+
+        return highest(value=value, ends=self.ends, enough=loads.error, climb=climb)[:2]
+
+    def direction(self, loads: PinLoads, section: float) -> float:
+        """Direction of the largest moment of a section, rad."""
+        arms = self.moments(np.array([section]), loads.unit)
+        turn = loads.turn
+        assert isinstance(turn, PinTurn)
+        _, tops = summits(turn=turn, arms=(arms,), measure=np.abs)
+        at = turn.at(tops.arc)
+        values, (way,) = narrowed(
+            value=lambda way: _picked(np.abs(_summed(arms[None], at(way))), (1,)),
+            places=(tops.place,),
+            widths=(tops.width,),
+            limits=((0.0, 1.0),),
+            cells=(CELLS,),
+            rounds=JOINT_ROUNDS,
+        )
+        top = int(values.argmax())
+        moment = _summed(arms[None], at(way[:, None]))[top, 0, 0]
+        return math.atan2(moment.imag, moment.real)
+
+    def cycle(
+        self, loads: PinLoads, strength: FatigueStrength, bent: float
+    ) -> tuple[float, float, float, float]:
+        """The worst stress cycle of any point of the edge.
+
+        Parameters
+        ----------
+        loads : PinLoads
+            Forces that do not also act the other way.
+        strength : FatigueStrength
+            What it is judged by.
+        bent : float
+            Largest bending stress, Pa.
+
+        Returns
+        -------
+        largest, least : float
+            Stress, Pa.
+        section, direction : float
+            m, rad.
+        """
+        turn, curvature = loads.turn, self._curvature(loads)
+        steepest = curvature * float(self.beam.contact_length)
+        steep = strength.utilisation(curvature, 0.0) + strength.utilisation(0.0, curvature)
+        corners = strength.criterion == "fkm_haigh" and bool(
+            np.abs(turn.forces).sum(axis=0).min() > 0
+        )
+        ends = np.zeros(2)
+        at_root = None
+        if len(self.ends) == 1:
+            at_root = self.moments(np.zeros((1, 1)), loads.unit)
+
+        def arms(at: Points) -> ComplexArray:
+            turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
+            return self.moments(at.section, loads.unit) * turned
+
+        def used(top: FloatArray, bottom: FloatArray) -> FloatArray:
+            found: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
+            return found
+
+        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            if rounds == 0:
+                top, bottom = self._sampled_cycles(loads, at)
+            else:
+                both = arms(at)
+                both = np.concatenate((both, -both))
+                found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
+                top, bottom = found[: len(found) // 2], -found[len(found) // 2 :]
+            use = used(top, bottom)
+            room = (steep * at.length**2 + use * at.angle**2) / 8
+            if corners:
+                # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
+                # largest where it has a corner, from which it falls at once
+                reach = (bent * at.angle + steepest * at.length) / 2
+                corner = np.minimum(abs(bottom), abs(2 * bottom - top) / 3) <= reach
+                room = room + corner * (used(top + reach, bottom - reach) - use)
+            return use, room
+
+        def climb(points: Points) -> Found:
+            own = arms(points)
+            if isinstance(turn, PinSamples):
+                stress = (own[:1] @ turn.forces)[0].real
+                ends[:] = stress.max(), stress.min()
+                return 0.0, float(points.section[0]), float(points.direction[0])
+            tops, bottoms = (
+                summits(turn=turn, arms=(sign * own,), measure=np.real)[1] for sign in (1, -1)
+            )
+            upper, lower = np.nonzero(tops.row[:, None] == bottoms.row)
+            start = points.of(tops.row[upper])
+            every = np.arange(len(upper))
+            at = turn.at(np.concatenate((tops.arc[upper], bottoms.arc[lower])))
+
+            def stresses(
+                high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
+            ) -> list[FloatArray]:
+                """Of both pairs of arcs, shape (rows, s, c, m)."""
+                forces = at(np.concatenate((high, low)))
+                turned = np.exp(-1j * chi)[:, None, :, None]
+                weights = at_root if at_root is not None else self.moments(x, loads.unit)
+                both = forces[: len(high)], forces[len(high) :]
+                return [(_summed(weights, each)[:, :, None] * turned).real for each in both]
+
+            def grid_value(
+                high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
+            ) -> tuple[FloatArray, list[IntArray]]:
+                top, bottom = stresses(high, low, x, chi)
+                use = used(top.max(axis=-1), bottom.min(axis=-1))
+                values, (section, direction) = _picked(use, (0, 1))
+                at_best = (every, section, direction)
+                ways = top[at_best].argmax(axis=-1), bottom[at_best].argmin(axis=-1)
+                return values, [*ways, section, direction]
+
+            values, places = narrowed(
+                value=grid_value,
+                places=(tops.place[upper], bottoms.place[lower], start.section, start.direction),
+                widths=(
+                    tops.width[upper],
+                    bottoms.width[lower],
+                    start.length,
+                    np.full(len(upper), start.angle),
+                ),
+                limits=((0.0, 1.0), (0.0, 1.0), (start.low, start.high), (-math.inf, math.inf)),
+                cells=(CELLS, CELLS, CELLS // 2, CELLS),
+                rounds=JOINT_SMOOTH if turn.smooth and not corners else JOINT_ROUNDS,
+            )
+            best = int(values.argmax())
+            ends[:] = [
+                float(each[best, 0, 0, 0]) for each in stresses(*(each[:, None] for each in places))
+            ]
+            return float(values[best]), float(places[2][best]), float(places[3][best])
+
+        _, section, direction = highest(
+            value=value, ends=self.ends, around=True, enough=loads.error, climb=climb
+        )
+        return float(ends[0]), float(ends[1]), section, direction
+
+    def _sampled_cycles(self, loads: PinLoads, at: Points) -> tuple[FloatArray, FloatArray]:
+        """Largest and least sample of the stress, for all sections in few directions."""
+        sections, section = np.unique(at.section, return_inverse=True)
+        directions, direction = np.unique(at.direction, return_inverse=True)
+        samples = loads.turn.forces.reshape(len(self.positions), -1)
+        stress = combine(arms=self.moments(sections, loads.unit), forces=samples)
+        along = [
+            stress.real * math.cos(chi) + stress.imag * math.sin(chi) for chi in directions.tolist()
+        ]
+        place = direction, section
+        tops, bottoms = (np.array([f(each, axis=1) for each in along]) for f in (np.max, np.min))
+        return tops[place], bottoms[place]
+
+
+def _summed(arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
+    """Sums of forces (rows, K, m) times arms (rows, s, K), shape (rows, s, m)."""
+    found: NDArray[Any] = arms[..., :1] * forces[:, :1]
+    for k in range(1, arms.shape[-1]):
+        found = found + arms[..., k : k + 1] * forces[:, k : k + 1]
+    return found
+
+
+def _picked(values: FloatArray, axes: Sequence[int]) -> tuple[FloatArray, list[IntArray]]:
+    """Largest value of each row of (rows, a, b), and where; of values alike the first."""
+    flat = values.reshape(len(values), -1)
+    index = flat.argmax(axis=1)
+    places = np.unravel_index(index, values.shape[1:])
+    return flat[np.arange(len(flat)), index], [places[axis] for axis in axes]
+
+
+def _equivalent(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
+    found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
+    return found

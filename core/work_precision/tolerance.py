@@ -1,0 +1,138 @@
+"""A quantity of many pieces: how many of them, and at how many positions each."""
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import InvalidInput
+from core.tolerance.quantiles import percentile
+from core.tolerance.study import Study
+from core.work_precision.study import Reference, WorkPoint, WorkPrecision
+
+GRIDS = {
+    "monte_carlo_quarter": 0.25,
+    "monte_carlo_half": 0.5,
+    "monte_carlo": 1.0,
+    "monte_carlo_double": 2.0,
+}
+"""Methods, and how many times the positions that were asked each has."""
+
+FINEST = 4
+"""How many times the positions that were asked the reference has."""
+
+COST = 8
+"""How many times as long as the study itself this takes: its grids and the reference."""
+
+BLOCKS = (256, 64, 16, 4)
+"""Into how many blocks the pieces are split for the scatter of smaller samples."""
+
+FEWEST_POSITIONS = 3
+"""A coarser grid says nothing of a turn."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Sampled:
+    """The pieces at one grid: its values, the estimate from all, and what it took, microseconds."""
+
+    values: FloatArray
+    estimate: float
+    run_time_us: float
+
+
+def _estimate(values: FloatArray, percent: float | None) -> float:
+    """Percentile of the pieces that can work, their mean where no percent is asked."""
+    known = values[~np.isnan(values)]
+    if not len(known):
+        raise InvalidInput("samples", len(values), "too_few")
+    return (
+        float(known.mean()) if percent is None else percentile(values=known, percent=percent).value
+    )
+
+
+def _sampled(study: Study, positions: int, percent: float | None) -> _Sampled:
+    own = replace(study, asked=replace(study.asked, positions=positions))
+    pieces = own.pieces()
+    began = time.perf_counter_ns()
+    values = own.values(pieces)[0][:, 0]
+    spent = (time.perf_counter_ns() - began) / 1000
+    return _Sampled(values, _estimate(values, percent), spent)
+
+
+def _scatter(grid: _Sampled, blocks: int, percent: float | None) -> float | None:
+    """Root mean square deviation of the estimates from smaller samples; None where these are too
+    small for it. Blocks of the same pieces lie closer to their whole than to the truth.
+    """
+    try:
+        found = [_estimate(block, percent) for block in np.array_split(grid.values, blocks)]
+    except InvalidInput:
+        return None
+    square = float(np.mean((np.array(found) - grid.estimate) ** 2))
+    return math.sqrt(square / (1 - 1 / blocks))
+
+
+def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrecision:
+    """Error against run time of a percentile over many pieces.
+
+    The number of pieces makes a scatter that falls with its root, whatever the positions; the
+    number of positions a bias that no number of pieces takes away. So more of one alone ends in a
+    level line.
+
+    Parameters
+    ----------
+    study : Study
+        Design, tolerances, number of pieces and of positions; its first quantity is taken.
+    percent : float or None
+        Which percentile; the mean where it is None.
+
+    Returns
+    -------
+    WorkPrecision
+        The error is the scatter of smaller samples among the pieces and the bias of the grid
+        against the same pieces at `FINEST` times the positions. Chosen are the pieces and positions
+        as asked, whose scatter is half that of quarters of them.
+
+    Raises
+    ------
+    InvalidInput
+        If the pieces are too few for the percentile, quartered.
+    """
+    asked = study.asked.positions
+    exact = _sampled(study, FINEST * asked, percent).estimate
+    lines = {
+        method: _line(method, study, round(times * asked), percent, exact)
+        for method, times in GRIDS.items()
+        if round(times * asked) >= FEWEST_POSITIONS
+    }
+    chosen = lines["monte_carlo"][-1]
+    digits = -math.log10(max(chosen.relative_error, 1e-16))
+    return WorkPrecision(
+        reference=Reference("monte_carlo_finest", max(0, math.floor(digits))),
+        points=tuple(point for line in lines.values() for point in line),
+        chosen=chosen,
+    )
+
+
+def _line(
+    method: str, study: Study, positions: int, percent: float | None, exact: float
+) -> list[WorkPoint]:
+    """Smaller samples and all pieces at one grid."""
+    grid, count = _sampled(study, positions, percent), study.samples
+    scatters = {count // blocks: _scatter(grid, blocks, percent) for blocks in BLOCKS}
+    quartered = scatters[count // BLOCKS[-1]]
+    if quartered is None:
+        raise InvalidInput("samples", count, "too_few")
+    scatters[count] = quartered / 2
+    return [
+        WorkPoint(
+            method=method,
+            setting=("pieces", pieces),
+            relative_error=math.hypot(grid.estimate - exact, scatter) / (abs(exact) or 1.0),
+            run_time_us=grid.run_time_us * pieces / count,
+            evaluations=pieces * positions,
+        )
+        for pieces, scatter in scatters.items()
+        if scatter is not None
+    ]

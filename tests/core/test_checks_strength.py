@@ -1,0 +1,448 @@
+"""Checks of pins, friction, ring, bearings and crankshaft by hand, and what they need.
+
+Six pins, two satellites, 500 N*m: the peak is 10000/3 N. A cantilever of 16 mm, its forces at 15
+and 37 mm; satellites on one position share alike.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.sections import Ring, RollingBearing
+from core.fixes import crank_fixes, value_of, vary
+from core.materials import MATERIALS
+from core.output.contact_law import LinearLaw
+from tests.oracles.checks import REF, WHOLE, says
+
+PEAK = 1e4 / 3
+MODULUS = math.pi * 0.016**3 / 32
+ONE = replace(WHOLE, satellites=1, output_torque=250.0)
+"""Of one satellite, which has nobody to share with."""
+
+
+def part(design: CrankDesign, section: str, **changes: Any) -> CrankDesign:
+    """A design with changes in a section."""
+    changed = replace(getattr(design, section), **changes)
+    return replace(design, **{section: changed})
+
+
+def one_at(z: float, **changes: Any) -> CrankDesign:
+    """One satellite, whose peak is as that of two under twice the torque: 10/3 kN."""
+    pin = replace(WHOLE.pin, satellite_positions=(z,))  # type: ignore[type-var]
+    shaft = replace(WHOLE.crankshaft, satellite_positions=(0.02,))  # type: ignore[type-var]
+    return replace(ONE, pin=pin, crankshaft=shaft, **changes)
+
+
+STRESS = PEAK * 0.037 / MODULUS
+
+
+def test_static_strength() -> None:
+    found = CRANK["pin_static"](one_at(0.037))
+    assert found.value == pytest.approx(STRESS, rel=1e-11)
+    limit = 800e6 / 1.5
+    says(
+        replace(found, value=STRESS, torque_reserve=limit / STRESS, utilisation=STRESS / limit),
+        status="pass", value=STRESS, limit=limit,
+        utilisation=STRESS / limit, torque_reserve=limit / STRESS,
+    )  # fmt: skip
+    assert found.torque_reserve == pytest.approx(limit / STRESS, rel=1e-11)
+    for safety, status in ((800e6 / STRESS * 1.001, "fail"), (800e6 / STRESS / 1.05, "marginal")):
+        assert CRANK["pin_static"](one_at(0.037, bending_safety=safety)).status == status
+    # K_A and the peak torque
+    more = CRANK["pin_static"](one_at(0.037, dynamic_factor=1.25))
+    assert more.value == pytest.approx(1.25 * STRESS, rel=1e-11)
+    peak = CRANK["pin_static"](one_at(0.037, dynamic_factor=1.25, peak_torque=500.0))
+    assert peak.value == pytest.approx(2 * STRESS, rel=1e-11)
+
+
+def test_of_two_satellites_the_worse_sharing_counts() -> None:
+    """Equal sharing for this pin: the far satellite bends it more than the near one could."""
+    found = CRANK["pin_static"](WHOLE)
+    assert found.value == pytest.approx(STRESS, rel=1e-11)
+
+
+def test_fatigue() -> None:
+    """0 to the peak: 1/n = (1/2)/Se + (1/2)/Rm."""
+    safety = 1 / (STRESS / 2 / 300e6 + STRESS / 2 / 1000e6)
+    found = CRANK["pin_fatigue"](one_at(0.037))
+    assert found.value == pytest.approx(safety, rel=1e-10)
+    assert found.value == pytest.approx(1.504829, abs=5e-7)  # F13
+    assert (found.status, found.limit, found.keep) == ("marginal", 1.5, "above")
+    assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-10)
+    assert CRANK["pin_fatigue"](one_at(0.037, fatigue_safety=1.2)).status == "pass"
+    assert CRANK["pin_fatigue"](one_at(0.037, fatigue_safety=1.6)).status == "fail"
+    both = CRANK["pin_fatigue"](one_at(0.037, torque_direction="alternating"))
+    assert both.value == pytest.approx(300e6 / STRESS, rel=1e-10)
+
+
+UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
+    # changes of pin, of fatigue, reason, missing
+    "no tensile strength": (
+        {"tensile_strength": None, "own_material": True}, {},
+        "endurance_unknown", ("pin.material.tensile_strength",),
+    ),
+    "of the contact": (
+        {"tensile_strength": None, "own_material": True, "says_material": False}, {},
+        "endurance_unknown", ("pin.material",),
+    ),
+    "no steel": (
+        {"steel": False}, {"endurance_limit": None, "surface": "ground"},
+        "endurance_unknown", ("fatigue.endurance_limit",),
+    ),
+    "no notch": (
+        {}, {"endurance_limit": None, "surface": "ground"},
+        "notch_unknown", ("fatigue.fatigue_notch_factor",),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", UNKNOWN)
+def test_what_fatigue_needs(name: str) -> None:
+    pin, fatigue, reason, missing = UNKNOWN[name]
+    design = part(part(WHOLE, "pin", **pin), "fatigue", **fatigue)
+    unknown = CRANK["pin_fatigue"](design)
+    says(unknown, status="not_checked", value=None, reason=reason, missing=missing)
+    assert crank_checks(design).verdict in ("incomplete", "fail")
+    alone = CRANK["pin_fatigue"](replace(WHOLE, pin=None))
+    says(alone, status="not_checked", value=None, reason="section_missing", missing=("pin",))
+
+
+def test_what_static_strength_needs() -> None:
+    material = MATERIALS["steel_bearing"].material
+    soft = part(WHOLE, "pin", material=material, tensile_strength=None)
+    unknown = CRANK["pin_static"](soft)
+    assert unknown.status == "not_checked" and unknown.value is not None
+    assert (unknown.reason, unknown.missing) == ("yield_unknown", ("pin.material",))
+    hard = part(WHOLE, "pin", material=material, tensile_strength=1800e6)
+    assert CRANK["pin_static"](hard).limit == 1800e6 / 1.5
+    many = replace(REF, pin=WHOLE.pin, pins=251)
+    for code in ("pin_static", "contact_pressure_pin"):
+        found = CRANK[code](many)
+        assert (found.status, found.reason) == ("not_checked", "too_large")
+
+
+def test_slope_and_deflection() -> None:
+    """Of one satellite at 37 mm, F10: 3.4185221273 mrad, 0.0912803795 mm."""
+    design = one_at(0.037)
+    for code, value in (("slope", 3.4185221273e-3), ("deflection", 0.0912803795e-3)):
+        nobody = CRANK[f"pin_{code}"](design)
+        assert (nobody.status, nobody.missing) == ("not_asked", (f"max_{code}",))
+        assert nobody.value == pytest.approx(value, rel=1e-9)
+        for share, status in ((1.2, "pass"), (1.05, "marginal"), (0.99, "fail")):
+            limit = share * value
+            found = CRANK[f"pin_{code}"](replace(design, **{f"max_{code}": limit}))
+            assert (found.status, found.limit) == (status, limit)
+            assert found.torque_reserve == pytest.approx(share, rel=1e-9)
+            assert found.at == {"satellite": 1}
+
+
+def test_the_slope_concentrates_the_pressure() -> None:
+    """The far satellite: s*b/(2*d) is far above 1, so that K_b = sqrt(2*s*b/d)."""
+    law = LinearLaw(stiffness=1e9)
+    bent = one_at(0.037, law=law)
+    even, found = bent.contact_at(1.0).max_pressure, CRANK["contact_pressure_hole"](bent)
+    assert found.value is not None
+    loads = bent.pin_loads
+    assert loads is not None and loads.deflection is not None  # type: ignore[union-attr]
+    (force,), (slope,) = loads.deflection.forces, loads.deflection.slopes  # type: ignore[union-attr]
+    factor = math.sqrt(2 * slope * 0.02 * 1e9 / force)
+    assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
+    assert found.at["satellite"] == 1
+
+
+def test_friction() -> None:
+    """REF of the theory: 336 W of 3926.99, 0.329867 m/s, 0.118125 mm after 3000 h."""
+    efficiency = 1 / (1 + 336 / (500 * 50 * math.pi / 20))
+    values = {
+        "efficiency": (efficiency, "min_efficiency"),
+        "sliding_speed": (0.002 * 52.5 * math.pi, "max_sliding_speed"),
+        "wear": (0.118125e-3, "max_wear"),
+    }
+    for code, (value, limit) in values.items():
+        nobody = CRANK[code](WHOLE)
+        assert (nobody.status, nobody.missing) == ("not_asked", (limit,))
+        assert nobody.value == pytest.approx(value, rel=1e-9)
+        keep = "above" if code == "efficiency" else "below"
+        for share, status in ((1.2, "pass"), (0.99, "fail")):
+            asked = value / share if keep == "above" else share * value
+            if keep == "above" and asked >= 1:
+                asked = 0.95
+            found = CRANK[code](replace(WHOLE, **{limit: asked}))
+            assert (found.status, found.limit, found.keep) == (status, asked, keep)
+        unknown = CRANK[code](replace(WHOLE, **{limit: asked}, input_speed=None))
+        assert (unknown.status, unknown.reason) == ("not_checked", "speed_missing")
+        assert unknown.missing == ("input_speed",)
+        unknown = CRANK[code](replace(WHOLE, **{limit: asked}, eccentricity=None))
+        assert (unknown.reason, unknown.missing) == ("eccentricity_missing", ("eccentricity",))
+    used = CRANK["efficiency"](replace(WHOLE, min_efficiency=0.9))
+    assert used.utilisation == pytest.approx((1 - efficiency) / 0.1)
+    assert used.torque_reserve is None
+    rate = part(replace(WHOLE, max_wear=1e-4), "friction", wear_rate=None)
+    assert CRANK["wear"](rate).missing == ("friction.wear_rate",)
+
+
+def test_wear_over_the_required_life() -> None:
+    design = part(replace(WHOLE, max_wear=1e-3, life=6000 * 3600.0), "friction", life=None)
+    assert CRANK["wear"](design).value == pytest.approx(2 * 0.118125e-3, rel=1e-9)
+
+
+def test_pv_is_that_of_a_bush() -> None:
+    bare = CRANK["pv"](replace(WHOLE, max_pv=1e6))
+    assert (bare.status, bare.reason) == ("not_applicable", "no_bush")
+    sleeved = part(part(WHOLE, "pin", diameter=0.011), "friction", sleeve=True)
+    value = 3.4361169648638348e6
+    for limit, status in ((1.2 * value, "pass"), (0.9 * value, "fail")):
+        found = CRANK["pv"](replace(sleeved, max_pv=limit))
+        assert (found.status, found.value) == (status, pytest.approx(value, rel=1e-9))
+        assert found.torque_reserve == pytest.approx(limit / value, rel=1e-9)
+    assert CRANK["pv"](sleeved).status == "not_asked"
+
+
+def rigid(**changes: Any) -> CrankDesign:
+    """Without bending pins: the satellites share alike."""
+    return replace(WHOLE, pin=None, fatigue=None, **changes)
+
+
+def test_bearings() -> None:
+    """P 12390.148 N, Q 12645.46 N of each; ball bearings of 60 and 40 kN at 1575 rpm."""
+    life = 1e6 * (60e3 / 12390.148) ** 3 / 1575 * 60  # s
+    for asked, status in ((0.7, "pass"), (0.99, "marginal"), (1.01, "fail")):
+        found = CRANK["bearing_life"](rigid(life=asked * life))
+        assert found.value == pytest.approx(life, rel=1e-6)
+        assert (found.status, found.limit, found.keep) == (status, asked * life, "above")
+        assert found.torque_reserve == pytest.approx(asked ** (-1 / 3), rel=1e-6)
+        assert found.utilisation == pytest.approx(asked, rel=1e-6)
+    safe = part(rigid(life=0.7 * life), "bearing", reliability_percent=95.0)
+    assert CRANK["bearing_life"](safe).value == pytest.approx(0.64 * life, rel=1e-6)
+    static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, peak_torque=1000.0))
+    assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
+    assert (static.limit, static.status) == (1.0, "pass")
+    static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, static_safety=3.0))
+    assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=1e-6)
+    assert static.status == "fail"
+    together = part(rigid(life=0.3 * life), "bearing", weibull_slope=10 / 9)
+    found = CRANK["system_life"](together)
+    assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
+    assert CRANK["system_life"](rigid()).missing == ("bearing.weibull_slope",)
+    alone = replace(together, satellites=1)
+    assert CRANK["system_life"](alone).reason == "one_only"
+
+
+MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
+    # design, checks, missing
+    "ring": (replace(WHOLE, gear=None), ("bearing_life", "bearing_static"), ("gear",)),
+    "speed": (replace(WHOLE, input_speed=None), ("bearing_life",), ("input_speed",)),
+    "eccentricity": (
+        replace(WHOLE, eccentricity=None),
+        ("bearing_life", "pressure_angle", "gear_room"),
+        ("eccentricity",),
+    ),
+    "rating": (
+        part(WHOLE, "bearing", dynamic_rating=None), ("bearing_life",), ("bearing.dynamic_rating",)
+    ),
+    "static rating": (
+        part(WHOLE, "bearing", static_rating=None), ("bearing_static",), ("bearing.static_rating",)
+    ),
+    "mass": (
+        part(replace(WHOLE, max_unbalance=1.0), "crankshaft", satellite_mass=None),
+        ("unbalance_force",),
+        ("crankshaft.satellite_mass",),
+    ),
+    "ratings of the shaft": (
+        part(WHOLE, "crankshaft", bearings=(RollingBearing(kind="ball"),) * 2),
+        ("crank_bearing_life",),
+        ("crankshaft.bearings",),
+    ),
+    "size": (
+        replace(REF, max_outer_diameter=0.1), ("outer_diameter",), ("satellite_body.outer_radius",)
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MISSING)
+def test_nothing_passes_by_absence(name: str) -> None:
+    design, codes, missing = MISSING[name]
+    found = crank_checks(design)
+    for code in codes:
+        assert (found[code].status, found[code].missing) == ("not_checked", missing)
+        assert found[code].reason
+    assert found.verdict in ("incomplete", "fail") and not found.largest_torque_known
+
+
+def test_ring() -> None:
+    angle = CRANK["pressure_angle"](WHOLE)
+    assert angle.value == pytest.approx(math.radians(34.6912426), rel=1e-9)
+    assert angle.status == "pass"
+    steep = CRANK["pressure_angle"](part(WHOLE, "gear", module=2.3e-3))
+    assert (steep.status, steep.reason) == ("marginal", "steep_mesh")
+    for ring, codes in (
+        (Ring(kind="none"), ("pressure_angle", "gear_room")),
+        (Ring(radial_force_ratio=0.3), ("pressure_angle", "gear_room")),
+        (Ring(kind="cycloid", ring_pin_circle_radius=0.084), ("pressure_angle",)),
+    ):
+        for code in codes:
+            assert CRANK[code](replace(WHOLE, gear=ring)).status == "not_applicable"
+
+
+def test_holes_within_the_teeth() -> None:
+    """e*u = 40 mm, R + r_out = 60 mm: this design has no room for its teeth."""
+    found = CRANK["gear_room"](WHOLE)
+    says(found, status="fail", value=-0.020, limit=0.0, keep="above", impossible=True)
+    assert crank_checks(WHOLE).verdict == "fail"
+    for radius, width in ((0.084, 0.022), (0.062, 0.0), (0.061, -0.001)):
+        ring = Ring(kind="cycloid", ring_pin_circle_radius=radius)
+        found = CRANK["gear_room"](replace(WHOLE, gear=ring))
+        assert found.status == ("pass" if width > 0 else "fail")
+        assert found.value == pytest.approx(width, abs=1e-12)
+
+
+def test_crankshaft() -> None:
+    """Two satellites 22 mm apart, 1.5 kg: no force, 1.628485 N*m."""
+    couple = CRANK["unbalance_couple"](replace(WHOLE, max_unbalance_couple=1.6))
+    assert couple.value == pytest.approx(1.628485, rel=1e-6) and couple.status == "fail"
+    assert CRANK["unbalance_force"](replace(WHOLE, max_unbalance=1e-6)).status == "pass"
+    single = one_at(0.015, max_unbalance=70.0)
+    force = CRANK["unbalance_force"](single)
+    assert force.value == pytest.approx(74.0220, rel=1e-6) and force.status == "fail"
+    assert CRANK["unbalance_force"](WHOLE).missing == ("max_unbalance",)
+    assert CRANK["crank_bearing_life"](WHOLE).missing == ("crankshaft.bearings",)
+    rated = part(
+        rigid(life=1000 * 3600.0),
+        "crankshaft",
+        bearings=(
+            RollingBearing(kind="ball", dynamic_rating=20e3),
+            RollingBearing(kind="roller", dynamic_rating=25e3),
+        ),
+    )
+    found = CRANK["crank_bearing_life"](rated)
+    life = 1e6 * (20e3 / 4396.504) ** 3 / 1500 * 60
+    assert found.value == pytest.approx(life, rel=1e-5)
+    assert found.at == {"bearing": 1}
+    reserve = min((life / 3600 / 1000) ** (1 / 3), 25e3 / 4396.6 * (1e6 / 60 / 1500 / 1000) ** 0.3)
+    assert found.torque_reserve == pytest.approx(reserve, rel=1e-3)
+
+
+def test_outer_diameter() -> None:
+    wide = replace(REF, outer_radius=0.0665, max_outer_diameter=0.137)
+    found = CRANK["outer_diameter"](wide)
+    assert found.value == pytest.approx(0.137) and found.status == "pass"
+    assert CRANK["outer_diameter"](replace(wide, max_outer_diameter=0.136)).status == "fail"
+    assert CRANK["outer_diameter"](replace(wide, eccentricity=None)).status == "not_checked"
+    assert CRANK["outer_diameter"](REF).status == "not_asked"
+
+
+def test_as_made_the_forces_are_those() -> None:
+    """With clearance fewer pairs carry, each more: wear, pins and bearings feel it."""
+    loose = replace(WHOLE, hole_radius=0.01002)
+    ideal, made = (
+        crank_checks(replace(WHOLE, max_wear=1e-3)),
+        crank_checks(replace(loose, max_wear=1e-3)),
+    )
+    for code in ("wear", "pin_static", "bearing_life"):
+        one, other = ideal[code], made[code]
+        assert one.value is not None and other.value is not None
+        assert one.value != pytest.approx(other.value, rel=1e-3) and other.rough and not one.rough
+    assert made["wear"].value > 2 * ideal["wear"].value  # type: ignore[operator]
+
+
+FAILING: dict[str, CrankDesign] = {
+    "contact_pressure_hole": WHOLE,
+    "pin_static": replace(WHOLE, output_torque=1000.0),
+    "pin_fatigue": replace(WHOLE, output_torque=800.0),
+    "pin_slope": replace(WHOLE, max_slope=2e-3),
+    "pin_deflection": replace(WHOLE, max_deflection=5e-5),
+    "efficiency": replace(WHOLE, min_efficiency=0.95),
+    "sliding_speed": replace(WHOLE, max_sliding_speed=0.2),
+    "pv": part(
+        part(replace(WHOLE, max_pv=2e6), "pin", diameter=0.011), "friction", sleeve=True
+    ),
+    "wear": replace(WHOLE, max_wear=5e-5),
+    "pressure_angle": part(WHOLE, "gear", module=2.2e-3),
+    "gear_room": WHOLE,
+    "bearing_life": rigid(life=5000 * 3600.0),
+    "bearing_static": rigid(static_safety=5.0, peak_torque=600.0),
+    "system_life": part(rigid(), "bearing", weibull_slope=1.1),
+    "crank_bearing_life": part(
+        rigid(), "crankshaft", bearings=(RollingBearing(kind="roller", dynamic_rating=15e3),) * 2
+    ),
+    "unbalance_force": one_at(0.015, max_unbalance=50.0),
+    "unbalance_couple": replace(WHOLE, max_unbalance_couple=1.0),
+    "outer_diameter": replace(REF, outer_radius=0.08, max_outer_diameter=0.15),
+}  # fmt: skip
+
+FIXED = {
+    "contact_pressure_hole": {"pin_radius", "pin_circle_radius", "output_torque"},
+    "pin_static": {"pin_radius", "pin_circle_radius", "output_torque"},
+    "pin_fatigue": {"pin_radius", "pin_circle_radius", "output_torque"},
+    "pin_slope": {"pin_radius", "pin_circle_radius", "output_torque"},
+    "pin_deflection": {"pin_radius", "pin_circle_radius", "output_torque"},
+    "efficiency": {"friction.coefficient", "pin_circle_radius"},
+    "sliding_speed": {"input_speed"},
+    "pv": {"pin_radius", "pin_circle_radius", "input_speed", "output_torque"},
+    "wear": {
+        "friction.wear_rate", "pin_radius", "pin_circle_radius", "input_speed", "output_torque",
+    },
+    "pressure_angle": {"gear.module"},
+    "gear_room": {"pin_circle_radius"},
+    "bearing_life": {"bearing.dynamic_rating", "input_speed", "output_torque"},
+    "bearing_static": {"bearing.static_rating", "peak_torque"},
+    "system_life": {"bearing.dynamic_rating", "input_speed", "output_torque"},
+    "crank_bearing_life": {"crankshaft.dynamic_rating", "input_speed", "output_torque"},
+    "unbalance_force": {"crankshaft.satellite_mass", "input_speed"},
+    "unbalance_couple": {"crankshaft.satellite_mass", "input_speed"},
+    "outer_diameter": {"outer_radius"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("code", FAILING)
+def test_fixes_cure(code: str) -> None:
+    design = FAILING[code]
+    current = crank_checks(design)
+    before = current[code]
+    assert before.status == ("marginal" if before.warning else "fail")
+    fixes = crank_fixes(design=design, codes=[code], current=current)
+    solved = [fix for fix in fixes if fix.status == "solved"]
+    assert {fix.variable for fix in solved} >= FIXED[code]
+    for fix in solved:
+        cured = CRANK[code](vary(design=design, variable=fix.variable, value=fix.after))
+        assert cured.status == "pass", fix
+        start = value_of(design=design, variable=fix.variable)
+        assert start is not None
+        if fix.variable in ("pins", "satellites") or not cured.torque_reserve:
+            continue
+        short = fix.exact + (start - fix.exact) * 1e-3  # no more than needed
+        nearly = CRANK[code](vary(design=design, variable=fix.variable, value=short))
+        assert nearly.status != "pass", fix
+
+
+def test_a_longer_contact_has_to_stay_off_the_carrier() -> None:
+    """The first satellite is at 15 mm: its contact may be 30 mm long."""
+    for limit, allowed in ((6e-5, False), (1e-4, True)):
+        design = replace(WHOLE, max_wear=limit)
+        fixes = crank_fixes(design=design, codes=["wear"])
+        assert ("contact_length" in {fix.variable for fix in fixes}) == allowed
+
+
+def test_pins_come_in_standard_sizes() -> None:
+    design = FAILING["pin_static"]
+    (fix,) = [
+        each
+        for each in crank_fixes(design=design, codes=["pin_static"])
+        if each.variable == "pin_radius"
+    ]
+    assert fix.standard and fix.after == 0.010
+    sleeved = part(design, "pin", diameter=0.012)
+    fixes = {each.variable: each for each in crank_fixes(design=sleeved, codes=["pin_static"])}
+    assert "pin_radius" not in fixes  # that of the sleeve
+    assert not fixes["pin.diameter"].standard or fixes["pin.diameter"].after in (0.016, 0.020)
+
+
+def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:
+    assert vary(design=WHOLE, variable="pin_radius", value=0.01).pin.diameter == 0.02  # type: ignore[union-attr]
+    sleeved = part(WHOLE, "pin", diameter=0.011)
+    assert vary(design=sleeved, variable="pin_radius", value=0.01).pin == sleeved.pin
+    assert vary(design=sleeved, variable="pin.diameter", value=0.01).pin.diameter == 0.01  # type: ignore[union-attr]
