@@ -58,6 +58,15 @@ def test_life() -> None:
     assert found.basic_life[1] is None
 
 
+def test_far_places_cost_digits_and_the_error_says_so() -> None:
+    """The same shaft 100 km along its axis: places of doubles are some 1e-11 m apart there."""
+    near = crankshaft(**REF)
+    far = {name: tuple(1e5 + each for each in places) for name, places in PLACES.items()}
+    found = crankshaft(**REF | far)
+    off = np.abs(found.peak_reaction / near.peak_reaction - 1).max()
+    assert 0 < off < found.accuracy.relative_error < 1e3 * off
+
+
 MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
 
 
