@@ -402,8 +402,9 @@ def reaction_curves(
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
     crank_angle: FloatArray,
+    torque_direction: Direction = "driving",
 ) -> ReactionCurves:
-    """Reactions of the crankshaft's bearings at given crank angles.
+    """Reactions of the crankshaft's bearings under the ideal forces at given crank angles.
 
     Parameters
     ----------
@@ -425,6 +426,8 @@ def reaction_curves(
         Places A and B of the bearings, m.
     crank_angle : array, shape (n,)
         Crank angles, rad.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of an alternating torque the driving one is shown.
 
     Returns
     -------
@@ -438,6 +441,7 @@ def reaction_curves(
         eccentricity=eccentricity,
         radial_force_ratio=radial_force_ratio,
         crank_angle=crank_angle,
+        torque_direction=torque_direction,
     )
     held = (loads.along + 1j * loads.across) * _cranks(mechanism.crank_angles)
     carried = _carried(satellite_positions, bearing_positions)

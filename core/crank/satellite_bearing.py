@@ -465,8 +465,9 @@ def bearing_curves(
     eccentricity: float,
     radial_force_ratio: float,
     crank_angle: FloatArray,
+    torque_direction: Direction = "driving",
 ) -> BearingCurves:
-    """Load of the satellites' bearings at given crank angles.
+    """Load of the satellites' bearings under the ideal forces at given crank angles.
 
     Parameters
     ----------
@@ -484,11 +485,18 @@ def bearing_curves(
         Ratio rho of the ring's force along the crank to that across it.
     crank_angle : array, shape (n,)
         Crank angles, rad.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of an alternating torque the driving one is shown.
 
     Returns
     -------
     BearingCurves
+        In reverse the part across the crank is negative.
     """
+    way = WAYS[torque_direction][0]
+    if way < 0:  # those pairs carry that would brake, as half a turn of the wave later
+        start = mechanism.initial_crank_angle + math.pi
+        mechanism = replace(mechanism, initial_crank_angle=start)
     ratios = force_ratios(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
@@ -496,4 +504,4 @@ def bearing_curves(
     across = output_torque / (eccentricity * mechanism.ratio) * (ratios * cosines).sum(axis=2)
     pins = output_torque / pin_circle_radius * ratios.sum(axis=2)
     along = radial_force_ratio * across + pins
-    return BearingCurves(crank_angle, across, along, np.hypot(across, along))
+    return BearingCurves(crank_angle, way * across, along, np.hypot(across, along))

@@ -151,10 +151,11 @@ class LoadedPin:
                 return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
             own, at = points.of(tops.row), turn.at(tops.arc)
+            arms_at = _quadratics(arms, own)
 
             def grid_value(way: FloatArray, x: FloatArray) -> tuple[FloatArray, list[IntArray]]:
                 forces = at(way)
-                sums = (_summed(each, forces) for each in arms(x))
+                sums = (_summed(each, forces) for each in arms_at(x))
                 return _picked(measure(*sums), (1, 0))
 
             values, (_, x) = narrowed(
@@ -217,9 +218,6 @@ class LoadedPin:
             np.abs(turn.forces).sum(axis=0).min() > 0
         )
         ends = np.zeros(2)
-        at_root = None
-        if len(self.ends) == 1:
-            at_root = self.moments(np.zeros((1, 1)), loads.unit)
 
         def arms(at: Points) -> ComplexArray:
             turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
@@ -260,6 +258,7 @@ class LoadedPin:
             start = points.of(tops.row[upper])
             every = np.arange(len(upper))
             at = turn.at(np.concatenate((tops.arc[upper], bottoms.arc[lower])))
+            arms_at = _quadratics(lambda x: (self.moments(x, loads.unit),), start)
 
             def stresses(
                 high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
@@ -267,7 +266,7 @@ class LoadedPin:
                 """Of both pairs of arcs, shape (rows, s, c, m)."""
                 forces = at(np.concatenate((high, low)))
                 turned = np.exp(-1j * chi)[:, None, :, None]
-                weights = at_root if at_root is not None else self.moments(x, loads.unit)
+                (weights,) = arms_at(x)
                 both = forces[: len(high)], forces[len(high) :]
                 return [(_summed(weights, each)[:, :, None] * turned).real for each in both]
 
@@ -317,6 +316,25 @@ class LoadedPin:
         place = direction, section
         tops, bottoms = (np.array([f(each, axis=1) for each in along]) for f in (np.max, np.min))
         return tops[place], bottoms[place]
+
+
+def _quadratics(arms: Arms, points: Points) -> Arms:
+    """The same at sections (rows, s) of the stretches of points: there the line load is even, so
+    that moments are quadratic.
+    """
+    low, high = points.low, points.high
+    ends = [arms(x) for x in (low, (low + high) / 2, high)]
+    width = np.where(high > low, high - low, 1.0)[:, None]
+
+    def within(x: FloatArray) -> tuple[FloatArray, ...]:
+        t = ((x - low[:, None]) / width)[..., None]
+        parts = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
+        return tuple(
+            sum(part * each[:, None] for part, each in zip(parts, values, strict=True))
+            for values in zip(*ends, strict=True)
+        )
+
+    return within
 
 
 def _summed(arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:

@@ -12,9 +12,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from core.crank.crankshaft import crankshaft
+from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import made_parts, satellite_bearings
+from core.crank.satellite_bearing import bearing_curves, made_parts, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, pin_compliance
@@ -137,6 +137,29 @@ def test_the_peak_is_that_over_the_turn(exact: bool, torque: float) -> None:
     peak = over_turn(real=real, output_torque=torque).peak_force
     assert turn.error < 1e-4
     assert np.abs(turn.on_pins).max() == pytest.approx(peak, rel=turn.error)
+
+
+def test_the_stated_error_is_that_of_closer_samples(monkeypatch: pytest.MonkeyPatch) -> None:
+    rough = made(UNLIKE)
+    pin = PIN | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    bearing = BEARING | {"mechanism": UNLIKE.mechanism}
+    shaft = SHAFT | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    calls = (
+        (lambda of: pin_strength(**pin, made=of), ("peak_force", "peak_equivalent_stress")),
+        (lambda of: satellite_bearings(**bearing, made=of), ("peak_load", "equivalent_load")),
+        (lambda of: crankshaft(**shaft, made=of), ("peak_reaction", "equivalent_reaction")),
+    )
+    found = [call(rough) for call, _ in calls]
+    monkeypatch.setattr("core.output.real_turn.ENOUGH", 1e-6)
+    close = made(UNLIKE)
+    assert len(close(500.0).wave) > 2 * len(rough(500.0).wave)
+    for one, (call, names) in zip(found, calls, strict=True):
+        other = call(close)
+        error = one.accuracy.relative_error
+        assert 3 * other.accuracy.relative_error < error < 2e-4
+        for name in names:
+            off = np.abs(np.asarray(getattr(one, name)) / getattr(other, name) - 1)
+            assert 0 < off.max() < error
 
 
 def test_spikes_are_not_between_the_samples() -> None:
@@ -285,6 +308,27 @@ def test_the_crankshaft_in_reverse() -> None:
     for name in ("peak_reaction", "equivalent_reaction"):
         most = np.maximum(getattr(there, name), getattr(back, name))
         assert getattr(worse, name) == pytest.approx(most, rel=1e-14)
+
+
+def test_curves_in_reverse() -> None:
+    shaft = {"mechanism": Mechanism(pins=5, crank_angles=(0.0, 2.0, 3.5), ratio=20.0)} | LOAD
+    shaft |= {"eccentricity": 2e-3, "torque_direction": "reverse"}
+    angles = np.linspace(0, 6.0, 20_001)
+    ring = {"radial_force_ratio": 0.6922, "crank_angle": angles}
+    loads = bearing_curves(**shaft, **ring)
+    found = satellite_bearings(**BEARING | shaft)
+    assert loads.load.max(axis=0) == pytest.approx(found.peak_load, rel=1e-5)
+    assert 2e-3 * 20 * loads.across.sum(axis=1) == pytest.approx(-500.0, rel=1e-12)
+    # those pairs carry that would brake, at the same crank angle
+    real = real_turn(real=as_made(shaft["mechanism"]), output_torque=-500.0)
+    psi = angles[1000] * (1 + 1 / 20)
+    order = np.argsort(real.wave % (2 * math.pi))
+    own = [np.interp(psi, (real.wave % (2 * math.pi))[order], row[order]) for row in real.couple]
+    assert loads.across[1000] * 0.04 == pytest.approx(own, abs=0.02)
+    shaft |= {"satellite_positions": (0.015, 0.037, 0.059), "bearing_positions": (0.0, 0.1)}
+    curves = reaction_curves(**shaft, **ring)
+    reactions = crankshaft(**SHAFT | shaft).peak_reaction
+    assert np.abs(curves.reaction).max(axis=0) == pytest.approx(reactions, rel=1e-5)
 
 
 def test_application_factor_and_peak_torque() -> None:

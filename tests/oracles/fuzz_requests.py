@@ -238,6 +238,8 @@ def satellite_bearing(r: Draw) -> Body:
     for name in ("include", "samples"):
         torque.pop(name, None)
     torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    if r.chance(0.3):
+        torque["torque_direction"] = r.choice(("reverse", "alternating"))
     gear: Body = r.choice(
         (
             {"kind": "none"},
@@ -340,6 +342,8 @@ def pin_strength(r: Draw) -> Body:
     torque.pop("samples", None)
     if r.chance(0.5):
         torque["input_speed_rpm"] = r.number("PinLoadFields", "input_speed_rpm", (10, 3000))
+    if r.chance(0.3):
+        torque["torque_direction"] = r.choice(("reverse", "alternating"))
     own = mechanism(r)
     angles = own.get("crank_angles_deg")
     satellites = own.get("satellites", 2) if angles is None else len(angles)
