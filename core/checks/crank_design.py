@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from core.checks.real_forces import WAYS, Direction, RealForces
+from core.checks.real_forces import RealForces
 from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -26,7 +26,7 @@ from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
-from core.output.sampled_turn import Made, SampledTurn
+from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import Accuracy, Notice
 
 MOST_REAL_PAIRS = 100
@@ -435,7 +435,7 @@ class CrankDesign:
         """Factor on the torque under which the largest line load is so many times as large."""
         force, edge = self.judged_forces, self.edge_factor(1.0)
         on_force, before = factor, 0.0
-        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-13 * on_force:
+        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-9 * on_force:
             on_force, before = factor * edge / self.edge_factor(on_force), on_force
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 

@@ -263,20 +263,21 @@ class LoadedPin:
             def stresses(
                 high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
             ) -> list[FloatArray]:
-                """Of both pairs of arcs, shape (rows, s, c, m)."""
+                """Of both pairs of arcs, shape (rows, m, s, c)."""
                 forces = at(np.concatenate((high, low)))
-                turned = np.exp(-1j * chi)[:, None, :, None]
+                cosine, sine = (f(chi)[:, None, None, :] for f in (np.cos, np.sin))
                 (weights,) = arms_at(x)
                 both = forces[: len(high)], forces[len(high) :]
-                return [(_summed(weights, each)[:, :, None] * turned).real for each in both]
+                sums = (_summed(weights, each).swapaxes(1, 2)[..., None] for each in both)
+                return [each.real * cosine + each.imag * sine for each in sums]
 
             def grid_value(
                 high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
             ) -> tuple[FloatArray, list[IntArray]]:
                 top, bottom = stresses(high, low, x, chi)
-                use = used(top.max(axis=-1), bottom.min(axis=-1))
+                use = used(top.max(axis=1), bottom.min(axis=1))
                 values, (section, direction) = _picked(use, (0, 1))
-                at_best = (every, section, direction)
+                at_best = (every, slice(None), section, direction)
                 ways = top[at_best].argmax(axis=-1), bottom[at_best].argmin(axis=-1)
                 return values, [*ways, section, direction]
 

@@ -359,6 +359,28 @@ def test_application_factor_and_peak_torque() -> None:
     assert loose.static_safety_factor == pytest.approx(again.static_safety_factor, rel=1e-14)
 
 
+def test_of_both_directions_the_worse_counts() -> None:
+    real = made(UNLIKE)
+    every = {"mechanism": UNLIKE.mechanism, "made": real}
+    two = {"satellite_positions": (0.015, 0.037)}
+    ways = ("driving", "reverse", "alternating")
+    pins = [pin_strength(**PIN, **every, **two, torque_direction=way) for way in ways]
+    bearings = [satellite_bearings(**BEARING, **every, torque_direction=way) for way in ways]
+    shafts = [crankshaft(**SHAFT, **every, **two, torque_direction=way) for way in ways]
+    for found, names in (
+        (pins, ("peak_force", "peak_moment", "peak_shear_force", "peak_equivalent_stress")),
+        (bearings, ("peak_load", "equivalent_load", "peak_ring_force")),
+        (shafts, ("peak_reaction", "equivalent_reaction")),
+    ):
+        for name in names:
+            there, back, both = (np.asarray(getattr(each, name)) for each in found)
+            assert abs(there / back - 1).max() > 1e-4
+            assert both == pytest.approx(np.maximum(there, back), rel=1e-12)
+    assert (bearings[2].min_load <= bearings[0].min_load).all()
+    there, back, both = (each.fatigue.safety_factor for each in pins)
+    assert both < 0.8 * min(there, back)  # each cycle has both directions
+
+
 def test_the_worst_pin_counts() -> None:
     """One pin 20 um ahead of all others carries more than they do."""
     ahead = (0.0, 0.0, 2e-5, 0.0, 0.0, 0.0)
