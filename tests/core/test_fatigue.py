@@ -55,6 +55,7 @@ def test_sizes():
             0.91 * inches**-0.157, rel=3e-3
         )
     assert f"{size_factor(diameter=0.051):.6f}" == f"{1.24 * math.exp(-0.107 * math.log(51)):.6f}"
+    assert f"{size_factor(diameter=0.0511):.6f}" == f"{1.51 * 51.1**-0.157:.6f}"
     assert f"{size_factor(diameter=0.052):.6f}" == f"{1.51 * math.exp(-0.157 * math.log(52)):.6f}"
     assert size_factor(diameter=0.001) == 1
 
