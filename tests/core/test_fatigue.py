@@ -140,7 +140,7 @@ def test_haigh_by_fkm():
     def most(ratio: float) -> float:
         """Amplitude that is just allowed at a stress ratio."""
         mean = (1 + ratio) / (1 - ratio)
-        return 1 / used(1.0, mean, "fkm_haigh", **strong)
+        return 2 / used(2.0, 2 * mean, "fkm_haigh", **strong)
 
     zero = 300e6 / (1 + m)
     assert most(-1.0) == pytest.approx(300e6)
