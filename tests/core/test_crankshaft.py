@@ -88,6 +88,9 @@ def test_the_error_of_the_ring_is_in_that_of_the_reactions(rho: float) -> None:
     found = crankshaft(**own)
     off = np.abs(moved / found.peak_reaction - 1).max()
     assert off <= found.accuracy.relative_error < 20 * off
+    lasting = crankshaft(**own, dynamic_ratings=(30e3, 30e3), input_speed=100.0)
+    error = lasting.accuracy.relative_error
+    assert error == pytest.approx(3 * found.accuracy.relative_error, rel=1e-6)
 
 
 def test_curves_have_the_direction_of_the_reactions() -> None:

@@ -199,6 +199,7 @@ def test_a_cycle_is_judged():
         sizes = {"endurance_limit": 300.0, "tensile_strength": 1000.0} | {name: 0.0}
         with pytest.raises(InvalidInput) as refused:
             FatigueStrength(**sizes)
-        assert refused.value.parameter == name
+        assert (refused.value.parameter, refused.value.params["limit"]) == (name, 0)
+    assert FatigueStrength(0.5, 0.75).endurance_limit == 0.5
     with pytest.raises(InvalidInput):
         FatigueStrength(300.0, 1000.0, criterion="soderberg")
