@@ -34,8 +34,8 @@ SURFACES: dict[str, dict[str, tuple[float, float]]] = {
 RELIABILITIES = {50.0: 1.0, 90.0: 0.897, 95.0: 0.868, 99.0: 0.814, 99.9: 0.753, 99.99: 0.702}
 """Reliability in percent to its factor (Shigley, 9th edition, table 6-5)."""
 
-LOW_CYCLES, ENDURANCE_CYCLES = 1e3, 1e6
-"""Cycles between which the line of finite life holds."""
+LOW_CYCLES = 1e3
+"""Cycles from which on the line of finite life holds; it ends at a million."""
 
 _KPSI = 6.894757293168361e6
 """1000 pounds a square inch, Pa."""

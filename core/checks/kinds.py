@@ -196,16 +196,6 @@ _ROLLER = (
     "position_tolerance",
     "gaps",
 )
-_TIRED = (
-    "fatigue.surface",
-    "fatigue.surface_factor",
-    "fatigue.reliability_percent",
-    "fatigue.reliability_factor",
-    "fatigue.fatigue_notch_factor",
-    "fatigue.notch",
-    "fatigue.endurance_limit",
-    "fatigue.criterion",
-)
 _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
 
 
@@ -395,7 +385,7 @@ CHECKS = {
     "roller_fatigue": Kind(
         "Fatigue of the rollers", "rollers", "", "n ≥ S_D",
         "Below it the rollers break after some time beside the middle sphere.",
-        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_TIRED,
+        (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_FATIGUE,
          "fatigue_safety"), "shigley",
     ),
     "roller_sharing": Kind(
@@ -440,7 +430,7 @@ CHECKS = {
     "shaft_fatigue": Kind(
         "Fatigue of the shaft in bending", "shaft", "", "n ≥ S_D",
         "Below it the shaft breaks after some time where it bends most.",
-        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_TIRED, "fatigue_safety"),
+        (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_FATIGUE, "fatigue_safety"),
         "shigley",
     ),
     "line_pressure": Kind(

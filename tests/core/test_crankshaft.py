@@ -58,6 +58,59 @@ def test_life() -> None:
     assert found.basic_life[1] is None
 
 
+def test_far_places_cost_digits_and_the_error_says_so() -> None:
+    """The same shaft 100 km along its axis: places of doubles are some 1e-11 m apart there."""
+    near = crankshaft(**REF)
+    far = {name: tuple(1e5 + each for each in places) for name, places in PLACES.items()}
+    found = crankshaft(**REF | far)
+    off = np.abs(found.peak_reaction / near.peak_reaction - 1).max()
+    assert 0 < off < found.accuracy.relative_error < 1e3 * off
+
+
+def test_a_satellite_beside_a_far_bearing() -> None:
+    """A tenth of a millimetre of 62 from A: what B holds is known as well as that distance is."""
+    one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1)}
+    near = crankshaft(**one, satellite_positions=(1e-4,), bearing_positions=(0.0, 0.062))
+    for start in (1e5, -1e5):
+        found = crankshaft(
+            **one,
+            satellite_positions=(start + 1e-4,),
+            bearing_positions=(start, start + 0.062),
+        )
+        off = abs(found.peak_reaction[1] / near.peak_reaction[1] - 1)
+        assert 1e-9 < off < found.accuracy.relative_error < 1e3 * off
+
+
+@pytest.mark.parametrize("rho", [0.7, -0.3])
+def test_the_error_of_the_ring_is_in_that_of_the_reactions(rho: float) -> None:
+    own = REF | {"mesh": RingMesh(rho, error=1e-6)}
+    moved = crankshaft(**REF | {"mesh": RingMesh(rho * (1 + 1e-6))}).peak_reaction
+    found = crankshaft(**own)
+    off = np.abs(moved / found.peak_reaction - 1).max()
+    assert off <= found.accuracy.relative_error < 20 * off
+    lasting = crankshaft(**own, dynamic_ratings=(30e3, 30e3), input_speed=100.0)
+    error = lasting.accuracy.relative_error
+    assert error == pytest.approx(3 * found.accuracy.relative_error, rel=1e-6)
+
+
+def test_curves_have_the_direction_of_the_reactions() -> None:
+    """Along the first crank's zero and ahead of it, from the law of the forces itself."""
+    mechanism = Mechanism(pins=5, crank_angles=(0.4, 1.9), ratio=20.0, initial_crank_angle=0.2)
+    angles = np.array([0.1, 1.0, 2.7])
+    curves = reaction_curves(
+        **LOAD | PLACES, mechanism=mechanism, radial_force_ratio=0.7, crank_angle=angles
+    )
+    pins, shares = forces(mechanism, 1.0, angles * 21 / 20)
+    inwards, back = 12_500 * 0.7 * shares + 10_000 * pins, 12_500 * shares
+    for bearing, held in enumerate(((42 / 62, 20 / 62), (20 / 62, 42 / 62))):
+        x = y = 0.0
+        for alpha, part, inward, tangential in zip((0.4, 1.9), held, inwards, back, strict=True):
+            x = x + part * (inward * math.cos(alpha) - tangential * math.sin(alpha))
+            y = y + part * (inward * math.sin(alpha) + tangential * math.cos(alpha))
+        assert curves.reaction[:, bearing].real == pytest.approx(x, rel=1e-12)
+        assert curves.reaction[:, bearing].imag == pytest.approx(y, rel=1e-12)
+
+
 MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
 
 
@@ -118,7 +171,7 @@ def test_forces_that_cancel_leave_nothing(
     assert found.basic_life == (None, None)
     assert (found.balance.force, found.balance.couple) == (0, 0)
     assert all((each.unbalance, each.angle) == (0, 0) for each in found.balance.corrections)
-    assert found.notices == ()
+    assert found.notices == () and 0 < found.accuracy.relative_error < 1e-14
 
 
 @given(mechanism=mechanisms, speed=st.floats(1, 1e3))

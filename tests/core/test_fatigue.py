@@ -55,6 +55,7 @@ def test_sizes():
             0.91 * inches**-0.157, rel=3e-3
         )
     assert f"{size_factor(diameter=0.051):.6f}" == f"{1.24 * math.exp(-0.107 * math.log(51)):.6f}"
+    assert f"{size_factor(diameter=0.0511):.6f}" == f"{1.51 * 51.1**-0.157:.6f}"
     assert f"{size_factor(diameter=0.052):.6f}" == f"{1.51 * math.exp(-0.157 * math.log(52)):.6f}"
     assert size_factor(diameter=0.001) == 1
 
@@ -139,7 +140,7 @@ def test_haigh_by_fkm():
     def most(ratio: float) -> float:
         """Amplitude that is just allowed at a stress ratio."""
         mean = (1 + ratio) / (1 - ratio)
-        return 1 / used(1.0, mean, "fkm_haigh", **strong)
+        return 2 / used(2.0, 2 * mean, "fkm_haigh", **strong)
 
     zero = 300e6 / (1 + m)
     assert most(-1.0) == pytest.approx(300e6)
@@ -198,6 +199,7 @@ def test_a_cycle_is_judged():
         sizes = {"endurance_limit": 300.0, "tensile_strength": 1000.0} | {name: 0.0}
         with pytest.raises(InvalidInput) as refused:
             FatigueStrength(**sizes)
-        assert refused.value.parameter == name
+        assert (refused.value.parameter, refused.value.params["limit"]) == (name, 0)
+    assert FatigueStrength(0.5, 0.75).endurance_limit == 0.5
     with pytest.raises(InvalidInput):
         FatigueStrength(300.0, 1000.0, criterion="soderberg")

@@ -19,6 +19,7 @@ from core.fatigue import (
     endurance_limit,
     reliability_factor,
     size_factor,
+    strength_fraction,
     surface_factor,
     utilisation,
 )
@@ -157,6 +158,19 @@ def test_life() -> None:
     weaker = FatigueStrength(endurance_limit=20e6, tensile_strength=320e6)
     short = pin_strength(**REFERENCE | {"fatigue": weaker})
     assert [each.code for each in short.notices] == ["low_cycle_fatigue"]
+
+
+@pytest.mark.parametrize(("cycles", "noticed"), [(995, True), (1005, False)])
+def test_fewer_than_a_thousand_cycles_are_noticed(cycles: int, noticed: bool) -> None:
+    """From nothing to sigma: sigma/2/(1 - sigma/2/Rm) is the stress of so many cycles."""
+    share = strength_fraction(tensile_strength=1000e6)
+    power = -math.log10(share * 1000 / 300) / 3
+    stress = share * 1000e6 * (cycles / 1000) ** power
+    half = stress / (1 + stress / 1000e6)
+    torque = 500.0 * 2 * half / 306.704838e6
+    found = pin_strength(**REFERENCE | {"output_torque": torque})
+    assert found.fatigue.cycles == pytest.approx(cycles, rel=1e-6)
+    assert ("low_cycle_fatigue" in [each.code for each in found.notices]) is noticed
 
 
 def moments(

@@ -175,6 +175,19 @@ def test_errors_are_those_of_phases_that_are_off(
     assert (stated <= 30 * np.max(moved, axis=0) + 30 * off).all()
 
 
+@pytest.mark.parametrize("rho", [0.7, -0.3, 3.0])
+def test_the_error_of_the_ring_is_in_that_of_the_loads(rho: float) -> None:
+    found = satellite_bearings(**REF | {"mesh": RingMesh(rho, error=1e-6)})
+    moved = satellite_bearings(**REF | {"mesh": RingMesh(rho * (1 + 1e-6))})
+    off = np.abs(moved.equivalent_load / found.equivalent_load - 1).max()
+    assert max(off, 1e-6) <= found.accuracy.relative_error < 1e-5
+    lasting = REF | {"mesh": RingMesh(rho, error=1e-6), "dynamic_rating": 60e3}
+    lives = satellite_bearings(**lasting)
+    assert lives.accuracy.relative_error == pytest.approx(
+        3 * found.accuracy.relative_error, rel=1e-6
+    )
+
+
 def test_life() -> None:
     ratings = {"dynamic_rating": 60e3, "static_rating": 50e3}
     found = satellite_bearings(**REF, **ratings, weibull_slope=10 / 9)

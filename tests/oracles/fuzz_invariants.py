@@ -334,7 +334,8 @@ async def pin_strength(body: Body, answer: Body, ask: Ask) -> None:
         expect(cycle["max_stress_MPa"] <= bending * room, "stress above the largest", cycle)
         expect(-cycle["min_stress_MPa"] <= bending * room, "stress below the largest", cycle)
         expect(cycle["safety_factor"] > 0, "safety", cycle)
-    torque = {key: val for key, val in body["load"].items() if key != "input_speed_rpm"}
+    aside = ("input_speed_rpm", "torque_direction")
+    torque = {key: val for key, val in body["load"].items() if key not in aside}
     force = await ask("contact-force", body["mechanism"] | torque)
     expect(force is not None, "the force alone is refused")
     equal(force["peak_force_N"], answer["peak_force_N"], "force of its own", error)
@@ -381,6 +382,11 @@ async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
     equal(answer["load_nonuniformity"] * answer["mean_force_N"], max(forces), "Psi", error)
     expect(min(forces) >= 0, "force below 0", min(forces))
     expect(answer["loaded_rollers"] == sum(force > 0 for force in forces), "loaded rollers", forces)
+    cycle = answer.get("fatigue")
+    if cycle is not None:
+        expect("fatigue" in body and cycle["safety_factor"] > 0, "fatigue where asked", cycle)
+        least = -cycle["max_stress_MPa"] if body["roller_rotates"] else 0.0
+        expect(cycle["min_stress_MPa"] == least, "cycle", cycle)
     if body.get("gaps_mm") is not None:
         for gap, force in zip(body["gaps_mm"], forces, strict=True):
             expected = stiffness * max(0.0, answer["displacement_mm"] - gap)
@@ -439,7 +445,8 @@ async def shaft_deflection(body: Body, answer: Body, ask: Ask) -> None:
     """Reactions hold force and moment of the mesh."""
     own = {
         "bearing_distance_mm", "overhang_mm", "shaft_diameter_mm", "shaft_sections",
-        "youngs_modulus_GPa",
+        "youngs_modulus_GPa", "yield_strength_MPa", "tensile_strength_MPa",
+        "load_rotates_with_shaft", "fatigue", "line_contact",
     }  # fmt: skip
     mesh = await ask(
         "precession/meshing-load", {key: value for key, value in body.items() if key not in own}
@@ -454,6 +461,15 @@ async def shaft_deflection(body: Body, answer: Body, ask: Ask) -> None:
         equal(first[axis] + second[axis], -mesh["force_N"][axis], "sum of forces", size=size)
     for name in ("deflection_B_mm", "deflection_C_mm"):
         equal(answer[name]["total"], math.hypot(answer[name]["x"], answer[name]["y"]), name)
+    asked = {"yield_strength_MPa", "tensile_strength_MPa", "fatigue"} & {*body}
+    expect(("strength" in answer) == bool(asked), "strength where asked", asked)
+    expect(("line_contact" in answer) == ("line_contact" in body), "contact where asked")
+    if "strength" in answer:
+        held = math.hypot(*second) * distance
+        equal(answer["strength"]["bending_moment_B_Nm"], held, "moment at B", 1e-12)
+        cycle = answer["strength"].get("fatigue")
+        if cycle is not None:
+            expect(cycle["min_stress_MPa"] == -cycle["max_stress_MPa"], "reversed", cycle)
 
 
 async def work_precision(body: Body, answer: Body, ask: Ask) -> None:

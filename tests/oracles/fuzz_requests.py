@@ -542,6 +542,38 @@ def shaft_deflection(r: Draw) -> Body:
     }
 
 
+def tired(r: Draw, body: Body, model: str) -> Body:
+    """The same with strengths, and all ways to judge its fatigue, at times."""
+    for name in ("tensile_strength_MPa", "yield_strength_MPa"):
+        if r.chance(0.5):
+            body[name] = r.number(model, name)
+    if r.chance(0.5):
+        own: Body = {"criterion": r.choice(("goodman", "gerber", "soderberg", "fkm_haigh"))}
+        if r.chance(0.5):
+            own["endurance_limit_MPa"] = r.number("FatigueFields", "endurance_limit_MPa")
+        else:
+            own["surface"] = r.choice(("ground", "machined", "hot_rolled", "forged"))
+        if r.chance(0.5):
+            own["fatigue_notch_factor"] = r.number("FatigueFields", "fatigue_notch_factor", (1, 3))
+        body["fatigue"] = own
+    return body
+
+
+def judged_rollers(r: Draw) -> Body:
+    body = tired(r, roller_strength(r), "RollerStrengthRequest")
+    return body | {"roller_rotates": r.chance(0.3)}
+
+
+def judged_shaft(r: Draw) -> Body:
+    body = tired(r, shaft_deflection(r), "ShaftDeflectionRequest")
+    body["load_rotates_with_shaft"] = r.chance(0.3)
+    if r.chance(0.3):
+        radius = r.number("LineContactFields", "mating_radius_mm", (5, 500))
+        names = {f"{each}_material": r.choice([*MATERIALS]) for each in ("roller", "mating")}
+        body["line_contact"] = names | {"mating_radius_mm": radius * r.choice((-1, 1))}
+    return body
+
+
 def contact_force(r: Draw) -> Body:
     return mechanism(r) | load(r)
 
@@ -557,10 +589,10 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "tolerance-study": tolerance_study,
     "satellite-bearing": satellite_bearing,
     "crankshaft": crankshaft,
-    "roller-strength": roller_strength,
+    "roller-strength": judged_rollers,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,
-    "precession/shaft-deflection": shaft_deflection,
+    "precession/shaft-deflection": judged_shaft,
 }
 STUDIES = {
     "peak_force": contact_force,
