@@ -419,7 +419,7 @@ def _rated(design: CrankDesign, rating: float) -> CrankDesign:
     return replace(design, crankshaft=replace(shaft, bearings=(one, other)))
 
 
-def value_of(design: CrankDesign, variable: str) -> float | None:
+def value_of(*, design: CrankDesign, variable: str) -> float | None:
     """An input of a design.
 
     Parameters
@@ -480,7 +480,7 @@ def crank_fixes(
 
 def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fix of a check by one input."""
-    before = value_of(design, variable)
+    before = value_of(design=design, variable=variable)
     if code in ("interference", "clearance", "crank_balance"):
         return _closed(design, code, variable, current)
     if code in PLAY:
@@ -580,7 +580,7 @@ def _by_power(design: CrankDesign, code: str, variable: str, current: Verdict) -
             return check.torque_reserve / (1.0 if check.warning else MARGIN)
         return 1 / check.utilisation if check.utilisation else math.nan
 
-    before = value_of(design, variable)
+    before = value_of(design=design, variable=variable)
     assert before is not None
     exact = _secant(beyond_aim, before, growth)
     return None if exact is None else _checked(design, code, variable, exact, current)
@@ -656,7 +656,7 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
 
 def _checked(design: CrankDesign, code: str, variable: str, exact: float, current: Verdict) -> Fix:
     """A fix that was found, with all checks made again."""
-    before = value_of(design, variable)
+    before = value_of(design=design, variable=variable)
     assert before is not None
     ends = (exact, exact * RANGE) if exact >= before else (exact / RANGE, exact)
     if variable == "hole_radius":

@@ -11,6 +11,7 @@ from pydantic import Field
 from app.calculations.contact_force import TorqueFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import FatigueFields, PinSectionFields, strengths_of
+from app.calculations.real_mechanism import torque_direction
 from app.model import (
     SIZE,
     AccuracyOut,
@@ -27,6 +28,7 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
+from core.checks.real_forces import Direction
 from core.checks.sections import DesignPin
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
@@ -39,8 +41,9 @@ MAX_PAIRS = 500
 
 
 class PinLoadFields(TorqueFields):
-    """Load of the pins, and the speed of the crank where a life is wanted."""
+    """Load of the pins, its direction, and the speed of the crank where a life is wanted."""
 
+    torque_direction: Direction = torque_direction()
     input_speed_rpm: Maybe[float] = quantity(
         "Input speed",
         symbol="n₁",
@@ -111,6 +114,7 @@ class PinStrengthRequest(RequestModel):
             rotates=pin.rotates,
             fatigue=strength,
             input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
+            torque_direction=self.load.torque_direction,
             deflection="deflection" in self.include,
             locus=locus or "locus" in self.include,
         )

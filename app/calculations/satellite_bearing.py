@@ -8,6 +8,7 @@ import numpy as np
 from app.calculations.hertz import eccentricity
 from app.calculations.mechanism import MechanismFields
 from app.calculations.output_efficiency import DrivenLoadFields
+from app.calculations.real_mechanism import torque_direction
 from app.calculations.ring import RingFields
 from app.model import (
     SIZE,
@@ -28,6 +29,7 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si, in_units, to_si, unit_size
 from core.arrays import FloatArray
+from core.checks.real_forces import Direction
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import (
     BearingCurves,
@@ -41,6 +43,12 @@ from core.output.mechanism import Mechanism
 
 MAX_PAIRS = 2000
 """Most pairs whose forces are integrated over the turn."""
+
+
+class CrankedLoadFields(DrivenLoadFields):
+    """Load of the pins, its direction, and the speed of the crank."""
+
+    torque_direction: Direction = torque_direction()
 
 
 class CrankContactFields(RequestModel):
@@ -113,7 +121,7 @@ class CrankedRequest(RequestModel):
     """Mechanism, load, crank and ring."""
 
     mechanism: MechanismFields
-    load: DrivenLoadFields
+    load: CrankedLoadFields
     contact: CrankContactFields
     gear: RingFields
 
@@ -141,6 +149,7 @@ class CrankedRequest(RequestModel):
             "output_torque": self.load.torque(self.built),
             "pin_circle_radius": to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
             "eccentricity": to_si("eccentricity_mm", self.contact.eccentricity_mm),
+            "torque_direction": self.load.torque_direction,
         }
 
     def refuse_long(self) -> None:

@@ -154,7 +154,7 @@ def judged(
     )
 
 
-def not_asked(code: str, value: float | None, name: str) -> Check:
+def not_asked(*, code: str, value: float | None, name: str) -> Check:
     """A check whose limit nobody asks.
 
     Parameters

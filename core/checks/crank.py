@@ -154,7 +154,7 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
     known = found.balance if isinstance(found, Crankshaft) else None
     value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
     if limit is None:
-        return not_asked(code, value, name)
+        return not_asked(code=code, value=value, name=name)
     if value is not None:
         return judged(code, value, limit)
     assert design.crankshaft is not None

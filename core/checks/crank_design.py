@@ -435,7 +435,7 @@ class CrankDesign:
         """Factor on the torque under which the largest line load is so many times as large."""
         force, edge = self.judged_forces, self.edge_factor(1.0)
         on_force, before = factor, 0.0
-        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-13 * on_force:
+        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-9 * on_force:
             on_force, before = factor * edge / self.edge_factor(on_force), on_force
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
@@ -666,7 +666,8 @@ class CrankDesign:
         turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
         reference = self.output_torque / self.pin_circle_radius
         return max(
-            (made_losses(found, turn, reference) for turn in turns), key=lambda each: each.mean_loss
+            (made_losses(losses=found, turn=turn, reference=reference) for turn in turns),
+            key=lambda each: each.mean_loss,
         )
 
     @cached_property
@@ -732,7 +733,7 @@ class CrankDesign:
         )
 
 
-def made_losses(losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
+def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
     """Losses of a mechanism as it is made: all forces of a satellite act along its crank but for
     its deviations, so that together they are what they do to it.
 

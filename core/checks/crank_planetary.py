@@ -106,7 +106,7 @@ def _outer_diameter(design: CrankDesign) -> Check:
     radius, eccentricity = design.outer_radius, design.eccentricity
     value = None if radius is None or eccentricity is None else 2 * (radius + eccentricity)
     if limit is None:
-        return not_asked(code, value, "max_outer_diameter")
+        return not_asked(code=code, value=value, name="max_outer_diameter")
     if radius is None:
         missing = ("satellite_body.outer_radius",)
         return Check(

@@ -14,7 +14,7 @@ def _known(design: CrankDesign, code: str, limit: float | None) -> PinLosses | C
     if isinstance(found, PinLosses):
         return found
     if limit is None:
-        return not_asked(code, None, LIMITS[code])
+        return not_asked(code=code, value=None, name=LIMITS[code])
     reason, missing = design.unturned(found)
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
@@ -26,7 +26,7 @@ def _efficiency(design: CrankDesign) -> Check:
         return found
     value = float(found.efficiency)
     if limit is None:
-        return not_asked(code, value, LIMITS[code])
+        return not_asked(code=code, value=value, name=LIMITS[code])
     used = (1 - value) / (1 - limit)  # by the losses
     return replace(judged(code, value, limit, keep="above"), utilisation=used)
 
@@ -37,7 +37,11 @@ def _sliding_speed(design: CrankDesign) -> Check:
     if isinstance(found, Check):
         return found
     value = float(found.sliding_speed)
-    return not_asked(code, value, LIMITS[code]) if limit is None else judged(code, value, limit)
+    return (
+        not_asked(code=code, value=value, name=LIMITS[code])
+        if limit is None
+        else judged(code, value, limit)
+    )
 
 
 def _pv(design: CrankDesign) -> Check:
@@ -51,7 +55,7 @@ def _pv(design: CrankDesign) -> Check:
     if not design.friction.sleeve:
         return Check(code=code, status="not_applicable", value=value, limit=limit, reason="no_bush")
     if limit is None:
-        return not_asked(code, value, LIMITS[code])
+        return not_asked(code=code, value=value, name=LIMITS[code])
     return judged(code, value, limit, reserve=limit / value, error=error, rough=design.as_made)
 
 
@@ -62,7 +66,7 @@ def _wear(design: CrankDesign) -> Check:
         return found
     depths = [float(each) for each in (found.pin_wear, found.hole_wear) if each is not None]
     if limit is None:
-        return not_asked(code, max(depths, default=None), LIMITS[code])
+        return not_asked(code=code, value=max(depths, default=None), name=LIMITS[code])
     if not depths:
         missing = ("friction.wear_rate",)
         return Check(

@@ -84,7 +84,7 @@ def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
     known = isinstance(found, PinStrength) and found.deflection is not None
     value = getattr(found.deflection, code.removeprefix("pin_")) if known else None  # type: ignore[union-attr]
     if limit is None:
-        return not_asked(code, value, f"max_{code.removeprefix('pin_')}")
+        return not_asked(code=code, value=value, name=f"max_{code.removeprefix('pin_')}")
     if value is None:
         return _unknown(design, code, limit)
     at = {"satellite": found.deflection.satellite}  # type: ignore[union-attr]

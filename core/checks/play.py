@@ -30,7 +30,7 @@ def _backlash(design: CrankDesign) -> Check:
     if not design.as_made and design.clearance is not None:  # none, or interference
         value = 0.0
     if limit is None:
-        return not_asked(code, value, f"max_{code}")
+        return not_asked(code=code, value=value, name=f"max_{code}")
     if design.eccentricity is None:
         return no_eccentricity(code)
     if value is None:
@@ -46,7 +46,7 @@ def _lost_motion(design: CrankDesign) -> Check:
         known = design.as_made and design.dynamic_factor == 1
         forces = design.real_forces if known else None
         value = forces.turn.lost_motion if isinstance(forces, RealForces) else None
-        return not_asked(code, value, f"max_{code}")
+        return not_asked(code=code, value=value, name=f"max_{code}")
     if design.eccentricity is None:
         return no_eccentricity(code)
     forces = design.real_forces  # at the torque itself, of which it takes a share

@@ -32,6 +32,16 @@ class DesignPin(PinSupport):
 
     Attributes
     ----------
+    support : {"cantilever", "supported", "fixed"}
+        Held at one end, simply supported at both, clamped at both.
+    diameter : float
+        Diameter d of the pin itself, m.
+    satellite_positions : tuple of float
+        Distance z_j of the middle of each satellite from the support, m.
+    material : ElasticMaterial
+        The pin's material, with its yield strength.
+    span : float or None
+        Distance L of the supports, m.
     contact_length : float or None
         Length of the contact along it, m; that of the contact where not given.
     rotates : bool

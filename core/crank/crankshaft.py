@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, made_parts, mean_power
+from core.crank.satellite_bearing import MISSED, bearing_curves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -70,13 +70,14 @@ class Crankshaft:
     ----------
     peak_reaction, equivalent_reaction : array, shape (2,)
         Largest reaction of each bearing over the turn, and its equivalent load, N; without the
-        centrifugal forces.
+        centrifugal forces. 0 where forces that cancel leave nothing but rounding.
     basic_life : tuple of float or None
-        Time that 90 % of such bearings in the housing reach, s, where rating and speed are known.
+        Time that 90 % of such bearings in the housing reach, s, where rating and speed are known
+        and there is a load.
     balance : Balance or None
         Where mass and speed are given.
     accuracy : Accuracy
-        Of the reactions; the balance is as good as its input.
+        Of all numbers; those of the balance over the sum of the sizes that they are made of.
     notices : tuple of Notice
         Those of the ring.
     """
@@ -186,44 +187,63 @@ def crankshaft(
     if not last > first:
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
     carried = _carried(satellite_positions, bearing_positions)
+    arm_error = _carried_error(carried, satellite_positions, bearing_positions)
+    arm_error = arm_error + np.abs(carried) * _crank_error(mechanism)
     ways = WAYS[torque_direction]
+    exponents = [EXPONENTS[kind] for kind in kinds]
     if made is None:
-        most, equivalent, accuracy = _ideal_reactions(
+        found = _ideal_reactions(
             mechanism=mechanism,
             force_exponent=force_exponent,
             across=output_torque / (eccentricity * mechanism.ratio),
             pins=output_torque / pin_circle_radius,
             mesh=mesh,
             carried=carried,
-            exponents=[EXPONENTS[kind] for kind in kinds],
+            arm_error=arm_error,
+            exponents=exponents,
             ways=ways,
             stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
         )
     else:
-        most, equivalent, accuracy = _made_reactions(
+        found = _made_reactions(
             [made(way * output_torque) for way in ways],
             eccentricity * mechanism.ratio,
             float(mesh.radial_force_ratio),
             carried,
-            [EXPONENTS[kind] for kind in kinds],
+            exponents,
         )
     lives: list[float | None] = [None, None]
-    for row, (kind, rating) in enumerate(zip(kinds, dynamic_ratings, strict=True)):
+    error = 0.0
+    for row in np.flatnonzero(found.most).tolist():
+        load, rating = float(found.equivalent[row]), dynamic_ratings[row]
+        own = float(found.off[row]) / load
+        error = max(error, own + MISSED + found.truncation)
         if rating is not None and input_speed is not None:
-            load = float(equivalent[row])
             million = 1e6 * 2 * math.pi / input_speed
-            lives[row] = million * rating_life(load=load, rating=rating, kind=kind)
+            lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
+            error = max(error, exponents[row] * own + found.truncation)
+    accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
     balance = None
     if satellite_mass is not None and input_speed is not None:
         check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
-        unbalances = satellite_mass * eccentricity * _cranks(mechanism.crank_angles)
-        balance = _balance(carried, unbalances, input_speed, last - first)
+        unbalance = satellite_mass * eccentricity
+        balance = _balance(carried, arm_error, mechanism, unbalance, input_speed, last - first)
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(most, equivalent, tuple(lives), balance, accuracy, notices)
+    return Crankshaft(found.most, found.equivalent, tuple(lives), balance, accuracy, notices)
 
 
-Reactions = tuple[FloatArray, FloatArray, Accuracy]
-"""Largest and equivalent reaction of both bearings, N."""
+@dataclass(frozen=True, slots=True)
+class _Reactions:
+    """Largest and equivalent reaction of both bearings and their error, N; 0 where that is all
+    there is; the relative error of the means; how they were found.
+    """
+
+    most: FloatArray
+    equivalent: FloatArray
+    off: FloatArray
+    truncation: float
+    method: str
+    evaluations: int
 
 
 def _ideal_reactions(
@@ -234,40 +254,40 @@ def _ideal_reactions(
     pins: float,
     mesh: RingMesh,
     carried: FloatArray,
+    arm_error: FloatArray,
     exponents: list[float],
     ways: tuple[float, ...],
     stiffnesses: tuple[tuple[float, ...] | None, ...],
-) -> Reactions:
+) -> _Reactions:
     """By the ideal forces; in reverse the part across the crank changes its sign."""
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    force_peak(mechanism, force_exponent)  # refuses what cannot be
     rho = float(mesh.radial_force_ratio)
     arms = carried * _cranks(mechanism.crank_angles)
-    cases, truncation = [], 0.0
+    most, equivalent, off, truncation = np.zeros(2), np.zeros(2), np.zeros(2), 0.0
     for stiffness in stiffnesses:
         turn = satellite_turn(mechanism, force_exponent, stiffness)
+        share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
+        share_error, force_error = turn.errors.reshape(2, -1)
+        share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
+        own = np.abs(carried) * (across * share_error + pins * force_error)
+        own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
+        off = np.maximum(off, own.sum(axis=1))
         for way in ways:
             both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
-            most = largest(turn=turn, arms=(both,), measure=np.abs)
-            means = []
-            for row, exponent in enumerate(exponents):
-                own = slice(row, row + 1)
-                mean, off = mean_power(
+            found = largest(turn=turn, arms=(both,), measure=np.abs)
+            for row in np.flatnonzero(found > off).tolist():
+                mean, lost = mean_power(
                     turn=turn,
-                    arms=(both[own],),
+                    arms=(both[row : row + 1],),
                     measure=np.abs,
-                    largest=most[own],
-                    exponent=exponent,
+                    largest=found[row : row + 1],
+                    exponent=exponents[row],
                 )
-                means.append(mean)
-                truncation = max(truncation, off)
-            cases.append((most, np.concatenate(means)))
-    most, equivalent = (np.maximum.reduce(each) for each in zip(*cases, strict=True))
-    # satellites that oppose each other may leave little of their forces
-    count = mechanism.satellites
-    total = (np.abs(carried).sum(axis=1) * (across * (1 + abs(rho)) + pins * count)).max()
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    error = 4 * ((error + mesh.error * abs(rho)) * float(total / most.min()) + truncation)
-    return most, equivalent, Accuracy("segments_tanh_sinh", error, turn.forces[0].size)
+                most[row] = max(most[row], found[row])
+                equivalent[row] = max(equivalent[row], mean[0])
+                truncation = max(truncation, lost)
+    size = turn.forces[0].size
+    return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
 
 
 def _made_reactions(
@@ -276,29 +296,27 @@ def _made_reactions(
     radial_force_ratio: float,
     carried: FloatArray,
     exponents: list[float],
-) -> Reactions:
+) -> _Reactions:
     """By the forces of the mechanism as it is made."""
-    cases, error = [], 0.0
+    most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn in turns:
         load = made_parts(turn=turn, arm=arm, radial_force_ratio=radial_force_ratio).load
         reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
-        size = np.abs(reaction)
-        mean = [
-            turn.mean(row**exponent) ** (1 / exponent)
-            for row, exponent in zip(size, exponents, strict=True)
-        ]
-        cases.append((size.max(axis=1), np.array(mean)))
-        scale = (np.abs(carried) @ np.abs(load)).max()
-        error = max(error, (turn.missed(reaction) + turn.error * scale) / size.max(axis=1).min())
-    most, equivalent = (np.maximum.reduce(each) for each in zip(*cases, strict=True))
+        scale = (np.abs(carried) @ np.abs(load)).max(axis=1)
+        for row, size in enumerate(np.abs(reaction)):
+            off[row] = max(off[row], turn.missed(reaction[row]) + turn.error * scale[row])
+            if size.max() > off[row]:
+                mean = turn.mean(size ** exponents[row]) ** (1 / exponents[row])
+                most[row] = max(most[row], size.max())
+                equivalent[row] = max(equivalent[row], mean)
     evaluations = sum(turn.evaluations for turn in turns)
-    return most, equivalent, Accuracy("sampling", error, evaluations)
+    return _Reactions(most, equivalent, off, 0.0, "sampling", evaluations)
 
 
 def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
     """What each bearing carries of a force at each satellite, shape (2, K)."""
-    on_last = (np.array(positions) - bearings[0]) / (bearings[1] - bearings[0])
-    return np.stack((1 - on_last, on_last))
+    places, (first, last) = np.array(positions), bearings
+    return np.stack((last - places, places - first)) / (last - first)
 
 
 def _cranks(angles: tuple[float, ...]) -> ComplexArray:
@@ -307,20 +325,53 @@ def _cranks(angles: tuple[float, ...]) -> ComplexArray:
     return found
 
 
+def _crank_error(mechanism: Mechanism) -> FloatArray:
+    """Error of these directions by rounding, shape (K,)."""
+    found: FloatArray = ROUNDING * (4 + 2 * np.abs(mechanism.crank_angles))
+    return found
+
+
+def _carried_error(
+    carried: FloatArray, positions: tuple[float, ...], bearings: tuple[float, float]
+) -> FloatArray:
+    """Error of what each bearing carries by rounding of places, shape (2, K)."""
+    first, last = (abs(each) for each in bearings)
+    reach = np.array([[last], [first]]) + np.abs(positions) + np.abs(carried) * (first + last)
+    found: FloatArray = ROUNDING * reach / (bearings[1] - bearings[0])
+    return found
+
+
 def _balance(
-    carried: FloatArray, unbalances: ComplexArray, speed: float, distance: float
+    carried: FloatArray,
+    arm_error: FloatArray,
+    mechanism: Mechanism,
+    unbalance: float,
+    speed: float,
+    distance: float,
 ) -> Balance:
-    """Force and couple of the unbalances, and what balances them in the bearings' planes."""
-    needed = -(carried * unbalances).sum(axis=1)
-    corrections = tuple(Correction(abs(each), _turned(each)) for each in needed.tolist())
-    left = abs(complex(unbalances.sum()))
-    couple = abs(complex(needed[1] - needed[0])) / 2 * distance
-    return Balance(left, left * speed**2, couple * speed**2, corrections)  # type: ignore[arg-type]
+    """Force and couple of unbalances of this size, and what balances them in the bearings' planes;
+    0 where nothing but rounding is left.
+    """
+    cranks = _cranks(mechanism.crank_angles)
+    needed, error = -(carried * cranks).sum(axis=1), arm_error.sum(axis=1)
+    needed = np.where(np.abs(needed) > error, needed, 0.0)
+    left = abs(cranks.sum())
+    left = left if left > _crank_error(mechanism).sum() else 0.0
+    couple = abs(needed[1] - needed[0]) / 2 * distance
+    return Balance(
+        unbalance=unbalance * left,
+        force=unbalance * left * speed**2,
+        couple=unbalance * couple * speed**2,
+        corrections=tuple(  # type: ignore[arg-type]
+            Correction(unbalance * abs(each), _turned(each)) for each in needed.tolist()
+        ),
+    )
 
 
 def _turned(value: complex) -> float:
     """Direction from 0 to less than a turn."""
-    return math.atan2(value.imag, value.real) % (2 * math.pi)
+    angle = math.atan2(value.imag, value.real) % (2 * math.pi)
+    return angle if angle < 2 * math.pi else 0.0  # that of a trifle below 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -351,8 +402,9 @@ def reaction_curves(
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
     crank_angle: FloatArray,
+    torque_direction: Direction = "driving",
 ) -> ReactionCurves:
-    """Reactions of the crankshaft's bearings at given crank angles.
+    """Reactions of the crankshaft's bearings under the ideal forces at given crank angles.
 
     Parameters
     ----------
@@ -374,6 +426,8 @@ def reaction_curves(
         Places A and B of the bearings, m.
     crank_angle : array, shape (n,)
         Crank angles, rad.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of an alternating torque the driving one is shown.
 
     Returns
     -------
@@ -387,6 +441,7 @@ def reaction_curves(
         eccentricity=eccentricity,
         radial_force_ratio=radial_force_ratio,
         crank_angle=crank_angle,
+        torque_direction=torque_direction,
     )
     held = (loads.along + 1j * loads.across) * _cranks(mechanism.crank_angles)
     carried = _carried(satellite_positions, bearing_positions)

@@ -12,7 +12,7 @@ for its ripple:
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -30,7 +30,7 @@ from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import largest
+from core.output.pin_search import SETTLED, largest
 from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -40,6 +40,10 @@ COARSEST, FINEST = 3, 9
 
 CONVERGED = 1e-14
 """Relative difference of two rules that ends them."""
+
+MISSED = SETTLED / 8
+"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
+neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +73,7 @@ class SatelliteBearings:
     system_life : array, shape (...) or None
         Basic life of all of them together, s, where the slope of the distribution is given.
     accuracy : Accuracy
-        Of all numbers; lives have the error of the loads times their exponent in it.
+        Of all numbers; where there are lives, the error of the loads times their exponent.
     notices : tuple of Notice
         Assumptions that are strained.
     """
@@ -225,6 +229,10 @@ def satellite_bearings(
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         safety = np.asarray(static_rating, dtype=np.float64)[..., None] / static
+    error = loads.accuracy.relative_error
+    if basic is not None:
+        error = max(error, EXPONENTS[kind] * loads.mean_error)
+    accuracy = replace(loads.accuracy, relative_error=error + 8 * ROUNDING)
     return SatelliteBearings(
         relative_speed=relative_speed,
         radial_force_ratio=rho,
@@ -237,21 +245,22 @@ def satellite_bearings(
         life=life,
         static_safety_factor=safety,
         system_life=together,
-        accuracy=loads.accuracy,
-        notices=(*mesh.notices, *poorly_known(loads.accuracy)),
+        accuracy=accuracy,
+        notices=(*mesh.notices, *poorly_known(accuracy)),
     )
 
 
 @dataclass(frozen=True, slots=True)
 class _Loads:
     """Largest, least and equivalent load of each satellite, and the largest force of the ring
-    across its crank, N.
+    across its crank, N; the relative error of the equivalent ones.
     """
 
     most: FloatArray
     least: FloatArray
     mean: FloatArray
     ring: FloatArray
+    mean_error: float
     accuracy: Accuracy
 
 
@@ -268,7 +277,7 @@ def _ideal_loads(
     """Loads over those across the crank of a satellite that carries all; of several stiffnesses
     the worst.
     """
-    peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
+    force_peak(mechanism, force_exponent)  # refuses what cannot be
     shape = np.broadcast_shapes(np.shape(mesh.radial_force_ratio), np.shape(arm))
     rho, along = (
         np.broadcast_to(np.asarray(each, dtype=np.float64), shape).ravel()
@@ -282,18 +291,18 @@ def _ideal_loads(
         for turn, each in zip(turns, stiffnesses, strict=True)
     ]
     scale = np.asarray(across)[..., None]
-    each = [[scale * x.reshape(*shape, -1) for x in loads] for loads, _ in found]
+    each = [[scale * x.reshape(*shape, -1) for x in loads] for loads, *_ in found]
     most, least, mean, ring = zip(*each, strict=True)
-    error = 8 * peak.accuracy.relative_error + ROUNDING * (32 + 16 * force_exponent)
-    # the ring's part may take away that of the pins, but never the part across the crank
-    error *= 1 + 2 * float(np.abs(rho).max())
-    error = 4 * (error + mesh.error + max(off for _, off in found))
+    off = max(off for _, off, _ in found)
+    off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
+    truncation = max(each for *_, each in found)
     return _Loads(
         np.maximum.reduce(most),
         np.minimum.reduce(least),
         np.maximum.reduce(mean),
         np.maximum.reduce(ring),
-        Accuracy("segments_tanh_sinh", error, turns[0].forces[0].size),
+        off + truncation / exponent,
+        Accuracy("segments_tanh_sinh", off + MISSED + truncation, turns[0].forces[0].size),
     )
 
 
@@ -314,6 +323,7 @@ def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: 
         every.min(axis=1),
         np.maximum.reduce(means),
         np.concatenate(rings, axis=1).max(axis=1),
+        error,
         Accuracy("sampling", error, sum(turn.evaluations for turn in turns)),
     )
 
@@ -359,9 +369,10 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
 
 def _loads(
     turn: SatelliteTurn, alike: bool, rho: FloatArray, along: FloatArray, exponent: float
-) -> tuple[list[FloatArray], float]:
+) -> tuple[list[FloatArray], float, float]:
     """Largest, least and equivalent load of each satellite, and the largest force of the ring
-    across the crank, over that of all the torque, shape (designs, K); and the error of the mean.
+    across the crank, over that of all the torque, shape (designs, K); their error by rounding; and
+    the error of the mean of powers.
     """
     satellites = len(turn.forces) // 2
     some = 1 if alike else satellites
@@ -375,9 +386,12 @@ def _loads(
     mean, truncation = mean_power(
         turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
     )
+    share, force = turn.errors.reshape(2, -1)[:, :some]
+    off = np.outer(np.hypot(1, rho), share) + np.outer(along, force)
+    error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring[:some]).max()))
     each = (most, np.maximum(least, 0.0), mean, ring)
     shape = len(rho), satellites
-    return [np.broadcast_to(x.reshape(-1, some), shape) for x in each], truncation
+    return [np.broadcast_to(x.reshape(-1, some), shape) for x in each], error, truncation
 
 
 def mean_power(
@@ -451,8 +465,9 @@ def bearing_curves(
     eccentricity: float,
     radial_force_ratio: float,
     crank_angle: FloatArray,
+    torque_direction: Direction = "driving",
 ) -> BearingCurves:
-    """Load of the satellites' bearings at given crank angles.
+    """Load of the satellites' bearings under the ideal forces at given crank angles.
 
     Parameters
     ----------
@@ -470,11 +485,18 @@ def bearing_curves(
         Ratio rho of the ring's force along the crank to that across it.
     crank_angle : array, shape (n,)
         Crank angles, rad.
+    torque_direction : {"driving", "reverse", "alternating"}
+        Of an alternating torque the driving one is shown.
 
     Returns
     -------
     BearingCurves
+        In reverse the part across the crank is negative.
     """
+    way = WAYS[torque_direction][0]
+    if way < 0:  # those pairs carry that would brake, as half a turn of the wave later
+        start = mechanism.initial_crank_angle + math.pi
+        mechanism = replace(mechanism, initial_crank_angle=start)
     ratios = force_ratios(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
@@ -482,4 +504,4 @@ def bearing_curves(
     across = output_torque / (eccentricity * mechanism.ratio) * (ratios * cosines).sum(axis=2)
     pins = output_torque / pin_circle_radius * ratios.sum(axis=2)
     along = radial_force_ratio * across + pins
-    return BearingCurves(crank_angle, across, along, np.hypot(across, along))
+    return BearingCurves(crank_angle, way * across, along, np.hypot(across, along))

@@ -17,7 +17,7 @@ All pins of a mechanism are alike but for the time at which they feel the forces
 
 import math
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -28,7 +28,9 @@ from core.errors import InvalidInput
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism, WavePhases
+from core.output.peak_force import PHASE_ROUNDING
 from core.quadrature import tanh_sinh_rule
+from core.results import ROUNDING
 
 ComplexArray = NDArray[np.complex128]
 
@@ -48,6 +50,10 @@ SINGULAR = 1e-5
 
 NOTHING = 1e-30
 """Force of a pair, over that of the best placed one, that no sum feels."""
+
+ULPS, ULPS_OF_POWER = 4, 2
+"""Rounding of a sum of forces where the phases are right, in units of `ROUNDING`, and what a force
+exponent of 1 adds."""
 
 
 class Turn:
@@ -257,6 +263,8 @@ class SatelliteTurn(Turn):
         pins = np.arange(phases.pins) / phases.pins
         own = np.add.outer(phases.satellite_phase, pins).ravel()
         self.pins = phases.pins
+        aligned = len(phases.sector_phases) == phases.symmetry  # no rounding of angles between them
+        self.off = 2 * math.pi * ((ROUNDING if aligned else PHASE_ROUNDING) + phases.error)
         super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
 
     def tangents(self, arcs: IntArray) -> FloatArray:
@@ -296,6 +304,38 @@ class SatelliteTurn(Turn):
         weights = weights * (stop - start) / ((1 + tangents**2) * whole)
         values = self.at(self.arcs)(way).swapaxes(0, 1)
         return values.reshape(len(values), -1), weights.ravel()
+
+    @cached_property
+    def errors(self) -> FloatArray:
+        """Errors of shares and forces by rounding, that of the phases first of all, shape (2*K,).
+
+        Notes
+        -----
+        A pair's ``c^(1 + v)`` has the slope ``(1 + v)*c^v*s``, its ``c^v`` has ``v*c^(v - 1)*s``;
+        pairs of the same satellite raise its share, those of the others lower it.
+        """
+        v = self.exponent
+        way = np.tile(self.nodes, (len(self.arcs), 1))
+        low, high = self.own[:, self.arcs, :, None]
+        turned = _between(low, high, way[:, None])
+        weights = self.drives[self.arcs, :, None] * (turned.real > 0)
+        cosines = np.where(weights > 0, turned.real, 1.0)
+        tilted = self._power(cosines) * np.abs(turned.imag) * weights
+        tilted = tilted / self._total(self.part[self.arcs])(way)
+        start, stop = self.tangents(self.arcs)
+        secant = np.sqrt(1 + _between(start, stop, way) ** 2)[:, None]
+        share, force = self.forces.reshape(2, -1, *way.shape).swapaxes(1, 2)
+        alone = v * secant / np.maximum(cosines, self.off) - (1 + v) * np.repeat(
+            force, self.pins, axis=1
+        )
+        both = np.stack(((1 + v) * tilted, np.abs(alone) * tilted), axis=1)
+        summed = both.reshape(len(way), 2, -1, self.pins, way.shape[1]).sum(axis=3)
+        own, first = summed.swapaxes(0, 1)
+        others = own.sum(axis=1, keepdims=True) - own
+        slopes = np.stack(((1 - share) * own + share * others, first + force * others))
+        off = self.off * slopes.swapaxes(1, 2).reshape(self.forces.shape)
+        found = off + ROUNDING * (ULPS + ULPS_OF_POWER * v) * self.forces
+        return np.asarray(found.max(axis=(1, 2)))
 
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], FloatArray]:
         """T times shares and forces."""

@@ -40,6 +40,17 @@ async def test_the_reference_design(api):
     assert "locus" not in answer and "warnings" not in answer
 
 
+async def test_a_torque_that_alternates(api):
+    body = changed(load={"torque_direction": "alternating"})
+    body["fatigue"] = LIMIT
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    assert (round(answer["safety_factor"], 3), answer["mean_MPa"]) == (0.978, 0)
+    body["load"]["torque_direction"] = "reverse"
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    assert round(answer["safety_factor"], 6) == 1.504829
+    assert answer["direction_deg"] == pytest.approx(180, abs=1e-4)
+
+
 async def test_named_factors_and_a_finite_life(api):
     notch = {"theoretical_factor": 2.5, "radius_mm": 0.5}
     body = judged(surface="forged", notch=notch, reliability_percent=99.9)

@@ -410,7 +410,7 @@ def test_fixes_cure(code: str) -> None:
     for fix in solved:
         cured = CRANK[code](vary(design=design, variable=fix.variable, value=fix.after))
         assert cured.status == "pass", fix
-        start = value_of(design, fix.variable)
+        start = value_of(design=design, variable=fix.variable)
         assert start is not None
         if fix.variable in ("pins", "satellites") or not cured.torque_reserve:
             continue

@@ -221,6 +221,66 @@ async def output_efficiency(body: Body, answer: Body, ask: Ask) -> None:
         equal(half["efficiency"], efficiency, "efficiency at half the speed", error)
 
 
+async def satellite_bearing(body: Body, answer: Body, ask: Ask) -> None:
+    """Order of the loads, their lives, and half of the loads under half of the torque."""
+    error = answer["accuracy"]["relative_error"] + ROUNDING
+    bearing = body["bearing"]
+    p, rating = 3 if bearing["kind"] == "ball" else 10 / 3, bearing.get("dynamic_rating_N")
+    for each in answer["satellites"]:
+        least, most, mean = (each[f"{name}_load_N"] for name in ("min", "peak", "equivalent"))
+        expect(0 <= least <= mean * (1 + error) <= most * (1 + 2 * error), "order", least, most)
+        expect(("basic_life_h" in each) == (rating is not None), "life")
+        if rating is not None:
+            # may be too long or too short for a double
+            millions = p * (math.log(rating) - math.log(mean)) + math.log(1e6 / 60)
+            life = millions - math.log(answer["relative_speed_rpm"])
+            expect(abs(math.log(each["basic_life_h"]) - life) < 1e-9 + 2 * error, "life", life)
+    halved = await _halved("satellite-bearing", body, ask)
+    if halved is not None:
+        for one, other in zip(answer["satellites"], halved["satellites"], strict=True):
+            equal(one["equivalent_load_N"], 2 * other["equivalent_load_N"], "half torque", error)
+
+
+async def crankshaft(body: Body, answer: Body, ask: Ask) -> None:
+    """No reaction is above what the satellites put on it; half of it under half of the torque."""
+    error = answer["accuracy"]["relative_error"] + ROUNDING
+    shaft = body["crankshaft"]
+    first, last = shaft["bearing_positions_mm"]
+    loads = await ask(
+        "satellite-bearing",
+        {name: each for name, each in body.items() if name != "crankshaft"}
+        | {"bearing": {"kind": "ball"}},
+    )
+    expect(loads is not None, "the loads alone are refused")
+    for each, other in zip(answer["bearings"], (last, first), strict=True):
+        expect(each["equivalent_N"] <= each["peak_N"] * (1 + error), "equivalent", each)
+        held = math.fsum(
+            abs(other - z) / (last - first) * satellite["peak_load_N"]
+            for z, satellite in zip(
+                shaft["satellite_positions_mm"], loads["satellites"], strict=True
+            )
+        )
+        room = 1 + 2 * error + loads["accuracy"]["relative_error"]
+        expect(each["peak_N"] <= held * room, "reaction", each, held)
+    expect(("balance" in answer) == ("satellite_mass_kg" in shaft), "balance")
+    for each in answer.get("balance", {}).get("corrections", ()):
+        expect(0 <= each["angle_deg"] < 360, "angle", each)
+    halved = await _halved("crankshaft", body, ask)
+    if halved is not None:
+        for one, other in zip(answer["bearings"], halved["bearings"], strict=True):
+            equal(one["peak_N"], 2 * other["peak_N"], "half of the torque", error)
+
+
+async def _halved(endpoint: str, body: Body, ask: Ask) -> Body | None:
+    """The answer to half of the torque, where that is a torque."""
+    torque = body["load"].get("output_torque_Nm", 0.0) / 2
+    if torque < 1e-12:
+        return None
+    halved = await ask(endpoint, {**body, "load": {**body["load"], "output_torque_Nm": torque}})
+    expect(halved is not None, "half of the torque is refused")
+    return halved
+
+
 async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
     """The forces carry the torque and push; the turn has the positions between its extremes."""
     load, radius = body["load"], body["load"]["pin_circle_radius_mm"] / 1e3
@@ -423,6 +483,8 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "output-efficiency": output_efficiency,
     "load-sharing": load_sharing,
     "pin-strength": pin_strength,
+    "satellite-bearing": satellite_bearing,
+    "crankshaft": crankshaft,
     "tolerance-study": tolerance_study,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,

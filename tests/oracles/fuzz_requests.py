@@ -238,6 +238,8 @@ def satellite_bearing(r: Draw) -> Body:
     for name in ("include", "samples"):
         torque.pop(name, None)
     torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    if r.chance(0.3):
+        torque["torque_direction"] = r.choice(("reverse", "alternating"))
     gear: Body = r.choice(
         (
             {"kind": "none"},
@@ -254,6 +256,23 @@ def satellite_bearing(r: Draw) -> Body:
         "gear": gear,
         "bearing": bearing,
     }
+
+
+def crankshaft(r: Draw) -> Body:
+    """Satellites anywhere along the shaft."""
+    body = satellite_bearing(r)
+    bearing = body.pop("bearing")
+    own = body["mechanism"]
+    count = len(own["crank_angles_deg"]) if "crank_angles_deg" in own else own.get("satellites", 1)
+    first = r.uniform(-100, 100)
+    last = first + r.choice((r.uniform(1, 200), r.log_uniform(1e-9, 1e6)))
+    places = [r.choice((first, last, r.uniform(-300, 300))) for _ in range(count)]
+    shaft: Body = {"satellite_positions_mm": places, "bearing_positions_mm": [first, last]}
+    if r.chance(0.5):
+        shaft["satellite_mass_kg"] = r.number("CrankshaftFields", "satellite_mass_kg", (0.1, 10))
+    if r.chance(0.5):
+        shaft["bearings"] = [bearing, {"kind": "roller"}]
+    return body | {"crankshaft": shaft}
 
 
 def real_design(r: Draw) -> Body:
@@ -323,6 +342,8 @@ def pin_strength(r: Draw) -> Body:
     torque.pop("samples", None)
     if r.chance(0.5):
         torque["input_speed_rpm"] = r.number("PinLoadFields", "input_speed_rpm", (10, 3000))
+    if r.chance(0.3):
+        torque["torque_direction"] = r.choice(("reverse", "alternating"))
     own = mechanism(r)
     angles = own.get("crank_angles_deg")
     satellites = own.get("satellites", 2) if angles is None else len(angles)
@@ -490,6 +511,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "pin-strength": pin_strength,
     "tolerance-study": tolerance_study,
     "satellite-bearing": satellite_bearing,
+    "crankshaft": crankshaft,
     "roller-strength": roller_strength,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -71,17 +71,20 @@ class SatelliteTurn:
             share, force = self.at(part, way)
             return np.hypot(share, rho * share + pins * force)
 
-        integral = turn = np.longdouble(0)
-        power = long(exponent)
         most = self.largest(load)
+        mean = self.mean(load, most, long(exponent))
+        least = -self.largest(lambda part, way: -load(part, way))
+        share = self.largest(lambda part, way: self.at(part, way)[0])
+        found = (least, most, mean, share)
+        return tuple(mpf(np.format_float_scientific(x)) for x in found)  # type: ignore[return-value]
+
+    def mean(self, load: Callable[[int, Any], Any], most: Any, power: Any) -> Any:
+        """Equivalent load by the double exponential rule."""
+        integral = turn = np.longdouble(0)
         for part, (width, *_) in enumerate(self.parts):
             values = (load(part, NODES) / most) ** power
             integral, turn = integral + width * (WEIGHTS * values).sum(), turn + width
-        least = -self.largest(lambda part, way: -load(part, way))
-        share = self.largest(lambda part, way: self.at(part, way)[0])
-        mean = most * (integral / turn) ** (1 / power)
-        found = (least, most, mean, share)
-        return tuple(mpf(np.format_float_scientific(x)) for x in found)  # type: ignore[return-value]
+        return most * (integral / turn) ** (1 / power)
 
     def largest(self, value: Callable[[int, Any], Any]) -> Any:
         """Of all segments, narrowed about every summit of samples."""
@@ -99,3 +102,44 @@ class SatelliteTurn:
 
                 best = max(best, narrowed(grid, [WAY[node]], [(0, 1)], [gap(int(node))]))
         return best
+
+
+class ShaftTurn:
+    """What all satellites together do to a bearing of the crankshaft."""
+
+    def __init__(self, pins: int, crank_angles: Sequence[mpf], exponent: mpf) -> None:
+        every = range(len(crank_angles))
+        self.satellites = [SatelliteTurn(pins, crank_angles, exponent, j) for j in every]
+        self.cranks = [(long(mp.cos(angle)), long(mp.sin(angle))) for angle in crank_angles]
+
+    def reaction(
+        self, held: Sequence[mpf], across: mpf, along: mpf, rho: mpf, exponent: mpf
+    ) -> tuple[mpf, mpf, mpf]:
+        """Largest and equivalent reaction, and largest sum of the sizes that it is made of.
+
+        The bearing holds the part `held` of the force of each satellite: of `across` times its
+        share forward of its crank, of `rho` times that and `along` times its pins along it.
+        """
+        size = max(map(abs, held)) * (across + along) or mpf(1)
+        parts = [[long(each * arm / size) for arm in held] for each in (across, along)]
+        radial = long(rho)
+
+        def forces(part: int, way: Any) -> Any:
+            for own, crank, a, b in zip(self.satellites, self.cranks, *parts, strict=True):
+                share, force = own.at(part, way)
+                yield crank, a * share, radial * a * share + b * force
+
+        def load(part: int, way: Any) -> Any:
+            x = y = np.zeros_like(way)
+            for (cos, sin), tangential, inward in forces(part, way):
+                x, y = x + inward * cos - tangential * sin, y + inward * sin + tangential * cos
+            return np.hypot(x, y)
+
+        def sizes(part: int, way: Any) -> Any:
+            return sum(abs(one) + abs(other) for _, one, other in forces(part, way))
+
+        first = self.satellites[0]
+        most = first.largest(load)
+        whole, power = first.largest(sizes), long(exponent)
+        mean = first.mean(load, most, power) if most > 0 else most
+        return tuple(size * mpf(np.format_float_scientific(x)) for x in (most, mean, whole))  # type: ignore[return-value]

@@ -3,6 +3,7 @@
 from tests.oracles.answers.bearings import SATELLITE_BEARING
 from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
+from tests.oracles.answers.crankshaft import CRANKSHAFT
 from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.load_sharing import LOAD_SHARING
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
@@ -19,6 +20,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     LOAD_SHARING,
     PIN_STRENGTH,
     SATELLITE_BEARING,
+    CRANKSHAFT,
     ROLLER_STRENGTH,
     CONTACT_LINE,
     MESHING_LOAD,

@@ -57,7 +57,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
     """By definition; the turn narrowed and integrated from the law of the forces."""
     own, load, gear, bearing = (body[name] for name in ("mechanism", "load", "gear", "bearing"))
     u, e = ratio(own), typed(body["contact"]["eccentricity_mm"])
-    rho, angle = _ring(gear, e, u)
+    rho, angle = ring_ratio(gear, e, u)
     torque, speed = 1000 * typed(load["output_torque_Nm"]), typed(load["input_speed_rpm"])
     across = torque / (e * u)
     relative = speed * (1 + 1 / u)
@@ -102,7 +102,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
     return found
 
 
-def _ring(gear: Body, e: mpf, u: mpf) -> tuple[mpf, mpf | None]:
+def ring_ratio(gear: Body, e: mpf, u: mpf) -> tuple[mpf, mpf | None]:
     """rho, and alpha_w."""
     if "radial_force_ratio" in gear:
         return typed(gear["radial_force_ratio"]), None
