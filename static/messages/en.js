@@ -675,7 +675,8 @@ export default {
       shortened: "k = e·(u + 1)/R_p, of many pins that share as linear contacts do.",
       reaction: "From the balance of the shaft, crank by crank, over the turn.",
       equivalentReaction: "The mean over the turn of the reaction to the power p, its root.",
-      aboutMiddle: "About the middle of the bearings; speeds in radians a second.",
+      carried: "w_i is the share of satellite i that {letter} carries, by its place between the bearings.",
+      aboutMiddle: "z_i counts from the middle of the bearings; speeds in radians a second.",
       opposite: "Opposite to what it balances; counted as the crank angles are.",
     },
     erratum: {

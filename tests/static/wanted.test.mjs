@@ -169,7 +169,7 @@ const DESIGN = {
   load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, force_exponent: 1.1 },
   contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7.03, contact_length_mm: 10 },
 };
-const ask = (besides) => real.asked({ ...DESIGN, besides }, DESIGN);
+const ask = (besides) => real.asked({ ...DESIGN, load: { ...DESIGN.load, input_speed_rpm: 1500 }, besides }, DESIGN);
 
 test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
   const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, load: { torque_direction: "reverse" } });
@@ -185,6 +185,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
   const pin = { support: "cantilever", satellite_positions_mm: [5, 15], rotates: false };
   assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
   assert.equal(ask({ pin }).pin, undefined);
+  const [steel, strong] = [{ youngs_modulus_GPa: 210 }, { youngs_modulus_GPa: 210, tensile_strength_MPa: 900 }];
+  assert.deepEqual(ask({ strength: { on: "on" }, pin: { ...pin, material: strong } }).pin.material, steel);
+  assert.equal(ask({ strength: { on: "on" }, pin: { ...pin, material: "steel_bearing" } }).pin.material, "steel_bearing");
 });
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {
