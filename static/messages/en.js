@@ -623,6 +623,7 @@ export default {
       shearCompliance: "Compliance in shear",
       scale: "Length A of the contact lines",
       fullArm: "Line load where the arm is R_C",
+      arm: "Arm of the cranks' couple",
       neuber: "Root of Neuber's length, in √mm",
     },
     note: {
@@ -676,7 +677,7 @@ export default {
       reaction: "From the balance of the shaft, crank by crank, over the turn.",
       equivalentReaction: "The mean over the turn of the reaction to the power p, its root.",
       carried: "w_i is the share of satellite i that {letter} carries, by its place between the bearings.",
-      aboutMiddle: "z_i counts from the middle of the bearings; speeds in radians a second.",
+      aboutMiddle: "z_i counts from the middle of the bearings.",
       opposite: "Opposite to what it balances; counted as the crank angles are.",
     },
     erratum: {

@@ -1,7 +1,7 @@
 /** The crankshaft: what is said and drawn of the service's answer, and its worked steps. No DOM. */
 import { formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
-import { result } from "../../lib/formula/step.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
 import { crankedBody, lifeStep } from "./bearings.js";
@@ -50,13 +50,17 @@ function balanceSteps({ balance }, { mechanism, load, contact, besides: { cranks
     at(part, "unbalance_kg_mm", `U_${letter}`, `m*e*${vector}`, { values: { ...values, z: arms("w_i", of) }, note: "carried", noteValues: { letter } }),
     result(part, "angle_deg", `α_${letter}`, { note: "opposite" }),
   ];
+  const arm = intermediate("arm", "d", "mm", {
+    formula: vector, values: { α: values.α, z: arms("z_i", (z) => z - (A + B) / 2, "mm") }, note: "aboutMiddle",
+  });
   const [inA, inB] = balance.corrections;
   return [
     at(balance, "unbalance_kg_mm", "U", "m*e*sqrt(sum(cos(α))^2+sum(sin(α))^2)"),
     at({ balance_force_N: balance.force_N }, "balance_force_N", "F", "U*n_1^2", {
       values: { U: q("U", balance.unbalance_kg_mm, "kg·mm"), n_1: values.n_1 }, note: "turnsInRadians",
     }),
-    at(balance, "couple_Nm", "M", `m*e*n_1^2*${vector}`, { values: { ...values, z: arms("z_i", (z) => z - (A + B) / 2, "mm") }, note: "aboutMiddle" }),
+    arm,
+    at(balance, "couple_Nm", "M", "m*e*d*n_1^2", { values: { ...values, d: asValue(arm) }, note: "turnsInRadians" }),
     ...corrected(inA, "A", (z) => (B - z) / (B - A)),
     ...corrected(inB, "B", (z) => (z - A) / (B - A)),
   ];
