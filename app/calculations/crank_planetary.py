@@ -56,7 +56,7 @@ from core.checks.crank_design import (
     CrankDesign,
 )
 from core.checks.crank_planetary import crank_checks
-from core.checks.real_forces import WAYS, RealForces
+from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.fixes import crank_fixes
@@ -71,6 +71,7 @@ from core.output.pin_geometry import (
     pin_fit,
     pin_geometry,
 )
+from core.output.sampled_turn import WAYS
 
 Section = Literal[
     "cyclogram",
@@ -249,9 +250,14 @@ class CrankPlanetaryRequest(RequestModel):
 
     @property
     def long(self) -> bool:
-        """Whether the forces of the mechanism as it is made are solved."""
+        """Whether the forces of the mechanism as it is made are solved, or moments and loads are
+        searched over the turn.
+        """
         if self.load is None or self.contact is None:
             return False
+        cranked = self.bearing is not None or self.crankshaft is not None
+        if self.pin is not None or (cranked and self.gear is not None):
+            return True
         asked = self.include is not None and "load_sharing" in self.include
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         return self.as_made or asked or lost_motion

@@ -6,8 +6,8 @@ from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import BentPinFields, torque_direction
 from app.model import SIZE, Maybe, RequestModel, quantity
 from app.units import to_si
-from core.checks.real_forces import Direction
 from core.checks.sections import DesignPin
+from core.output.sampled_turn import Direction
 
 
 class DesignLoadFields(LoadFields):

@@ -28,12 +28,12 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
-from core.checks.real_forces import Direction
 from core.checks.sections import DesignPin
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, pin_strength
+from core.output.sampled_turn import Direction
 from core.results import Notice
 
 MAX_PAIRS = 500

@@ -15,7 +15,6 @@ from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.problems import ErrorItem, invalid_input
 from app.units import to_si
-from core.checks.real_forces import Direction
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
     MAX_EXPONENT,
@@ -28,6 +27,7 @@ from core.output.contact_law import (
     PowerLaw,
 )
 from core.output.real_mechanism import Deviations
+from core.output.sampled_turn import Direction
 from core.output.satellite_support import SUM_ERROR, CrankSupport, ElasticMesh, Shares
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]

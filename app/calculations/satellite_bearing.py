@@ -29,7 +29,6 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si, in_units, to_si, unit_size
 from core.arrays import FloatArray
-from core.checks.real_forces import Direction
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import (
     BearingCurves,
@@ -40,6 +39,7 @@ from core.crank.satellite_bearing import (
 from core.errors import InvalidInput
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
+from core.output.sampled_turn import Direction
 
 MAX_PAIRS = 2000
 """Most pairs whose forces are integrated over the turn."""

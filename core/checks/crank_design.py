@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from core.checks.real_forces import WAYS, Direction, RealForces
+from core.checks.real_forces import RealForces
 from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -26,7 +26,7 @@ from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
-from core.output.sampled_turn import Made, SampledTurn
+from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import Accuracy, Notice
 
 MOST_REAL_PAIRS = 100

@@ -7,11 +7,11 @@ from typing import Any, Literal
 
 from core.checks.check import Check, judged
 from core.checks.crank_design import CrankDesign
-from core.checks.real_forces import WAYS
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
 from core.output.limit_torque import limit_torque
+from core.output.sampled_turn import WAYS
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""

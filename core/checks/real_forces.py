@@ -3,21 +3,13 @@
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, Self
+from typing import Self
 
 from core.hertz import HertzContact
 from core.output.limit_torque import limit_torque
 from core.output.over_turn import TIE, OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
-
-Direction = Literal["driving", "reverse", "alternating"]
-
-WAYS: dict[Direction, tuple[float, ...]] = {
-    "driving": (1.0,),
-    "reverse": (-1.0,),
-    "alternating": (1.0, -1.0),
-}
-"""Signs of the torque in each direction."""
+from core.output.sampled_turn import WAYS, Direction
 
 
 @dataclass(frozen=True)

@@ -151,10 +151,11 @@ class LoadedPin:
                 return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
             own, at = points.of(tops.row), turn.at(tops.arc)
+            arms_at = _quadratics(arms, own)
 
             def grid_value(way: FloatArray, x: FloatArray) -> tuple[FloatArray, list[IntArray]]:
                 forces = at(way)
-                sums = (_summed(each, forces) for each in arms(x))
+                sums = (_summed(each, forces) for each in arms_at(x))
                 return _picked(measure(*sums), (1, 0))
 
             values, (_, x) = narrowed(
@@ -217,9 +218,6 @@ class LoadedPin:
             np.abs(turn.forces).sum(axis=0).min() > 0
         )
         ends = np.zeros(2)
-        at_root = None
-        if len(self.ends) == 1:
-            at_root = self.moments(np.zeros((1, 1)), loads.unit)
 
         def arms(at: Points) -> ComplexArray:
             turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
@@ -260,24 +258,26 @@ class LoadedPin:
             start = points.of(tops.row[upper])
             every = np.arange(len(upper))
             at = turn.at(np.concatenate((tops.arc[upper], bottoms.arc[lower])))
+            arms_at = _quadratics(lambda x: (self.moments(x, loads.unit),), start)
 
             def stresses(
                 high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
             ) -> list[FloatArray]:
-                """Of both pairs of arcs, shape (rows, s, c, m)."""
+                """Of both pairs of arcs, shape (rows, m, s, c)."""
                 forces = at(np.concatenate((high, low)))
-                turned = np.exp(-1j * chi)[:, None, :, None]
-                weights = at_root if at_root is not None else self.moments(x, loads.unit)
+                cosine, sine = (f(chi)[:, None, None, :] for f in (np.cos, np.sin))
+                (weights,) = arms_at(x)
                 both = forces[: len(high)], forces[len(high) :]
-                return [(_summed(weights, each)[:, :, None] * turned).real for each in both]
+                sums = (_summed(weights, each).swapaxes(1, 2)[..., None] for each in both)
+                return [each.real * cosine + each.imag * sine for each in sums]
 
             def grid_value(
                 high: FloatArray, low: FloatArray, x: FloatArray, chi: FloatArray
             ) -> tuple[FloatArray, list[IntArray]]:
                 top, bottom = stresses(high, low, x, chi)
-                use = used(top.max(axis=-1), bottom.min(axis=-1))
+                use = used(top.max(axis=1), bottom.min(axis=1))
                 values, (section, direction) = _picked(use, (0, 1))
-                at_best = (every, section, direction)
+                at_best = (every, slice(None), section, direction)
                 ways = top[at_best].argmax(axis=-1), bottom[at_best].argmin(axis=-1)
                 return values, [*ways, section, direction]
 
@@ -317,6 +317,25 @@ class LoadedPin:
         place = direction, section
         tops, bottoms = (np.array([f(each, axis=1) for each in along]) for f in (np.max, np.min))
         return tops[place], bottoms[place]
+
+
+def _quadratics(arms: Arms, points: Points) -> Arms:
+    """The same at sections (rows, s) of the stretches of points: there the line load is even, so
+    that moments are quadratic.
+    """
+    low, high = points.low, points.high
+    ends = [arms(x) for x in (low, (low + high) / 2, high)]
+    width = np.where(high > low, high - low, 1.0)[:, None]
+
+    def within(x: FloatArray) -> tuple[FloatArray, ...]:
+        t = ((x - low[:, None]) / width)[..., None]
+        parts = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
+        return tuple(
+            sum(part * each[:, None] for part, each in zip(parts, values, strict=True))
+            for values in zip(*ends, strict=True)
+        )
+
+    return within
 
 
 def _summed(arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:

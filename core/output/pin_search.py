@@ -48,8 +48,9 @@ BLOCK = 1_000_000
 AROUND = 24
 """Directions looked at first."""
 
-ALONG = 4
-"""Parts of each stretch of the pin that are looked at first."""
+ALONG, ALONG_ONLY = 4, 24
+"""Parts of each stretch of the pin that are looked at first, where directions count and where
+not."""
 
 ENOUGH = 2e-13
 """What a largest value may be missed by, as a part of it."""
@@ -342,9 +343,10 @@ def highest(
     """
     long = len(ends) > 1
     if long:
-        low, high = (np.repeat(each, ALONG + 1) for each in (ends[:-1], ends[1:]))
-        way = np.tile(np.arange(ALONG + 1) / ALONG, len(ends) - 1)
-        stretches = np.array([low * (1 - way) + high * way, low, high, (high - low) / ALONG])
+        parts = ALONG if around else ALONG_ONLY
+        low, high = (np.repeat(each, parts + 1) for each in (ends[:-1], ends[1:]))
+        way = np.tile(np.arange(parts + 1) / parts, len(ends) - 1)
+        stretches = np.array([low * (1 - way) + high * way, low, high, (high - low) / parts])
     else:
         stretches = np.array([ends, ends, ends, [0.0]])
     directions = 2 * np.pi * np.arange(AROUND) / AROUND if around else np.zeros(1)

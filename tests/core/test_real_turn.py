@@ -139,6 +139,29 @@ def test_the_peak_is_that_over_the_turn(exact: bool, torque: float) -> None:
     assert np.abs(turn.on_pins).max() == pytest.approx(peak, rel=turn.error)
 
 
+def test_the_stated_error_is_that_of_closer_samples(monkeypatch: pytest.MonkeyPatch) -> None:
+    rough = made(UNLIKE)
+    pin = PIN | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    bearing = BEARING | {"mechanism": UNLIKE.mechanism}
+    shaft = SHAFT | {"mechanism": UNLIKE.mechanism, "satellite_positions": (0.015, 0.037)}
+    calls = (
+        (lambda of: pin_strength(**pin, made=of), ("peak_force", "peak_equivalent_stress")),
+        (lambda of: satellite_bearings(**bearing, made=of), ("peak_load", "equivalent_load")),
+        (lambda of: crankshaft(**shaft, made=of), ("peak_reaction", "equivalent_reaction")),
+    )
+    found = [call(rough) for call, _ in calls]
+    monkeypatch.setattr("core.output.real_turn.ENOUGH", 1e-6)
+    close = made(UNLIKE)
+    assert len(close(500.0).wave) > 2 * len(rough(500.0).wave)
+    for one, (call, names) in zip(found, calls, strict=True):
+        other = call(close)
+        error = one.accuracy.relative_error
+        assert 3 * other.accuracy.relative_error < error < 2e-4
+        for name in names:
+            off = np.abs(np.asarray(getattr(one, name)) / getattr(other, name) - 1)
+            assert 0 < off.max() < error
+
+
 def test_spikes_are_not_between_the_samples() -> None:
     """The two pins of the real mechanism's own test whose errors nearly use up the clearance."""
     radial = (0.0, 0.0, 0.0, 0.0, -1.997556539047208e-05, 0.0, -1.999650934149601e-05)
@@ -334,6 +357,28 @@ def test_application_factor_and_peak_torque() -> None:
     loose = satellite_bearings(**bearing, made=real, peak_torque=1000.0)
     again = satellite_bearings(**bearing | {"output_torque": 1000.0}, made=real)
     assert loose.static_safety_factor == pytest.approx(again.static_safety_factor, rel=1e-14)
+
+
+def test_of_both_directions_the_worse_counts() -> None:
+    real = made(UNLIKE)
+    every = {"mechanism": UNLIKE.mechanism, "made": real}
+    two = {"satellite_positions": (0.015, 0.037)}
+    ways = ("driving", "reverse", "alternating")
+    pins = [pin_strength(**PIN, **every, **two, torque_direction=way) for way in ways]
+    bearings = [satellite_bearings(**BEARING, **every, torque_direction=way) for way in ways]
+    shafts = [crankshaft(**SHAFT, **every, **two, torque_direction=way) for way in ways]
+    for found, names in (
+        (pins, ("peak_force", "peak_moment", "peak_shear_force", "peak_equivalent_stress")),
+        (bearings, ("peak_load", "equivalent_load", "peak_ring_force")),
+        (shafts, ("peak_reaction", "equivalent_reaction")),
+    ):
+        for name in names:
+            there, back, both = (np.asarray(getattr(each, name)) for each in found)
+            assert abs(there / back - 1).max() > 1e-4
+            assert both == pytest.approx(np.maximum(there, back), rel=1e-12)
+    assert (bearings[2].min_load <= bearings[0].min_load).all()
+    there, back, both = (each.fatigue.safety_factor for each in pins)
+    assert both < 0.8 * min(there, back)  # each cycle has both directions
 
 
 def test_the_worst_pin_counts() -> None:

@@ -172,12 +172,19 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
             start = mechanism.get("initial_crank_angle_deg", 0.0)
             mechanism["initial_crank_angle_deg"] = start + (180 if start < 0 else -180)
         await contact_force(mechanism | load, force, ask)
-        ideal = "contact_law" not in body
+        ideal = not {"contact_law", "pin"} & {*body}
         if ideal and "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
             contact = {key: val for key, val in body["contact"].items() if key != "eccentricity_mm"}
             alone = await ask("hertz", contact | {"force_N": force["peak_force_N"]})
             expect(alone is not None, "Hertz alone is refused")
             equal(alone["max_pressure_MPa"], answer["hertz"]["max_pressure_MPa"], "Hertz alone")
+    for check in answer.get("checks", ()):
+        judged = check["status"] in ("pass", "marginal", "fail")
+        expect(("value" in check and "limit" in check) or not judged, "check", check)
+        expect("reason" in check or check["status"] != "not_checked", "why not", check)
+    if "checks" in answer and answer["verdict"] in ("pass", "marginal"):
+        statuses = {check["status"] for check in answer["checks"]}
+        expect(not statuses & {"fail", "not_checked"}, "verdict", answer["verdict"])
     for pair in answer.get("geometry", {}).get("pairs", ()):
         expect(pair["force_N"] >= 0 and (pair["driving"] or not pair["force_N"]), "force", pair)
 

@@ -119,11 +119,11 @@ def range_shown(r: Draw, body: Body) -> Body:
 def load(r: Draw) -> Body:
     """Torque, lever, force exponent."""
     number = r.number
-    body: Body = {"pin_circle_radius_mm": number("DirectedLoadFields", "pin_circle_radius_mm")}
+    body: Body = {"pin_circle_radius_mm": number("DesignLoadFields", "pin_circle_radius_mm")}
     if r.chance(0.7):
-        body["output_torque_Nm"] = number("DirectedLoadFields", "output_torque_Nm")
+        body["output_torque_Nm"] = number("DesignLoadFields", "output_torque_Nm")
     else:
-        body["input_torque_Nm"] = number("DirectedLoadFields", "input_torque_Nm")
+        body["input_torque_Nm"] = number("DesignLoadFields", "input_torque_Nm")
         body["efficiency"] = r.log_uniform(1e-3, 1)
     if r.chance(0.5):
         body["force_exponent"] = r.choice(
@@ -131,7 +131,7 @@ def load(r: Draw) -> Body:
                 0,
                 10 / 9,
                 1.5,
-                number("DirectedLoadFields", "force_exponent", (0, 3)),
+                number("DesignLoadFields", "force_exponent", (0, 3)),
                 r.uniform(0.9, 1.2),
             )
         )
@@ -185,9 +185,54 @@ def crank_planetary(r: Draw) -> Body:
     body["include"] = r.sample(sections, r.randint(1, 4))
     if r.chance(0.1):
         as_made(r, body)
+    elif r.chance(0.4):
+        whole(r, body)
     if r.chance(0.5):
         body["crank_angle_deg"] = r.uniform(-3600, 3600)
     return body
+
+
+def whole(r: Draw, body: Body) -> None:
+    """Sections of strength and life in a design, what each needs, and what is asked of it."""
+    strong, turning = pin_strength(r), crankshaft(r)
+    load, contact = body["load"], body["contact"]
+    body["mechanism"] = strong["mechanism"]
+    load["input_speed_rpm"] = turning["load"]["input_speed_rpm"]
+    load["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
+    if "dynamic_factor" not in contact and r.chance(0.3):
+        load["application_factor"] = r.number("DesignLoadFields", "application_factor", (0.5, 2))
+    if r.chance(0.3):
+        load["peak_torque_Nm"] = r.number("DesignLoadFields", "peak_torque_Nm")
+    contact["eccentricity_mm"] = max(1e-12, contact["hole_radius_mm"] - contact["pin_radius_mm"])
+    count = len(strong["pin"]["satellite_positions_mm"])
+    first, last = turning["crankshaft"]["bearing_positions_mm"]
+    turning["crankshaft"]["satellite_positions_mm"] = [r.uniform(first, last)] * count
+    friction = output_efficiency(r)["friction"]
+    friction.pop("sleeve", None)
+    given = {
+        "pin": strong["pin"],
+        "fatigue": strong.get("fatigue", {"surface": "ground"}),
+        "friction": friction,
+        "gear": turning["gear"],
+        "bearing": satellite_bearing(r)["bearing"],
+        "crankshaft": turning["crankshaft"],
+    }
+    body |= {name: section for name, section in given.items() if r.chance(0.7)}
+    needs = {
+        "pin_strength": {"pin"},
+        "output_efficiency": {"friction"},
+        "satellite_bearing": {"gear", "bearing"},
+        "crankshaft": {"gear", "crankshaft"},
+    }
+    possible = [name for name, sections in needs.items() if sections <= {*body}]
+    asked = [name for name in (*possible, "hertz", "checks") if r.chance(0.5)]
+    body["include"] = asked or ["checks"]
+    limits = MODELS["RequirementsFields"]["properties"]
+    body["requirements"] = {
+        name: r.number("RequirementsFields", name)
+        for name in limits
+        if r.chance(0.3) and "lost_motion" not in name
+    }
 
 
 def as_made(r: Draw, body: Body) -> None:
