@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
-import { isOn, listedInputs, readState, shownFields, stateFromInput } from "../../static/lib/form_state.js";
+import { isOn, listedInputs, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
@@ -72,6 +72,19 @@ test("what follows another box is said even where the service could do without",
   const made = formModel(OPENAPI, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], suggestions });
   const typed = stateFromInput(made, { ...INPUT, contact: { pin_material: "steel" } });
   assert.equal(readState(made, typed).input.contact.pin_radius_mm, 5);
+});
+
+test("an empty list follows the other boxes, in the input too, until it is typed", () => {
+  const group = { ...GROUP, fields: { "parts.pin_mm": { required: true, follows: ({ mechanism: { pins } }) => Array(pins).fill(1.5) } }, starts: () => ({}) };
+  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: fieldWords });
+  const typed = stateFromInput(made, { ...INPUT, besides: { real: { on: "on" } } });
+  const { input, besides } = readState(made, typed);
+  assert.deepEqual([input.besides.parts.pin_mm, besides.real], [[1.5, 1.5, 1.5], []]);
+  assert.ok(!encodeState(made, typed).has("parts.pin_mm"));
+  assert.equal(withLinks(made, stateFromInput(made, input)).texts["parts.pin_mm"], "");
+  const own = { ...typed, texts: { ...typed.texts, "parts.pin_mm": "1; 2; 3" } };
+  assert.deepEqual(readState(made, own).input.besides.parts.pin_mm, [1, 2, 3]);
+  assert.equal(withLinks(made, own).texts["parts.pin_mm"], "1; 2; 3");
 });
 
 test("a group that is off is not shown, asked for, listed or linked", () => {
