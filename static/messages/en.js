@@ -677,6 +677,8 @@ export default {
       reaction: "From the balance of the shaft, crank by crank, over the turn.",
       equivalentReaction: "The mean over the turn of the reaction to the power p, its root.",
       carried: "w_i is the share of satellite i that {letter} carries, by its place between the bearings.",
+      peakTorque: "k is the peak torque over the torque of this load.",
+      underPeak: "Solved anew under the peak torque: real forces do not grow in proportion.",
       aboutMiddle: "z_i counts from the middle of the bearings.",
       opposite: "Opposite to what it balances; counted as the crank angles are.",
     },
