@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args
 
 from pydantic import (
@@ -147,6 +147,19 @@ class RequestModel(BaseModel):
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         _register(cls)
 
+    @cached_property
+    def core_paths(self) -> dict[str, tuple[str, ...]]:
+        """Path of the field of each core parameter, here or in the models within, the first."""
+        found: dict[str, tuple[str, ...]] = {}
+        for name in type(self).model_fields:
+            found.setdefault(core_name(name), (name,))
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, RequestModel):
+                for parameter, path in value.core_paths.items():
+                    found.setdefault(parameter, (name, *path))
+        return found
+
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:
         alternatives = _alternatives(type(self))
@@ -171,8 +184,8 @@ class RequestModel(BaseModel):
         """The given fields as the core's arguments, in SI units."""
         return {
             core_name(name): to_si(name, value)
-            for name, value in vars(self).items()
-            if value is not None
+            for name in type(self).model_fields
+            if (value := getattr(self, name)) is not None
         }
 
     @property

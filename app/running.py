@@ -7,7 +7,7 @@ from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel
 
-from app.model import api_params
+from app.model import RequestModel, api_params
 from app.problems import ErrorItem, invalid_input, pointer
 from app.record import at_hand
 from app.units import core_name
@@ -16,7 +16,7 @@ from core.errors import InvalidInput
 Result = TypeVar("Result")
 
 
-def run(body: BaseModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
+def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
     """Result of a calculation and its run time, microseconds; a refusal names the body's fields."""
     start = time.perf_counter_ns()
     with refusals_named(body):
@@ -33,7 +33,7 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
 
     __slots__ = ("body",)
 
-    def __init__(self, body: BaseModel) -> None:
+    def __init__(self, body: RequestModel) -> None:
         self.body = body
 
     def __enter__(self) -> None:
@@ -46,25 +46,13 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
             raise invalid_input([ErrorItem(place, error.code, api_params(error.params))]) from error
 
 
-def path_of(body: BaseModel, parameter: str) -> tuple[str | int, ...] | None:
+def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:
     """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
     it has none.
     """
     head, *rest = re.findall(r"[^.\[\]]+", parameter)
-    for path, name in _fields(body):
-        if core_name(name) == head:
-            return (*path, name, *_deeper(body, (*path, name), rest))
-    return None
-
-
-def _fields(body: BaseModel) -> Iterator[tuple[tuple[str, ...], str]]:
-    """Every field of a request and of the models within it, with the path to it."""
-    for name in type(body).model_fields:
-        yield (), name
-    for name, value in body:
-        if isinstance(value, BaseModel):
-            for path, inner in _fields(value):
-                yield (name, *path), inner
+    path = body.core_paths.get(head)
+    return None if path is None else (*path, *_deeper(body, path, rest))
 
 
 def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator[str | int]:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from typing import Any, Literal
 
-from pydantic import BaseModel, Field
+from pydantic import Field
 
 from app.model import SIZE, Maybe, RequestModel, ResponseModel, Values, quantity, result
 from app.problems import pointer
@@ -317,7 +317,7 @@ class JudgedResponse(ResponseModel):
     )
 
 
-def check_values(check: Check, body: BaseModel) -> Values:
+def check_values(check: Check, body: RequestModel) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
     kind, unit = check.kind, f"value_{check.kind.unit}"
     source = check.limit_source or kind.source
@@ -354,7 +354,7 @@ def check_values(check: Check, body: BaseModel) -> Values:
     return {name: value for name, value in values.items() if value is not None}
 
 
-def pointers(body: BaseModel, names: Iterable[str], *, given: bool = False) -> list[str]:
+def pointers(body: RequestModel, names: Iterable[str], *, given: bool = False) -> list[str]:
     """JSON pointers to the fields of core names, or only to those that are given."""
     found = []
     for name in names:
@@ -379,7 +379,7 @@ SETS = {
 """What fixes of several fields set."""
 
 
-def fix_values(fix: Fix, body: BaseModel) -> Values:
+def fix_values(fix: Fix, body: RequestModel) -> Values:
     """Values of a fix, with all that it sets in a request."""
     paths = [
         path
@@ -438,7 +438,7 @@ def fix_values(fix: Fix, body: BaseModel) -> Values:
 
 def judgement(
     verdict: Verdict,
-    body: BaseModel,
+    body: RequestModel,
     *,
     torque: float | None,
     checks: bool,

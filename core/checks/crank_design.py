@@ -401,6 +401,8 @@ class CrankDesign:
         """Approach of a contact over its force, m/N."""
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
+        if not self.hole_radius > self.pin_radius:
+            raise InvalidInput("hole_radius", self.hole_radius, "larger_than", field="pin_radius")
         return contact_compliance(
             law=self.law or HertzLaw(),
             force=force,
@@ -575,6 +577,8 @@ class CrankDesign:
         if self.fatigue is None or self.pin is None:
             return None
         pin, basis = self.pin, self.fatigue
+        if basis.criterion == "soderberg" and pin.material.yield_strength is None:
+            return Notice("fatigue_no_basis")
         return _named("fatigue", lambda: basis.strength(pin))
 
     @cached_property

@@ -70,6 +70,9 @@ def _fatigue(design: CrankDesign) -> Check:
             missing = _missing(design, "tensile_strength")
             if design.pin.tensile_strength is not None:
                 missing = ("fatigue.endurance_limit",)
+        assert design.fatigue is not None
+        if design.fatigue.criterion == "soderberg" and design.pin.material.yield_strength is None:
+            reason, missing = "yield_unknown", _missing(design, "yield_strength")
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error

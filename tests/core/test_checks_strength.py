@@ -14,7 +14,7 @@ from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.sections import Ring, RollingBearing
 from core.fixes import crank_fixes, value_of, vary
-from core.materials import MATERIALS
+from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_law import LinearLaw
 from tests.oracles.checks import REF, WHOLE, says
 
@@ -96,6 +96,11 @@ UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] 
     "no notch": (
         {}, {"endurance_limit": None, "surface": "ground"},
         "notch_unknown", ("fatigue.fatigue_notch_factor",),
+    ),
+    "no yield strength": (
+        {"material": ElasticMaterial(210e9, 0.3), "own_material": True},
+        {"criterion": "soderberg"},
+        "yield_unknown", ("pin.material.yield_strength",),
     ),
 }  # fmt: skip
 

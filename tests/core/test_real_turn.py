@@ -273,6 +273,27 @@ def test_the_reference_design_shared_by_stiffness() -> None:
     assert loads.peak_load[1] == alone.peak_load[1]
 
 
+def test_the_worst_sharing_is_not_that_of_the_largest_moment() -> None:
+    """Cranks at 0, 180 and 60 degrees: by stiffness the moment is less, and its cycle worse."""
+    cranks = tuple(math.radians(each) for each in (0, 180, 60))
+    mechanism = Mechanism(pins=3, crank_angles=cranks, ratio=20.0)
+    reference = PIN | {"mechanism": mechanism, "satellite_positions": places(mechanism)}
+    equal = pin_strength(**reference)
+    both = pin_strength(**reference, pair_stiffness=(0.5, 1.0, 0.2))
+    assert (equal.sharing, both.sharing) == ("equal", "stiffness")
+    assert both.peak_bending_stress == equal.peak_bending_stress
+    assert both.fatigue.max_stress < equal.peak_bending_stress
+    forces = pin_turn(mechanism, 1.0, (0.5, 1.0, 0.2)).drawn()[1]
+    moments = 10_000 * np.array(places(mechanism)) @ forces / (math.pi * 0.016**3 / 32)
+    used = []
+    for chi in np.linspace(0, 2 * math.pi, 721):
+        along = (moments * np.exp(-1j * chi)).real
+        top, bottom = along.max(), along.min()
+        used.append(STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2))
+    assert both.fatigue.safety_factor == pytest.approx(1 / max(used), rel=5e-3)
+    assert both.fatigue.safety_factor < 0.985 * equal.fatigue.safety_factor
+
+
 def test_reverse_and_alternating() -> None:
     mechanism = spaced(3, 1)
     reference = PIN | {"mechanism": mechanism, "satellite_positions": (0.015,)}
