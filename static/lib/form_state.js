@@ -188,6 +188,13 @@ export function readState(model, state) {
       readings[needs] = readings[needs]?.problem ? readings[needs] : { problem: "required" };
     }
   }
+  for (const field of shownFields(model, state).filter(({ path, follows }) => follows && readings[path].problem === "required")) {
+    const value = field.follows(filled);
+    if (value.length === 0 || !value.every(Number.isFinite)) continue;
+    readings[field.path] = { value, followed: true };
+    put(input, placeOf(field), value);
+    put(filled, placeOf(field), value);
+  }
   const all = Object.keys(readings).filter((path) => readings[path].problem);
   const apart = model.groups.filter(({ wanted, judged }) => wanted && !judged);
   const besides = Object.fromEntries(apart.map(({ id }) => [id, all.filter((path) => model.fields.get(path).wanted === id)]));
@@ -201,6 +208,9 @@ export function withLinks(model, state) {
   for (const [path, { value }] of model.linked) {
     const linked = value(filled);
     if (texts[path] !== "" && Math.abs(readings[path]?.value - linked) <= 1e-12 * Math.abs(linked)) texts[path] = "";
+  }
+  for (const { path, follows } of model.fields.values()) {
+    if (follows && readings[path] && follows(filled).join() === readings[path].value?.join()) texts[path] = "";
   }
   return { ...state, texts };
 }

@@ -150,16 +150,18 @@ function groupsByField(schema, { groups, inline, hidden, resolve }) {
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
  * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
- * page decides for the user; `arranged` puts them in groups of the page's own; `suggestions` says which
+ * page decides for the user, `requirements`, where it is given, the only ones that are asked for; `arranged` puts them in groups of the page's own; `suggestions` says which
  * boxes follow others while they are empty (`linked`); `diameters` has title and help, by name, of
  * radii that are shown as diameters; `wanted` are groups that are off until wanted; `words(name, group)` gives title and help of a field, or null for
  * those of the schema.
  */
 export function formModel(openapi, {
-  path, groups, inline, choices = {}, optional = [], hidden = [], arranged = null, suggestions = {}, diameters = null,
+  path, groups, inline, requirements, choices = {}, optional = [], hidden: kept = [], arranged = null, suggestions = {}, diameters = null,
   wanted = [], words = () => null,
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
+  const others = requirements ? Object.keys(resolve(schema.properties.requirements).properties).filter((name) => !requirements.includes(name)) : [];
+  const hidden = [...kept, ...others.map((name) => `requirements.${name}`)];
   const plain = inline
     ? groupsByField(schema, { groups, inline, hidden, resolve })
     : groups.map((id) => ({ id, items: sectionItems(resolve(schema.properties[id]), id, resolve, hidden) }));
@@ -204,7 +206,7 @@ function allowedBy(pattern) {
 /**
  * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
+ * of the schema, `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
  * hangs on it too.
  */
 function wantedGroup(openapi, { id, paths, fields, judged = false }, words) {

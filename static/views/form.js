@@ -201,6 +201,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (names) view.setNames?.(names, texts[path]);
       view.setText(texts[path]);
       view.setRows?.(field.rows(filled));
+      if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);
       view.setMessage({
         error: readingText(reading) || (refused?.words ?? ""),

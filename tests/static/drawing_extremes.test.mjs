@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { crankDrawing, pinDrawing } from "../../static/calculators/crank-planetary/along.js";
 import { createDrawing as crank } from "../../static/calculators/crank-planetary/drawing.js";
 import { createDrawing as precession, shaftStretches } from "../../static/calculators/precession/drawing.js";
 import { createDrawing as rollers, rollerPlace, sphereOutline } from "../../static/calculators/rollers/drawing.js";
@@ -33,6 +34,33 @@ test("a mechanism of any size, and with sizes that do not fit each other", () =>
               answer: { cyclogram, contact_force: { peak_force_N: 1e-9, peak_pair: { satellite: 1, pin: 2 } } },
               curves: [], ...paper,
             }));
+          }
+        }
+      }
+    }
+  }
+});
+
+test("pins and shafts of any size, held in any way, with any number of satellites", () => {
+  for (const paper of PAPERS) {
+    for (const length of SIZES) {
+      for (const rim of SIZES) {
+        for (const satellites of [1, 2, 60]) {
+          const planes = Array.from({ length: satellites }, (_, i) => (i + 1) * length);
+          for (const [support, surface] of [["cantilever", "bare"], ["supported", "sleeved"], ["fixed", "bare"]]) {
+            const besides = {
+              strength: { on: "on", surface },
+              pin: { support, span_mm: 2 * length, diameter_mm: rim, satellite_positions_mm: planes },
+              crankshaft: { satellite_positions_mm: planes, bearing_positions_mm: [0, length] },
+            };
+            const input = {
+              mechanism: { satellites }, load: { pin_circle_radius_mm: rim },
+              contact: { pin_radius_mm: rim, hole_radius_mm: 1.25 * rim, eccentricity_mm: rim / 4, contact_length_mm: length }, besides,
+            };
+            drawable(pinDrawing({ input, ...paper }));
+            for (const peak of [0, 5000]) {
+              drawable(crankDrawing({ input, answer: { crankshaft: { bearings: [{ peak_N: peak }, { peak_N: 0 }] } }, ...paper }));
+            }
           }
         }
       }

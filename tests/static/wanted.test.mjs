@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
-import { isOn, listedInputs, readState, shownFields, stateFromInput } from "../../static/lib/form_state.js";
+import { isOn, listedInputs, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
@@ -72,6 +72,19 @@ test("what follows another box is said even where the service could do without",
   const made = formModel(OPENAPI, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], suggestions });
   const typed = stateFromInput(made, { ...INPUT, contact: { pin_material: "steel" } });
   assert.equal(readState(made, typed).input.contact.pin_radius_mm, 5);
+});
+
+test("an empty list follows the other boxes, in the input too, until it is typed", () => {
+  const group = { ...GROUP, fields: { "parts.pin_mm": { required: true, follows: ({ mechanism: { pins } }) => Array(pins).fill(1.5) } }, starts: () => ({}) };
+  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: fieldWords });
+  const typed = stateFromInput(made, { ...INPUT, besides: { real: { on: "on" } } });
+  const { input, besides } = readState(made, typed);
+  assert.deepEqual([input.besides.parts.pin_mm, besides.real], [[1.5, 1.5, 1.5], []]);
+  assert.ok(!encodeState(made, typed).has("parts.pin_mm"));
+  assert.equal(withLinks(made, stateFromInput(made, input)).texts["parts.pin_mm"], "");
+  const own = { ...typed, texts: { ...typed.texts, "parts.pin_mm": "1; 2; 3" } };
+  assert.deepEqual(readState(made, own).input.besides.parts.pin_mm, [1, 2, 3]);
+  assert.equal(withLinks(made, own).texts["parts.pin_mm"], "1; 2; 3");
 });
 
 test("a group that is off is not shown, asked for, listed or linked", () => {
@@ -169,7 +182,7 @@ const DESIGN = {
   load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, force_exponent: 1.1 },
   contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7.03, contact_length_mm: 10 },
 };
-const ask = (besides) => real.asked({ ...DESIGN, besides }, DESIGN);
+const ask = (besides) => real.asked({ ...DESIGN, load: { ...DESIGN.load, input_speed_rpm: 1500 }, besides }, DESIGN);
 
 test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
   const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, load: { torque_direction: "reverse" } });
@@ -185,6 +198,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
   const pin = { support: "cantilever", satellite_positions_mm: [5, 15], rotates: false };
   assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
   assert.equal(ask({ pin }).pin, undefined);
+  const [steel, strong] = [{ youngs_modulus_GPa: 210 }, { youngs_modulus_GPa: 210, tensile_strength_MPa: 900 }];
+  assert.deepEqual(ask({ strength: { on: "on" }, pin: { ...pin, material: strong } }).pin.material, steel);
+  assert.equal(ask({ strength: { on: "on" }, pin: { ...pin, material: "steel_bearing" } }).pin.material, "steel_bearing");
 });
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {

@@ -18,6 +18,16 @@ export function crankedBody(input) {
   return { mechanism, load, contact: { eccentricity_mm: input.contact.eccentricity_mm }, gear };
 }
 
+export const torqueOf = ({ load, mechanism }) => load.output_torque_Nm ?? load.input_torque_Nm * mechanism.ratio * load.efficiency;
+
+/** A static safety, a limit over a load, under the peak torque; `share` is that over the torque of the load. Real forces do not grow with it. */
+export function staticStep(part, name, symbol, { limit, load, share, answer, source }) {
+  if (answer.load_sharing && share !== 1) return result(part, name, symbol, { note: "underPeak" });
+  return result(part, name, symbol, {
+    formula: share === 1 ? "R/s" : "R/(k*s)", values: { R: limit, s: load, k: q("k", share) }, ...(share !== 1 && { note: "peakTorque" }), ...(source && { source }),
+  });
+}
+
 /** The satellite whose bearing has the largest equivalent load. */
 export function worstOf({ satellites }) {
   return satellites.reduce((worst, one, i) => (one.equivalent_load_N > satellites[worst].equivalent_load_N * (1 + ROUNDING) ? i : worst), 0);
@@ -77,7 +87,7 @@ function ringSteps(section, { mechanism, contact, besides: { gear } }) {
   ];
 }
 
-export function steps(section, input) {
+export function steps(section, input, { answer }) {
   const { bearing } = input.besides;
   const index = worstOf(section);
   const worst = section.satellites[index];
@@ -93,8 +103,9 @@ export function steps(section, input) {
       lifeStep(worst, { kind: bearing.kind, rating: bearing.dynamic_rating_N, load: worst.equivalent_load_N, n }),
       result(worst, "life_h", "L_n", { note: "reliable", noteValues: { percent: bearing.reliability_percent } }),
     ]),
-    ...(worst.static_safety_factor === undefined ? [] : [result({ static_rating_safety: worst.static_safety_factor }, "static_rating_safety", "S_0", {
-      formula: "C_0/Q", values: { C_0: q("C_0", bearing.static_rating_N, "N"), Q: q("Q_max", worst.peak_load_N, "N") }, source: "iso76",
+    ...(worst.static_safety_factor === undefined ? [] : [staticStep({ static_rating_safety: worst.static_safety_factor }, "static_rating_safety", "S_0", {
+      limit: q("C_0", bearing.static_rating_N, "N"), load: q("Q_max", worst.peak_load_N, "N"), answer, source: "iso76",
+      share: (input.load.peak_torque_Nm ?? input.contact.dynamic_factor * torqueOf(input)) / torqueOf(input),
     })]),
     ...(section.system_life_h === undefined ? [] : [result(section, "system_life_h", "L_s", { note: "together" })]),
   ];

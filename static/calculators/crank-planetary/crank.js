@@ -1,7 +1,7 @@
 /** The crankshaft: what is said and drawn of the service's answer, and its worked steps. No DOM. */
 import { formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
-import { result } from "../../lib/formula/step.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
 import { crankedBody, lifeStep } from "./bearings.js";
@@ -38,25 +38,31 @@ export const drawing = { create: crankDrawing, section: "crankshaft" };
 
 function balanceSteps({ balance }, { mechanism, load, contact, besides: { crankshaft } }) {
   if (!balance) return [];
-  const [A, B] = crankshaft.bearing_positions_mm.map((place, i) => q(LETTERS[i], place, "mm"));
+  const [A, B] = crankshaft.bearing_positions_mm;
+  const arms = (symbol, of, unit) => q(symbol, crankshaft.satellite_positions_mm.map(of), unit);
   const values = {
-    m: q("m", crankshaft.satellite_mass_kg, "kg"), e: q("e", contact.eccentricity_mm, "mm"),
-    α: q("α_i", cranksOf(mechanism), "°"), z: q("z_i", crankshaft.satellite_positions_mm, "mm"), A, B,
+    m: q("m", crankshaft.satellite_mass_kg, "kg"), e: q("e", contact.eccentricity_mm, "mm"), α: q("α_i", cranksOf(mechanism), "°"),
     n_1: q("n_1", load.input_speed_rpm, "rpm"),
   };
-  const vector = (weight) => `sqrt(sum(${weight}*cos(α))^2+sum(${weight}*sin(α))^2)`;
+  const vector = "sqrt(sum(z*cos(α))^2+sum(z*sin(α))^2)";
   const at = (part, name, symbol, formula, rest) => result(part, name, symbol, { formula, values, ...rest });
+  const corrected = (part, letter, of) => [
+    at(part, "unbalance_kg_mm", `U_${letter}`, `m*e*${vector}`, { values: { ...values, z: arms("w_i", of) }, note: "carried", noteValues: { letter } }),
+    result(part, "angle_deg", `α_${letter}`, { note: "opposite" }),
+  ];
+  const arm = intermediate("arm", "d", "mm", {
+    formula: vector, values: { α: values.α, z: arms("z_i", (z) => z - (A + B) / 2, "mm") }, note: "aboutMiddle",
+  });
   const [inA, inB] = balance.corrections;
   return [
     at(balance, "unbalance_kg_mm", "U", "m*e*sqrt(sum(cos(α))^2+sum(sin(α))^2)"),
     at({ balance_force_N: balance.force_N }, "balance_force_N", "F", "U*n_1^2", {
       values: { U: q("U", balance.unbalance_kg_mm, "kg·mm"), n_1: values.n_1 }, note: "turnsInRadians",
     }),
-    at(balance, "couple_Nm", "M", `m*e*n_1^2*${vector("(z-(A+B)/2)")}`, { note: "aboutMiddle" }),
-    at(inA, "unbalance_kg_mm", "U_A", `m*e*${vector("((B-z)/(B-A))")}`),
-    result(inA, "angle_deg", "α_A", { note: "opposite" }),
-    at(inB, "unbalance_kg_mm", "U_B", `m*e*${vector("((z-A)/(B-A))")}`),
-    result(inB, "angle_deg", "α_B", { note: "opposite" }),
+    arm,
+    at(balance, "couple_Nm", "M", "m*e*d*n_1^2", { values: { ...values, d: asValue(arm) }, note: "turnsInRadians" }),
+    ...corrected(inA, "A", (z) => (B - z) / (B - A)),
+    ...corrected(inB, "B", (z) => (z - A) / (B - A)),
   ];
 }
 

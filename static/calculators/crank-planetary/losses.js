@@ -3,6 +3,7 @@ import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
 import { result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
+import { torqueOf } from "./bearings.js";
 import { diameterOf } from "./strength.js";
 import { chartOf, sleeved } from "./wanted.js";
 
@@ -38,7 +39,7 @@ export function steps(section, input) {
   const n_1 = q("n_1", load.input_speed_rpm, "rpm");
   const e = q("e", contact.eccentricity_mm, "mm");
   const R = q("R", load.pin_circle_radius_mm, "mm");
-  const T = q("T", load.output_torque_Nm ?? load.input_torque_Nm * ratio * load.efficiency, "N·m");
+  const T = q("T", torqueOf(input), "N·m");
   const b = q("b", contact.contact_length_mm, "mm");
   const r = q(rolls ? "r_s" : "r_in", contact.pin_radius_mm, "mm");
   const r_p = q("r_p", diameterOf(input) / 2, "mm");

@@ -13,9 +13,12 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 }
 
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
-export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, ...load } = {}, contact = {}, besides = {} }) {
+export function designOf({
+  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, peak_torque_Nm, ...load } = {}, contact = {}, besides = {},
+}) {
   const { contact_law: law, geometry, lost_motion_torque_share: share } = besides;
-  const { pin: { rotates, diameter_mm, ...pin } = {} } = partsOf({ besides: { ...besides, requirements: undefined } }, ["pin_strength"]); // which bend where their strength is wanted
+  const { pin: { rotates, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]);
+  const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   const clearance = besides.contact?.hole_clearance_mm;
   const { hole_radius_mm: hole, ...others } = sizes;
@@ -25,7 +28,7 @@ export function designOf({ mechanism: { revolutions, ...mechanism } = {}, load: 
     load: { ...load, ...besides.load },
     contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
     ...(law && { contact_law: law }),
-    ...(pin.support && { pin: { ...pin, ...(diameter_mm !== undefined && { diameter_mm }) } }),
+    ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
     ...(geometry && { geometry }),
     ...(share !== undefined && { lost_motion_torque_share: share }),
   };

@@ -4,6 +4,7 @@ import { quantity as q } from "../../lib/formula/evaluate.js";
 import { intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
+import { staticStep, torqueOf } from "./bearings.js";
 import { chartOf, sleeved } from "./wanted.js";
 
 export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody };
@@ -113,8 +114,8 @@ function fatigueSteps(fatigue, { besides, load, mechanism }, d, { tensile_streng
   ];
 }
 
-/** The worked steps; `input` with the ratio, `strengthOf(path, given)` a material's values. */
-export function steps(section, input, materialOf) {
+/** The worked steps; `input` with the ratio. */
+export function steps(section, input, { materialOf, answer }) {
   const { contact, besides } = input;
   const d = diameterOf(input);
   const own = besides.pin.material;
@@ -130,9 +131,9 @@ export function steps(section, input, materialOf) {
     at("peak_shear_force_N", "V", { note: "section" }),
     at("peak_shear_stress_MPa", "τ", { formula: "16*V/(3*π*d^2)", values: { V: q("V", section.peak_shear_force_N, "N"), d: D } }),
     at("peak_equivalent_stress_MPa", "σ_v", { note: "equivalent" }),
-    ...(section.static_safety_factor === undefined ? [] : [at("static_safety_factor", "S", {
-      formula: "R_e/σ_v",
-      values: { R_e: q("R_e", material.yield_strength_MPa, "MPa"), σ_v: q("σ_v", section.peak_equivalent_stress_MPa, "MPa") },
+    ...(section.static_safety_factor === undefined ? [] : [staticStep(section, "static_safety_factor", "S", {
+      limit: q("R_e", material.yield_strength_MPa, "MPa"), load: q("σ_v", section.peak_equivalent_stress_MPa, "MPa"), answer,
+      share: input.load.peak_torque_Nm === undefined ? 1 : input.load.peak_torque_Nm / (contact.dynamic_factor * torqueOf(input)),
     })]),
     ...fatigueSteps(section.fatigue, input, d, material),
     ...(section.deflection ? Object.entries({ deflection_mm: "w", slope_mrad: "θ" }).map(([name, symbol]) =>

@@ -74,7 +74,7 @@ const asked = (...names) => Object.fromEntries(names.map((name) => [`requirement
 const judgedBy = (...ways) => ({ when: ["strength.fatigue", ...ways] });
 const STRENGTH = {
   "pin.support": {},
-  "pin.satellite_positions_mm": { required: true },
+  "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
   "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
   "pin.material": { without: ["allowable_pressure_MPa"] },
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
@@ -120,8 +120,8 @@ const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
 });
 const CRANK = {
-  "crankshaft.satellite_positions_mm": { required: true },
-  "crankshaft.bearing_positions_mm": { required: true },
+  "crankshaft.satellite_positions_mm": { required: true, follows: (input) => shaft(input).satellites },
+  "crankshaft.bearing_positions_mm": { required: true, follows: (input) => shaft(input).bearings },
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
@@ -194,7 +194,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: STRENGTH,
     judged: true,
-    starts: (input) => ({ "pin.satellite_positions_mm": planes(input, GAP), "fatigue.reliability_percent": 99 }),
+    starts: () => ({ "fatigue.reliability_percent": 99 }),
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
@@ -222,7 +222,6 @@ export const WANTED = [
     paths: WHOLE,
     fields: CRANK,
     judged: true,
-    starts: (input) => ({ "crankshaft.satellite_positions_mm": shaft(input).satellites, "crankshaft.bearing_positions_mm": shaft(input).bearings }),
     load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
   },
 ];

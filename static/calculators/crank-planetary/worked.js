@@ -335,7 +335,7 @@ export function workedSteps({ input, answer, materialOf, more = {} }) {
     hertz && { section: "hertz", steps: hertzSteps(hertz, pressed, materialOf) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
     ...WANTED.map(({ id, section }) => answer[section] && more[id] && {
-      section, steps: more[id](answer[section], { ...input, mechanism }, materialOf),
+      section, steps: more[id](answer[section], { ...input, mechanism }, { materialOf, answer }),
     }),
   ].filter(Boolean);
 }

@@ -77,7 +77,8 @@ export default {
   path: "/precession/shaft-deflection",
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
-  hidden: ["include", "fixes_for", ...["pitting_safety", "bending_safety", "min_wall_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`)],
+  requirements: ["max_deflection_mm", "max_slope_mrad"],
+  hidden: ["include", "fixes_for"],
   choices: {
     rollersBy: {
       list: ["rollers"],

@@ -33,7 +33,8 @@ export default {
   path: "/roller-strength",
   groups: ["load", "roller", "material", "requirements"],
   inline: ["requirements"],
-  hidden: ["include", "fixes_for", ...["pitting_safety", "min_wall_mm", "max_deflection_mm", "max_slope_mrad", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`)],
+  requirements: ["bending_safety"],
+  hidden: ["include", "fixes_for"],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
