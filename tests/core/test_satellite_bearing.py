@@ -256,7 +256,8 @@ def test_what_cannot_be_is_refused() -> None:
     assert refusal(satellite_bearings, **REF | {"eccentricity": 0.0})[1] == "greater_than"
     odd = {"reliability_percent": 92.0}
     assert refusal(satellite_bearings, **REF | odd) == ("reliability_percent", "not_in_table")
-    assert reliability_factor(percent=95.0) == 0.64
+    printed = {90.0: 1.0, 95.0: 0.64, 96.0: 0.55, 97.0: 0.47, 98.0: 0.37, 99.0: 0.25}
+    assert {each: reliability_factor(percent=each) for each in printed} == printed
     with pytest.raises(ImpossibleMechanism):
         satellite_bearings(**REFERENCE, mechanism=spaced(2, 1))
 
