@@ -1,10 +1,12 @@
 """What the tests of every calculator's page do and read."""
 
 import re
+from io import BytesIO
 from pathlib import Path
 
 import httpx
 from playwright.sync_api import Locator, Page, expect
+from pypdf import PdfReader
 
 CALCULATORS = {"crank-planetary", "rollers", "precession"}
 
@@ -103,3 +105,45 @@ def fits_narrow_screens(page: Page, calculator: str) -> None:
         assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), width
         tab = page.locator(f"#tab-{calculator}").bounding_box()
         assert tab and tab["x"] >= 0 and tab["x"] + tab["width"] <= width
+
+
+def printed(page: Page) -> PdfReader:
+    """The page on paper."""
+    return PdfReader(BytesIO(page.pdf(prefer_css_page_size=True)))
+
+
+def text_of(pdf: PdfReader) -> str:
+    """The words on paper; ligatures taken apart."""
+    text = " ".join(page.extract_text() for page in pdf.pages)
+    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi"))
+
+
+# What is the same in all languages: names of programs, files, units, keys, standards.
+COMMON = re.compile(
+    r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
+    r"|arctan|doi|ISO/TR|Johnson, Contact Mechanics|Zaretsky|Wang, Luo, Su|KISSsoft|Roloff/Matek"
+    r"|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
+)
+TEXTS = """() => {
+  const same = "script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog";
+  const seen = [];
+  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walk.nextNode()) {
+    const holder = walk.currentNode.parentElement;
+    if (!holder.closest(`${same}, option`))
+      seen.push(walk.currentNode.data);
+  }
+  for (const each of document.querySelectorAll("[aria-label], [title]"))
+    seen.push(each.getAttribute("aria-label") ?? "", each.getAttribute("title") ?? "");
+  for (const each of document.querySelectorAll("option")) seen.push(each.textContent);
+  return seen;
+}"""
+
+
+def foreign(page: Page) -> set[str]:
+    """Texts with English words in them."""
+    return {
+        text.strip()
+        for text in page.evaluate(TEXTS)
+        if re.search(r"[A-Za-z]{4,}", COMMON.sub(" ", re.sub(r"%\{.*?\}", "", text)))
+    }

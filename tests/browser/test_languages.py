@@ -5,42 +5,13 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.calculator_page import box, settled, show
+from tests.browser.calculator_page import box, foreign, settled, show
 
 CALCULATORS = {
     "crank-planetary": "contact.pin_radius_mm",
     "rollers": "diameter_mm",
     "precession": "",
 }
-# What is the same in all languages: names of programs, files, units, keys, standards.
-COMMON = re.compile(
-    r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
-    r"|arctan|doi|ISO/TR|Johnson, Contact Mechanics|Zaretsky|Wang, Luo, Su|KISSsoft|Roloff/Matek"
-    r"|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
-)
-TEXTS = """() => {
-  const same = "script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog";
-  const seen = [];
-  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  while (walk.nextNode()) {
-    const holder = walk.currentNode.parentElement;
-    if (!holder.closest(`${same}, option`))
-      seen.push(walk.currentNode.data);
-  }
-  for (const each of document.querySelectorAll("[aria-label], [title]"))
-    seen.push(each.getAttribute("aria-label") ?? "", each.getAttribute("title") ?? "");
-  for (const each of document.querySelectorAll("option")) seen.push(each.textContent);
-  return seen;
-}"""
-
-
-def foreign(page: Page) -> set[str]:
-    """Texts with English words in them."""
-    return {
-        text.strip()
-        for text in page.evaluate(TEXTS)
-        if re.search(r"[A-Za-z]{4,}", COMMON.sub(" ", re.sub(r"%\{.*?\}", "", text)))
-    }
 
 
 @pytest.mark.parametrize("language", ["uk", "ru"])

@@ -1,15 +1,13 @@
 """The report: on paper through the browser's print, and as one HTML file."""
 
 import re
-from io import BytesIO
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from pypdf import PdfReader
 
 from app import VERSION
-from tests.browser.calculator_page import chosen, saved, settled, show
+from tests.browser.calculator_page import chosen, printed, saved, settled, show, text_of
 
 CALCULATORS = ("crank-planetary", "rollers", "precession")
 A4_POINTS = (595, 842)
@@ -34,16 +32,6 @@ def drawn(page: Page, service: str, calculator: str) -> None:
     expect(page.locator(".figure:not(:has(.measure)) .plot.js-plotly-plot")).to_have_count(
         page.locator(".figure:not(:has(.measure))").count()
     )
-
-
-def printed(page: Page) -> PdfReader:
-    return PdfReader(BytesIO(page.pdf(prefer_css_page_size=True)))
-
-
-def text_of(pdf: PdfReader) -> str:
-    """The words on paper; ligatures taken apart."""
-    text = " ".join(page.extract_text() for page in pdf.pages)
-    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi"))
 
 
 @pytest.mark.parametrize("calculator", CALCULATORS)

@@ -5,10 +5,20 @@ from contextlib import suppress
 import pytest
 from playwright.sync_api import Error, Locator, Page, Route, expect
 
-from tests.browser.calculator_page import address, ask, box, number, reopen, settled, show, words_at
+from tests.browser.calculator_page import (
+    address,
+    ask,
+    box,
+    foreign,
+    number,
+    printed,
+    reopen,
+    settled,
+    show,
+    text_of,
+    words_at,
+)
 from tests.browser.conftest import Watch
-from tests.browser.test_languages import foreign
-from tests.browser.test_print import printed, text_of
 
 DESIGN = {
     "mechanism.pins": "3",
