@@ -27,7 +27,7 @@ DESIGN = RealMechanism(
 )
 
 
-@settings(max_examples=30)
+@settings(max_examples=15)
 @given(held(), crank_angles, torques)
 def test_forces_lag_and_play_are_within_their_stated_errors(
     real: RealMechanism, angle: float, torque: float
