@@ -77,8 +77,8 @@ export default {
   path: "/precession/shaft-deflection",
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
-  requirements: ["max_deflection_mm", "max_slope_mrad"],
-  hidden: ["include", "fixes_for"],
+  requirements: ["bending_safety", "max_deflection_mm", "max_slope_mrad"],
+  hidden: ["include", "fixes_for", "tensile_strength_MPa", "load_rotates_with_shaft", "fatigue", "line_contact"],
   choices: {
     rollersBy: {
       list: ["rollers"],

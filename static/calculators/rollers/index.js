@@ -34,7 +34,7 @@ export default {
   groups: ["load", "roller", "material", "requirements"],
   inline: ["requirements"],
   requirements: ["bending_safety"],
-  hidden: ["include", "fixes_for"],
+  hidden: ["include", "fixes_for", "tensile_strength_MPa", "roller_rotates", "fatigue"],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
