@@ -65,7 +65,11 @@ def open_page(browser: Browser) -> Iterator[Page]:
 
 
 def violations(page: Page) -> list[str]:
+    """What axe finds in a state that stays: what is still being drawn may be pale for a moment."""
     found = Axe().run(page, options=OPTIONS).response["violations"]
+    if found:
+        page.wait_for_timeout(2000)
+        found = Axe().run(page, options=OPTIONS).response["violations"]
     return [
         f"{each['id']}: {node['target']} {node['failureSummary']}"
         for each in found
