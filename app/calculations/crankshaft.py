@@ -1,17 +1,16 @@
 """Reactions and balance of the crankshaft: request, answer, figure."""
 
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field
 
 from app.calculations.mechanism import MAX_SATELLITES
-from app.calculations.satellite_bearing import CrankedRequest
+from app.calculations.satellite_bearing import CrankedRequest, ShaftBearingFields
 from app.model import (
     SIZE,
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -29,28 +28,6 @@ from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reacti
 from core.output.contact_force import drawing_angles
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
-
-
-class ShaftBearingFields(RequestModel):
-    """A bearing of the crankshaft."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-
-    kind: Literal["ball", "roller"] = quantity(
-        "Rolling elements",
-        symbol="",
-        group="bearing",
-        help="Balls: the life falls with the cube of the load; rollers: with its power 10/3.",
-    )
-    dynamic_rating_N: Maybe[float] = quantity(
-        "Dynamic load rating",
-        symbol="C",
-        group="bearing",
-        default=None,
-        **SIZE,
-        step=100,
-        help="Basic dynamic load rating; without it no life is answered.",
-    )
 
 
 class CrankshaftFields(RequestModel):

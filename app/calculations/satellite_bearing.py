@@ -57,8 +57,8 @@ class CrankContactFields(RequestModel):
     eccentricity_mm: float = eccentricity()
 
 
-class BearingFields(RequestModel):
-    """A rolling bearing as its catalogue gives it."""
+class ShaftBearingFields(RequestModel):
+    """A bearing of the crankshaft."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
 
@@ -77,6 +77,11 @@ class BearingFields(RequestModel):
         step=100,
         help="Basic dynamic load rating; without it no life is answered.",
     )
+
+
+class BearingFields(ShaftBearingFields):
+    """A rolling bearing as its catalogue gives it."""
+
     static_rating_N: Maybe[float] = quantity(
         "Static load rating",
         symbol="C₀",
