@@ -78,12 +78,11 @@ def _model(value: Any) -> type[BaseModel]:
 
 
 def _within(value: Any, name: str) -> Any:
-    """What a field of a model holds; where it is not given, the model that it could hold."""
+    """The model or list that a field of a model holds, else the model that it could hold."""
     model = _model(value)
     found = None if value is model else getattr(value, name)
-    if found is not None and not isinstance(found, BaseModel | list):
-        return None
-    return _model_in(model.model_fields[name].annotation) if found is None else found
+    inner = isinstance(found, BaseModel | list)
+    return found if inner else _model_in(model.model_fields[name].annotation)
 
 
 def _model_in(annotation: Any) -> type[BaseModel] | None:

@@ -67,7 +67,6 @@ class DesignPinFields(BentPinFields):
             span=held.span,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
-            says_material=self.material is not None,
             **strengths_of(self.material or contact.pin_material),
         )
 

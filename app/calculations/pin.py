@@ -52,7 +52,6 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
         "material": given.material(),
         "tensile_strength": to_si("strength_MPa", getattr(given, "tensile_strength_MPa", None)),
         "steel": low <= given.youngs_modulus_GPa <= high,
-        "own_material": True,
     }
 
 

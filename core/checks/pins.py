@@ -15,13 +15,6 @@ HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
 
 
-def _missing(design: CrankDesign, value: str) -> tuple[str, ...]:
-    """What would have to be given: a value of an own material, or another material."""
-    assert design.pin is not None
-    own = design.pin.own_material and design.pin.says_material
-    return (f"pin.material.{value}",) if own else ("pin.material",)
-
-
 def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Check:
     """A check whose forces are not known."""
     if design.pin is None:
@@ -47,7 +40,7 @@ def _static(design: CrankDesign) -> Check:
     if strength is None and tensile is not None and tensile > HARDENED:
         strength = tensile
     if strength is None:
-        missing = _missing(design, "yield_strength")
+        missing = ("pin.material.yield_strength",)
         return Check(
             code=code, status="not_checked", value=stress, reason="yield_unknown", missing=missing
         )
@@ -67,12 +60,12 @@ def _fatigue(design: CrankDesign) -> Check:
         reason = NO_BASIS[judged_by.code]
         missing: tuple[str, ...] = ("fatigue.fatigue_notch_factor",)
         if reason == "endurance_unknown":
-            missing = _missing(design, "tensile_strength")
+            missing = ("pin.material.tensile_strength",)
             if design.pin.tensile_strength is not None:
                 missing = ("fatigue.endurance_limit",)
         assert design.fatigue is not None
         if design.fatigue.criterion == "soderberg" and design.pin.material.yield_strength is None:
-            reason, missing = "yield_unknown", _missing(design, "yield_strength")
+            reason, missing = "yield_unknown", ("pin.material.yield_strength",)
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error

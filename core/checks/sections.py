@@ -52,10 +52,6 @@ class DesignPin(PinSupport):
         Whether that is a steel, for which there is a rule of the endurance limit.
     valid_diameter : float or None
         Largest diameter that these strengths hold for, m.
-    own_material : bool
-        Whether that is given by values.
-    says_material : bool
-        Whether the section of the pin says it: else it is that of the contact.
     """
 
     contact_length: float | None = None
@@ -63,8 +59,6 @@ class DesignPin(PinSupport):
     tensile_strength: float | None = None
     steel: bool = False
     valid_diameter: float | None = None
-    own_material: bool = False
-    says_material: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -82,12 +82,8 @@ def test_fatigue() -> None:
 UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
     # changes of pin, of fatigue, reason, missing
     "no tensile strength": (
-        {"tensile_strength": None, "own_material": True}, {},
+        {"tensile_strength": None}, {},
         "endurance_unknown", ("pin.material.tensile_strength",),
-    ),
-    "of the contact": (
-        {"tensile_strength": None, "own_material": True, "says_material": False}, {},
-        "endurance_unknown", ("pin.material",),
     ),
     "no steel": (
         {"steel": False}, {"endurance_limit": None, "surface": "ground"},
@@ -98,7 +94,7 @@ UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] 
         "notch_unknown", ("fatigue.fatigue_notch_factor",),
     ),
     "no yield strength": (
-        {"material": ElasticMaterial(210e9, 0.3), "own_material": True},
+        {"material": ElasticMaterial(210e9, 0.3)},
         {"criterion": "soderberg"},
         "yield_unknown", ("pin.material.yield_strength",),
     ),
@@ -121,7 +117,7 @@ def test_what_static_strength_needs() -> None:
     soft = part(WHOLE, "pin", material=material, tensile_strength=None)
     unknown = CRANK["pin_static"](soft)
     assert unknown.status == "not_checked" and unknown.value is not None
-    assert (unknown.reason, unknown.missing) == ("yield_unknown", ("pin.material",))
+    assert (unknown.reason, unknown.missing) == ("yield_unknown", ("pin.material.yield_strength",))
     hard = part(WHOLE, "pin", material=material, tensile_strength=1800e6)
     assert CRANK["pin_static"](hard).limit == 1800e6 / 1.5
     many = replace(REF, pin=WHOLE.pin, pins=251)
