@@ -249,6 +249,11 @@ class CheckOut(ResponseModel):
         default=None, description="What a material's limit guards against."
     )
     verified: Maybe[Verified] = Field(default=None, description="How a material's limit was seen.")
+    life_factor: Maybe[float] = Field(
+        default=None,
+        description="Factor of the loads over the life that is in a material's limit; absent where "
+        "none is known.",
+    )
     at: Maybe[PlaceOut] = None
     inputs: list[str] = Field(description="JSON pointers to what it depends on.")
     missing: Maybe[list[str]] = Field(
@@ -347,6 +352,7 @@ def check_values(check: Check, body: RequestModel) -> Values:
         "source_code": source or "user",
         "criterion": check.criterion or None,
         "verified": check.verified or None,
+        "life_factor": check.life_factor,
         "at": at or None,
         "inputs": pointers(body, kind.inputs, given=True),
         "missing": pointers(body, check.missing) or None,

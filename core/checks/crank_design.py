@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -41,6 +41,8 @@ UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 
 Forces = RealForces | ContactForce | ImpossibleMechanism | None
 """Forces, or why there are none; None where they are not asked, or of too many pairs."""
+
+Body = Literal["pin", "hole"]
 
 Result = TypeVar("Result")
 
@@ -269,8 +271,8 @@ class CrankDesign:
             contact_length=self.contact_length,
             law=self.law or HertzLaw(),
             clearance=self.clearance or 0.0,
-            pin_material=self.pin_material,
-            hole_material=self.hole_material,
+            pin_material=self.lasting("pin"),
+            hole_material=self.lasting("hole"),
             pin=self.pin,
             deviations=self.deviations or Deviations(),
         )
@@ -421,14 +423,15 @@ class CrankDesign:
         assert force is not None
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
-        assert self.pin_material is not None and self.hole_material is not None
+        pin, hole = self.lasting("pin"), self.lasting("hole")
+        assert pin is not None and hole is not None
         return hertz(
             force=force.peak_force * factor,
             contact_length=self.contact_length,
             pin_radius=self.pin_radius,
             hole_radius=self.hole_radius,
-            pin_material=self.pin_material,
-            hole_material=self.hole_material,
+            pin_material=pin,
+            hole_material=hole,
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
         )
@@ -458,6 +461,20 @@ class CrankDesign:
             "pin": force.peak_pair.pin,
             "crank_angle": force.peak_crank_angle,
         }
+
+    @property
+    def loads_over_life(self) -> float | None:
+        """How often a place of pin or hole is loaded over the required life, once a turn of the
+        satellite against its crank; None without a speed.
+        """
+        if self.input_speed is None:
+            return None
+        return self.input_speed * self.life / self.mechanism.crank_angle_per_wave
+
+    def lasting(self, body: Body) -> ElasticMaterial | None:
+        """Material of pin or hole, its limit wanted for the loads over the life."""
+        material = self.pin_material if body == "pin" else self.hole_material
+        return None if material is None else material.lasting(self.loads_over_life)
 
     @cached_property
     def clearance(self) -> float | None:

@@ -534,6 +534,10 @@ export default {
       "Length",
       ""
     ],
+    "life_curve": [
+      "Life curve",
+      "How the allowable pressure falls over the life, which a design with a speed has: as that of through- or case-hardened steel, of nitrided steel and cast iron, or of nitrocarburised steel."
+    ],
     "load.rollers": [
       "Rollers",
       "Number of rollers."
@@ -1069,7 +1073,7 @@ export default {
     ],
     "contact_pressure_pin": [
       "Contact pressure of the pin",
-      "Above it the surface of the pin pits in the long run."
+      "Above it the surface of the pin pits within the life."
     ],
     "contact_shakedown_pin": [
       "Shakedown of the pin",
@@ -1081,7 +1085,7 @@ export default {
     ],
     "contact_pressure_hole": [
       "Contact pressure of the hole",
-      "Above it the surface of the hole pits in the long run."
+      "Above it the surface of the hole pits within the life."
     ],
     "contact_shakedown_hole": [
       "Shakedown of the hole",
@@ -1275,11 +1279,14 @@ export default {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile strength where it is a steel",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
+    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, which are meant for teeth",
+    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
     "mass_unknown": "No mass of a satellite is given",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "no_involute": "It is one of involute teeth",
+    "no_life_curve": "How the limit falls over the life is not known for this material: it is left out",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "no_teeth": "No teeth or pins of the ring are given",
@@ -1330,6 +1337,7 @@ export default {
     "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
+    "contact_life": "how the limits of the contact pressure fall over the life",
     "crankshaft": "crankshaft and balance of masses",
     "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",
