@@ -596,7 +596,10 @@ class CrankDesign:
         pin, basis = self.pin, self.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
             return Notice("fatigue_no_basis")
-        return _named("fatigue", lambda: basis.strength(pin))
+        found = _named("fatigue", lambda: basis.strength(pin))
+        if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
+            return found
+        return replace(found, cycles=self.loads_over_life)
 
     @cached_property
     def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:

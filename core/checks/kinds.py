@@ -88,6 +88,8 @@ REASONS = {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
     "strength where it is a steel",
+    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
+    "against its crank",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
     "which are meant for teeth",
@@ -309,7 +311,7 @@ CHECKS = {
     "pin_fatigue": Kind(
         "Fatigue of the pins", "pin", "", "n ≥ S_D",
         "Below it the pins break after some time where they bend most.",
-        (*_PIN, *_FATIGUE, "fatigue_safety"), "shigley",
+        (*_PIN, *_FATIGUE, *_LOADS, "fatigue_safety"), "shigley",
     ),
     "pin_deflection": Kind(
         "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",

@@ -19,6 +19,8 @@ class PinFatigue(CycleFatigue):
         Of the cycle, Pa.
     endurance_limit : float
         Endurance limit Se, Pa.
+    finite_strength : float or None
+        Strength for the cycles that it has to stand, Pa, where that is more.
     factors : EnduranceFactors or None
         What the limit was made of.
     safety_factor : float

@@ -1278,6 +1278,7 @@ export default {
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a drawing of its own",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile strength where it is a steel",
+    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite against its crank",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, which are meant for teeth",
     "life_without_speed": "No input speed is given: how the limit falls over the life is left out",

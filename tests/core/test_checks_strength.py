@@ -79,6 +79,30 @@ def test_fatigue() -> None:
     assert both.value == pytest.approx(300e6 / STRESS, rel=1e-10)
 
 
+def test_fatigue_over_the_life() -> None:
+    """Few turns: the strength on the line from f*Rm at 1000 cycles to Se at a million."""
+    f = 1.06 - 2.8e-3 * 145.0377377 + 6.9e-6 * 145.0377377**2
+    turns = 1575 / 60  # a second: 1500 a minute, ratio 20
+    for cycles, share in ((1e6, 0.0), (1e5, 1 / 3), (1e3, 1.0), (10.0, 1.0), (4e8, 0.0)):
+        limit = 300e6 * (f * 1000e6 / 300e6) ** share
+        safety = 1 / (STRESS / 2 / limit + STRESS / 2 / 1000e6)
+        design = one_at(0.037, life=cycles / turns)
+        found = CRANK["pin_fatigue"](design)
+        assert found.value == pytest.approx(safety, rel=1e-9)
+        assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-9)
+        assert found.reason == ("finite_life" if share else "")
+        # what counts no cycles, or has no such line, is judged by the endurance limit
+        for other in (
+            replace(design, input_speed=None),
+            part(design, "pin", steel=False),
+        ):
+            lasting = CRANK["pin_fatigue"](other)
+            assert lasting.value == pytest.approx(1.504829, abs=5e-7) and not lasting.reason
+        rotating = part(design, "pin", rotates=True)
+        reversed_safety = CRANK["pin_fatigue"](rotating).value
+        assert reversed_safety == pytest.approx(300e6 / STRESS, rel=1e-9)
+
+
 UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
     # changes of pin, of fatigue, reason, missing
     "no tensile strength": (

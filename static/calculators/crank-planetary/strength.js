@@ -1,7 +1,7 @@
 /** Strength of the pins: what is said and drawn of the service's answer, and its worked steps. No DOM. */
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
-import { intermediate, result } from "../../lib/formula/step.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { staticStep, torqueOf } from "./bearings.js";
@@ -83,8 +83,30 @@ function factorSteps({ factors, ...own }, { fatigue = {} }, d, R_m) {
   ];
 }
 
-function fatigueSteps(fatigue, { besides, load, mechanism }, d, { tensile_strength_MPa: R_m, yield_strength_MPa: R_e }) {
+const KPSI = 6.894757293168361;
+
+/** The strength for the cycles of the life, where these are so few that it is above the endurance limit. */
+function finiteSteps(fatigue, { load, mechanism, requirements }, R_m) {
+  if (fatigue.finite_strength_MPa === undefined) return [];
+  const cycles = intermediate("lifeCycles", "N_L", "", {
+    formula: "max(1000;n_1*(1+1/u)*L/(2*π))",
+    values: { n_1: q("n_1", load.input_speed_rpm, "rpm"), u: q("u", mechanism.ratio), L: q("L", requirements.life_h, "h") },
+    note: "turnsOverLife",
+  });
+  const fraction = intermediate("strengthFraction", "f", "", {
+    formula: "1.06-0.0028*S+0.0000069*S^2", values: { S: q("S", Math.min(Math.max(R_m / KPSI, 70), 200)) }, source: "shigley", note: "inKpsi",
+  });
+  return [cycles, fraction, result(fatigue, "finite_strength_MPa", "S_f", {
+    formula: "S_e*(f*R_m/S_e)^(2-ln(N_L)/ln(1000))",
+    values: { S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa"), f: asValue(fraction), R_m: q("R_m", R_m, "MPa"), N_L: asValue(cycles) },
+    source: "shigley",
+  })];
+}
+
+function fatigueSteps(fatigue, input, d, { tensile_strength_MPa: R_m, yield_strength_MPa: R_e }) {
   if (!fatigue) return [];
+  const { besides, load, mechanism } = input;
+  const lasting = fatigue.finite_strength_MPa;
   const at = (name, symbol, rest) => result(fatigue, name, symbol, rest);
   const [top, low] = [q("σ_max", fatigue.max_stress_MPa, "MPa"), q("σ_min", fatigue.min_stress_MPa, "MPa")];
   const criterion = besides.fatigue.criterion ?? "goodman";
@@ -97,11 +119,12 @@ function fatigueSteps(fatigue, { besides, load, mechanism }, d, { tensile_streng
     at("mean_MPa", "σ_m", { formula: "(σ_max+σ_min)/2", values: { σ_max: top, σ_min: low } }),
     ...factorSteps(fatigue, besides, d, R_m),
     ...(fatigue.factors ? [] : [at("endurance_limit_MPa", "S_e", { note: "given" })]),
+    ...finiteSteps(fatigue, input, R_m),
     result({ fatigue_safety_factor: fatigue.safety_factor }, "fatigue_safety_factor", "n", ["goodman", "soderberg"].includes(criterion) ? {
-      formula: "1/(σ_a/S_e+max(σ_m;0)/R)",
+      formula: lasting === undefined ? "1/(σ_a/S_e+max(σ_m;0)/R)" : "1/(σ_a/S_f+max(σ_m;0)/R)",
       values: {
         σ_a: q("σ_a", fatigue.amplitude_MPa, "MPa"), σ_m: q("σ_m", fatigue.mean_MPa, "MPa"),
-        S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa"), R: criterion === "soderberg" ? q("R_e", R_e, "MPa") : q("R_m", R_m, "MPa"),
+        ...(lasting === undefined ? { S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa") } : { S_f: q("S_f", lasting, "MPa") }), R: criterion === "soderberg" ? q("R_e", R_e, "MPa") : q("R_m", R_m, "MPa"),
       },
       source: "shigley",
     } : { note: "criterion" }),
