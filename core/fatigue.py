@@ -446,7 +446,7 @@ class FatigueStrength:
 
     @property
     def finite(self) -> float | None:
-        """Strength for the cycles that it has to stand, Pa; None where it is the endurance limit."""
+        """Strength for the cycles it has to stand, Pa; None where it is the endurance limit."""
         if self.cycles is None:
             return None
         found = finite_strength(

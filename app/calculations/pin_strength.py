@@ -140,8 +140,8 @@ class PinFatigueOut(ResponseModel):
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
     finite_strength_MPa: Maybe[float] = result(
-        "Strength for the cycles of the life that a design has to reach, where they are fewer than "
-        "a million: it stands for the endurance limit in the safety.",
+        "Strength for the cycles of the life that a design has to reach, where they are fewer "
+        "than a million: it stands for the endurance limit in the safety.",
         symbol="S_f",
         default=None,
     )
