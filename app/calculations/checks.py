@@ -47,13 +47,14 @@ class RequirementsFields(RequestModel):
         **SAFETY,
         help="Factor by which all stresses of a pin may grow before it breaks by fatigue.",
     )
-    static_safety: float = quantity(
+    static_safety: Maybe[float] = quantity(
         "Static safety of bearings",
         symbol="S_0",
         group="requirements",
-        default=1.0,
+        default=None,
         **SAFETY,
-        help="Static load rating of a bearing over its largest load.",
+        help="Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers "
+        "where it is not given.",
     )
     life_h: float = quantity(
         "Life",

@@ -114,8 +114,9 @@ class CrankDesign:
         The crankshaft.
     bending_safety, fatigue_safety : float
         Required safety of the pins against yield, and in fatigue.
-    static_safety : float
-        Required safety of bearings against their static rating.
+    static_safety : float or None
+        Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
+        not given.
     life : float
         Required life, s.
     min_efficiency : float or None
@@ -176,7 +177,7 @@ class CrankDesign:
     crankshaft: Shaft | None = None
     bending_safety: float = 1.5
     fatigue_safety: float = 1.5
-    static_safety: float = 1.0
+    static_safety: float | None = None
     life: float = 5000 * 3600.0
     min_efficiency: float | None = None
     max_wear: float | None = None
@@ -578,13 +579,15 @@ class CrankDesign:
         assert self.output_torque is not None
         return self.static_torque / (self.output_torque * self.dynamic_factor)
 
-    def unturned(self, found: object) -> tuple[str, tuple[str, ...]]:
-        """Why what turns is not known, as the reason of a check, and which inputs are missing."""
+    def unturned(self, found: object, *, speed: bool = True) -> tuple[str, tuple[str, ...]]:
+        """Why what turns is not known, as the reason of a check, and which inputs are missing;
+        `speed` whether it needs one.
+        """
         if isinstance(found, ImpossibleMechanism):
             return self.why_unknown(found), ()
         if self.eccentricity is None:
             return "eccentricity_missing", ("eccentricity",)
-        if self.input_speed is None:
+        if speed and self.input_speed is None:
             return "speed_missing", ("input_speed",)
         return (self.why_unknown(None) if self.unmade else "too_large"), ()
 
@@ -706,11 +709,11 @@ class CrankDesign:
     @cached_property
     def bearings(self) -> SatelliteBearings | ImpossibleMechanism | None:
         """Load and life of the satellites' bearings under the torque, their static safety under the
-        peak torque; why they are not known; None where ring, bearing, speed or eccentricity is not
-        given, or of too many pairs.
+        peak torque; why they are not known; None where ring, bearing or eccentricity is not given,
+        or of too many pairs. Without a speed there is no life.
         """
         bearing, mesh = self.bearing, self.mesh
-        if bearing is None or mesh is None or not (self.loaded and self.input_speed):
+        if bearing is None or mesh is None or not self.loaded:
             return None
         if self.pairs > MOST_BEARING_PAIRS or self.unmade:
             return None

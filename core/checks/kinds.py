@@ -70,6 +70,8 @@ CHECK_SOURCES = {
     "least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: "
+    "catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
     "turns it",
     "user": "the limit that was asked",

@@ -912,7 +912,7 @@ export default {
     ],
     "static_safety": [
       "Static safety of bearings",
-      "Static load rating of a bearing over its largest load."
+      "Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers where it is not given."
     ],
     "stiffness_Nm_per_arcmin": [
       "Stiffness of a mesh",
@@ -1328,6 +1328,7 @@ export default {
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it turns it",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",

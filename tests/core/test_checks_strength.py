@@ -246,9 +246,19 @@ def test_bearings() -> None:
     static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, peak_torque=1000.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
     assert (static.limit, static.status) == (1.0, "pass")
+    assert static.limit_source == "static_guide"
+    roller = CRANK["bearing_static"](part(rigid(peak_torque=1000.0), "bearing", kind="roller"))
+    assert roller.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
+    assert (roller.limit, roller.status) == (1.5, "marginal")
+    # a load at rest needs no speed
+    still = crank_checks(rigid(peak_torque=1000.0, input_speed=None))
+    assert still["bearing_static"] == CRANK["bearing_static"](rigid(peak_torque=1000.0))
+    assert still["bearing_life"].reason == "speed_missing"
+    many = rigid(input_speed=None, pins=2001, crankshaft=None)
+    assert CRANK["bearing_static"](many).reason == "too_large"
     static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, static_safety=3.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=1e-6)
-    assert static.status == "fail"
+    assert (static.status, static.limit_source) == ("fail", "")
     together = part(rigid(life=0.3 * life), "bearing", weibull_slope=10 / 9)
     found = CRANK["system_life"](together)
     assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
@@ -260,7 +270,11 @@ def test_bearings() -> None:
 MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
     # design, checks, missing
     "ring": (replace(WHOLE, gear=None), ("bearing_life", "bearing_static"), ("gear",)),
-    "speed": (replace(WHOLE, input_speed=None), ("bearing_life",), ("input_speed",)),
+    "speed": (
+        replace(part(WHOLE, "bearing", weibull_slope=1.1), input_speed=None),
+        ("bearing_life", "system_life"),
+        ("input_speed",),
+    ),
     "eccentricity": (
         replace(WHOLE, eccentricity=None),
         ("bearing_life", "pressure_angle", "gear_room"),
