@@ -12,7 +12,7 @@
     rollers: ["index", "drawing", "sentences", "worked"],
     precession: ["index", "drawing", "sentences", "worked"],
   };
-  const shared = ["formula/step", "svg"].map((name) => `static/lib/${name}.js`);
+  const shared = ["fatigue", "formula/step", "svg"].map((name) => `static/lib/${name}.js`);
   const asked = new URLSearchParams(location.search).get("calculator");
   const id = Object.hasOwn(own, asked) ? asked : "crank-planetary";
   const modules = own[id].map((name) => `static/calculators/${id}/${name}.js`);

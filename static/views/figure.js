@@ -13,7 +13,7 @@ import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
 /** What a calculator says of a figure, completed; one that `measures` a calculation is drawn on demand only. */
-function completed({ measures, body = (input) => input, ...figure }) {
+function completed({ measures, body = ({ besides, ...input }) => input, ...figure }) {
   if (!measures) return { ...figure, body };
   const measured = (input) => ({ calculation: measures, input: body(input) });
   return { ...figure, onDemand: true, path: "/work-precision/chart", height: 620, body: measured };

@@ -44,11 +44,11 @@ def test_the_checked_case() -> None:
     found = strength((0.05, 0.02), yield_strength=300e6)
     assert f"{found.bending_moment_clamp * 1e3:.2f}" == "18932.51"
     assert f"{found.peak_stress / 1e6:.4f}" == "24.1056"
-    assert found.position == 0.05
+    assert found.peak_stress_position == 0.05
     own = 0.03 * math.hypot(171.172541156, 338.660950987)
     assert found.bending_moment_B == pytest.approx(own, rel=1e-10)
     assert found.static_safety_factor == pytest.approx(300 / 24.1056, rel=1e-5)
-    assert found.fatigue is None and found.fatigue_position is None
+    assert found.fatigue is None and found.cycle_position is None
     assert strength((0.05, 0.02)).static_safety_factor is None
 
 
@@ -56,7 +56,7 @@ def test_a_load_that_turns_round_the_shaft_reverses_its_bending() -> None:
     found = strength((0.05, 0.02), fatigue=limit)
     assert found.fatigue is not None
     assert found.fatigue.max_stress == -found.fatigue.min_stress == found.peak_stress
-    assert (found.fatigue.mean, found.fatigue_position) == (0, 0.05)
+    assert (found.fatigue.mean, found.cycle_position) == (0, 0.05)
     # 0.8*1.24*20^-0.107*450/1.5 MPa
     limited = 0.8 * 1.24 * 20**-0.107 * 300e6
     assert found.fatigue.safety_factor == pytest.approx(limited / found.peak_stress, rel=1e-12)
