@@ -14,6 +14,7 @@ from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
 from app.units import from_si, to_si
+from core.contact_life import LifeCurve
 from core.materials import (
     GROUPS,
     LIMIT_SOURCES,
@@ -44,6 +45,9 @@ class LimitOut(ResponseModel):
     source_code: str = Field(description="The same by code.")
     verified: Verified = Field(
         description="Whether it was read in its standard or in two secondary sources."
+    )
+    life_curve: Maybe[LifeCurve] = Field(
+        default=None, description="How it falls over the life, where that is known."
     )
 
 
@@ -85,6 +89,7 @@ class MaterialOut(ResponseModel):
                 source=LIMIT_SOURCES[limit.source],
                 source_code=limit.source,
                 verified=limit.verified or "secondary",
+                **({} if limit.curve is None else {"life_curve": limit.curve}),
             )
             for limit in entry.limits
         ]

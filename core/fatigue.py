@@ -35,7 +35,10 @@ RELIABILITIES = {50.0: 1.0, 90.0: 0.897, 95.0: 0.868, 99.0: 0.814, 99.9: 0.753, 
 """Reliability in percent to its factor (Shigley, 9th edition, table 6-5)."""
 
 LOW_CYCLES = 1e3
-"""Cycles from which on the line of finite life holds; it ends at a million."""
+"""Cycles from which on the line of finite life holds."""
+
+ENDURING = 1e6
+"""Cycles at which it ends, at the endurance limit."""
 
 _KPSI = 6.894757293168361e6
 """1000 pounds a square inch, Pa."""
@@ -360,6 +363,53 @@ def cycles_to_failure(
     return float(10.0**exponent)
 
 
+def finite_strength(
+    *,
+    endurance: float,
+    tensile_strength: float,
+    cycles: float,
+    fraction: float | None = None,
+) -> float:
+    """Reversed stress that a steel part stands for so many cycles: ``a*N^B``.
+
+    Parameters
+    ----------
+    endurance : float
+        Endurance limit Se, Pa.
+    tensile_strength : float
+        Tensile strength Rm, Pa.
+    cycles : float
+        Cycles N, > 0; fewer than `LOW_CYCLES` count as these.
+    fraction : float, optional
+        f, else `strength_fraction`.
+
+    Returns
+    -------
+    float
+        Pa: ``f*Rm`` at a thousand cycles, the endurance limit from a million on, and where it is
+        not below ``f*Rm``.
+
+    Notes
+    -----
+    Source: as `cycles_to_failure`, whose line it is.
+
+    Examples
+    --------
+    Shigley, 11th edition, example 6-3 (kpsi), the other way round.
+
+    >>> round(finite_strength(endurance=60.0, tensile_strength=120.0, cycles=116193,
+    ...                       fraction=0.82), 3)
+    70.0
+    """
+    if fraction is None:
+        fraction = strength_fraction(tensile_strength=tensile_strength)
+    short = fraction * tensile_strength
+    if short <= endurance or cycles >= ENDURING:
+        return endurance
+    left = math.log(ENDURING / max(cycles, LOW_CYCLES)) / math.log(ENDURING / LOW_CYCLES)
+    return float(endurance * (short / endurance) ** left)
+
+
 @dataclass(frozen=True, slots=True)
 class FatigueStrength:
     """What the fatigue of a part is judged by.
@@ -376,6 +426,8 @@ class FatigueStrength:
         How the mean stress counts.
     factors : EnduranceFactors or None
         What the limit was made of; None where it was given.
+    cycles : float or None
+        Cycles that the part has to stand; None: as many as there are.
     """
 
     endurance_limit: float
@@ -383,6 +435,7 @@ class FatigueStrength:
     yield_strength: float | None = None
     criterion: Criterion = "goodman"
     factors: EnduranceFactors | None = None
+    cycles: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("endurance_limit", "tensile_strength"):
@@ -391,12 +444,24 @@ class FatigueStrength:
         if self.criterion == "soderberg" and self.yield_strength is None:
             raise InvalidInput("yield_strength", None, "needed", field="criterion")
 
+    @property
+    def finite(self) -> float | None:
+        """Strength for the cycles it has to stand, Pa; None where it is the endurance limit."""
+        if self.cycles is None:
+            return None
+        found = finite_strength(
+            endurance=self.endurance_limit,
+            tensile_strength=self.tensile_strength,
+            cycles=self.cycles,
+        )
+        return found if found > self.endurance_limit else None
+
     def utilisation(self, amplitude: Number, mean: Number) -> Number:
         """Share of the strength that a cycle takes."""
         return utilisation(
             amplitude=amplitude,
             mean=mean,
-            endurance=self.endurance_limit,
+            endurance=self.finite or self.endurance_limit,
             tensile_strength=self.tensile_strength,
             yield_strength=self.yield_strength,
             criterion=self.criterion,
@@ -415,6 +480,8 @@ class CycleFatigue:
         Of the cycle, Pa.
     endurance_limit : float
         Endurance limit Se, Pa.
+    finite_strength : float or None
+        Strength for the cycles that it has to stand, Pa, where that is more.
     factors : EnduranceFactors or None
         What the limit was made of.
     safety_factor : float
@@ -428,6 +495,7 @@ class CycleFatigue:
     amplitude: float
     mean: float
     endurance_limit: float
+    finite_strength: float | None
     factors: EnduranceFactors | None
     safety_factor: float
     cycles: float | None
@@ -468,6 +536,7 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
         amplitude=amplitude,
         mean=mean,
         endurance_limit=strength.endurance_limit,
+        finite_strength=strength.finite,
         factors=strength.factors,
         safety_factor=1 / float(strength.utilisation(amplitude, mean)),
         cycles=cycles if cycles < math.inf else None,

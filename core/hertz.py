@@ -283,9 +283,9 @@ def _safety(
     pressure = where(governing > 0, governing, math.nan)
     found = []
     if pin is not None:
-        found.append(BodySafety("pin", pin, pin.pressure / pressure))
+        found.append(BodySafety("pin", pin, pin.allowable / pressure))
     if hole is not None:
-        found.append(BodySafety("hole", hole, hole.pressure / pressure))
+        found.append(BodySafety("hole", hole, hole.allowable / pressure))
     return tuple(found)
 
 

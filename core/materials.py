@@ -1,9 +1,10 @@
 """Elastic materials of pins, holes, rollers and shafts, and what two of them make together."""
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from typing import Literal, Self
 
 from core.arrays import Number, check_not_negative, check_positive, every, refuse
+from core.contact_life import LifeCurve, life_factor
 
 Criterion = Literal["endurance", "endurance_mean", "static", "given"]
 """What a limit of the contact pressure guards against: pitting in the long run (judged by the mean
@@ -38,6 +39,13 @@ LIMIT_SOURCES = {
 }
 """Where limits of the contact pressure come from, in English, by code."""
 
+LIFE_CURVES: dict[str, LifeCurve] = {
+    "iso_6336_5": "hardened",
+    "iso_6336_5_hardness": "hardened",
+    "iso_6336_5_normalized": "hardened",
+}
+"""Sources of limits for many loads that say how these fall with their number."""
+
 LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
 """Sources of limits that were read in the standard itself; of the others two secondary ones."""
 
@@ -54,11 +62,30 @@ class ContactLimit:
         The limit, Pa, > 0; NaN in an array where none is known.
     source : str
         Where it comes from, a key of `LIMIT_SOURCES`; empty where it is given.
+    curve : {"hardened", "nitrided", "nitrocarburised"} or None
+        How it falls with the number of loads; None where that is not known.
+    loads : float or None
+        Loads over the life that it is wanted for; None where they are not known.
     """
 
     criterion: Criterion
     pressure: Number
     source: str = ""
+    curve: LifeCurve | None = None
+    loads: float | None = None
+
+    @property
+    def life_factor(self) -> float | None:
+        """Factor Z_NT of the loads over the life; None where they or the curve are not known."""
+        if self.curve is None or self.loads is None:
+            return None
+        return float(life_factor(curve=self.curve, loads=self.loads))
+
+    @property
+    def allowable(self) -> Number:
+        """The limit over the life, Pa: as it stands where no life factor is known."""
+        factor = self.life_factor
+        return self.pressure if factor is None else self.pressure * factor
 
     @property
     def verified(self) -> Verified | None:
@@ -96,6 +123,12 @@ class ElasticMaterial:
         check_poissons_ratio(self.poissons_ratio)
         if self.yield_strength is not None:
             check_positive(yield_strength=self.yield_strength)
+
+    def lasting(self, loads: float | None) -> Self:
+        """The material, its limit wanted for so many loads."""
+        if self.limit is None:
+            return self
+        return replace(self, limit=replace(self.limit, loads=loads))
 
     @property
     def plane_modulus(self) -> Number:
@@ -268,7 +301,7 @@ def _entry(
 
 
 def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLimit:
-    return ContactLimit(criterion, pressure_MPa * 1e6, source)
+    return ContactLimit(criterion, pressure_MPa * 1e6, source, LIFE_CURVES.get(source))
 
 
 def _strength(

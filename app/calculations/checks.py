@@ -47,13 +47,14 @@ class RequirementsFields(RequestModel):
         **SAFETY,
         help="Factor by which all stresses of a part may grow before it breaks by fatigue.",
     )
-    static_safety: float = quantity(
+    static_safety: Maybe[float] = quantity(
         "Static safety of bearings",
         symbol="S_0",
         group="requirements",
-        default=1.0,
+        default=None,
         **SAFETY,
-        help="Static load rating of a bearing over its largest load.",
+        help="Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers "
+        "where it is not given.",
     )
     life_h: float = quantity(
         "Life",
@@ -249,6 +250,11 @@ class CheckOut(ResponseModel):
         default=None, description="What a material's limit guards against."
     )
     verified: Maybe[Verified] = Field(default=None, description="How a material's limit was seen.")
+    life_factor: Maybe[float] = Field(
+        default=None,
+        description="Factor of the loads over the life that is in a material's limit; absent where "
+        "none is known.",
+    )
     at: Maybe[PlaceOut] = None
     inputs: list[str] = Field(description="JSON pointers to what it depends on.")
     missing: Maybe[list[str]] = Field(
@@ -347,6 +353,7 @@ def check_values(check: Check, body: RequestModel) -> Values:
         "source_code": source or "user",
         "criterion": check.criterion or None,
         "verified": check.verified or None,
+        "life_factor": check.life_factor,
         "at": at or None,
         "inputs": pointers(body, kind.inputs, given=True),
         "missing": pointers(body, check.missing) or None,

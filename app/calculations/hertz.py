@@ -26,6 +26,7 @@ from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
 from core.arrays import FloatArray
+from core.contact_life import CURVES, LifeCurve
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -80,13 +81,22 @@ class MaterialFields(RequestModel):
         help="Yield strength: judges bending, or yield below the surface.",
     )
 
+    life_curve: Maybe[LifeCurve] = quantity(
+        "Life curve",
+        symbol="",
+        group="material",
+        default=None,
+        help="How the allowable pressure falls over the life, which a design with a speed has: as "
+        "that of through- or case-hardened steel, of nitrided steel and cast iron, or of "
+        "nitrocarburised steel.",
+    )
+
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
         own = self.to_core()
-        pressure = own.pop("allowable_pressure", None)
-        return ElasticMaterial(
-            **own, limit=None if pressure is None else ContactLimit("given", pressure)
-        )
+        pressure, curve = own.pop("allowable_pressure", None), own.pop("life_curve", None)
+        limit = None if pressure is None else ContactLimit("given", pressure, curve=curve)
+        return ElasticMaterial(**own, limit=limit)
 
 
 def material_of(given: str | MaterialFields) -> ElasticMaterial:
@@ -249,6 +259,34 @@ class HertzRequest(ContactFields):
         return profiles
 
 
+class LifeOut(ResponseModel):
+    """How a limit of the pressure falls over the life: (N_k/N_L)^m, at most Z_m."""
+
+    curve: LifeCurve = Field(description="Whose curve, of teeth.")
+    loads: float = result(
+        "Loads over the life: turns of a satellite against its crank.", symbol="N_L"
+    )
+    knee_loads: float = result("Loads at which the limit is that of the material.", symbol="N_k")
+    exponent: float = result("Exponent of the line, before or beyond that.", symbol="m")
+    largest_factor: float = result("Factor of few loads.", symbol="Z_m")
+    factor: float = result("Life factor.", symbol="Z_NT", equation="ISO 6336-2")
+
+    @classmethod
+    def of(cls, limit: ContactLimit) -> Values | None:
+        """The same of a limit; None where nothing is known of its life."""
+        if limit.curve is None or limit.loads is None:
+            return None
+        line = CURVES[limit.curve]
+        return {
+            "curve": limit.curve,
+            "loads": limit.loads,
+            "knee_loads": line.knee,
+            "exponent": line.before if limit.loads < line.knee else line.beyond,
+            "largest_factor": line.most,
+            "factor": limit.life_factor,
+        }
+
+
 class SafetyOut(ResponseModel):
     """One body, judged by the limit of its own material under the governing pressure."""
 
@@ -259,9 +297,14 @@ class SafetyOut(ResponseModel):
         "Where the limit comes from; absent where it was given.", default=None
     )
     source_code: Maybe[str] = result("The same by code.", default=None)
+    life: Maybe[LifeOut] = Field(
+        default=None,
+        description="How the limit falls over the life; absent where speed or curve are not known.",
+    )
     safety_factor: float = Field(
-        description="Limit over governing pressure. A ratio of pressures: the reserve of the load "
-        "is its square, as long as Hertz's pressure governs."
+        description="Limit over governing pressure, with the life factor where there is one. A "
+        "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
+        "governs."
     )
 
     @classmethod
@@ -278,6 +321,7 @@ class SafetyOut(ResponseModel):
             criterion=limit.criterion,
             source=LIMIT_SOURCES.get(limit.source),
             source_code=limit.source or None,
+            life=LifeOut.of(limit),
             **given,
         )
 

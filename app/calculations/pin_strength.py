@@ -139,6 +139,12 @@ class PinFatigueOut(ResponseModel):
     amplitude_MPa: float = result("Amplitude of the cycle.", symbol="σ_a")
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
+    finite_strength_MPa: Maybe[float] = result(
+        "Strength for the cycles of the life that a design has to reach, where they are fewer "
+        "than a million: it stands for the endurance limit in the safety.",
+        symbol="S_f",
+        default=None,
+    )
     factors: Maybe[FactorsOut] = None
     safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
     cycles: Maybe[float] = result(

@@ -48,6 +48,8 @@ class Check:
         Why the status is so, where the numbers do not say it: a key of `REASONS`.
     limit_source, criterion, verified : str
         Of the limit of a material: source, criterion, how that was seen.
+    life_factor : float or None
+        Of that limit, which is in it, by the loads over the life; None where none is known.
     at : dict
         Where the value is reached: satellite, pin, crank_angle (rad).
     missing : tuple of str
@@ -68,6 +70,7 @@ class Check:
     limit_source: str = ""
     criterion: str = ""
     verified: str = ""
+    life_factor: float | None = None
     at: Mapping[str, float] = field(default_factory=dict)
     missing: tuple[str, ...] = ()
 

@@ -8,7 +8,8 @@ import numpy as np
 from core.checks.check import Check, judged, not_asked, wall
 from core.checks.crank_design import CrankDesign
 from core.checks.play import no_eccentricity
-from core.crank.bearing_life import EXPONENTS
+from core.checks.sections import RollingBearing
+from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY
 from core.crank.crankshaft import Crankshaft
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
@@ -22,7 +23,7 @@ def _unknown(
         missing: tuple[str, ...] = (section if getattr(design, section) is None else "gear",)
         reason = "section_missing"
     else:
-        reason, missing = design.unturned(found)
+        reason, missing = design.unturned(found, speed=section != "bearing")
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
 
@@ -34,13 +35,21 @@ def _rating(code: str, limit: float, name: str) -> Check:
     )
 
 
+def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBearing) -> Check:
+    """A life that is not known: without a rating, or without a speed."""
+    if bearing.dynamic_rating is None:
+        return _rating(code, limit, "bearing.dynamic_rating")
+    reason, missing = design.unturned(None)
+    return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+
+
 def _life(design: CrankDesign) -> Check:
     code, limit, found = "bearing_life", design.life, design.bearings
     if not isinstance(found, SatelliteBearings):
         return _unknown(design, code, found, limit, "bearing")
     assert design.bearing is not None
     if found.life is None:
-        return _rating(code, limit, "bearing.dynamic_rating")
+        return _no_life(design, code, limit, design.bearing)
     worst, power = int(np.argmin(found.life)), EXPONENTS[design.bearing.kind]
     value = float(found.life[worst])
     return judged(
@@ -57,8 +66,12 @@ def _life(design: CrankDesign) -> Check:
 
 def _static(design: CrankDesign) -> Check:
     code, limit, found = "bearing_static", design.static_safety, design.bearings
+    source = ""
+    if limit is None and design.bearing is not None:
+        limit, source = STATIC_SAFETY[design.bearing.kind], "static_guide"
     if not isinstance(found, SatelliteBearings):
         return _unknown(design, code, found, limit, "bearing")
+    assert limit is not None
     if found.static_safety_factor is None:
         return _rating(code, limit, "bearing.static_rating")
     worst = int(np.argmin(found.static_safety_factor))
@@ -71,6 +84,7 @@ def _static(design: CrankDesign) -> Check:
         reserve=value / limit,
         error=4 * error,
         rough=design.as_made,
+        limit_source=source,
         at={"satellite": worst + 1},
     )
 
@@ -85,7 +99,7 @@ def _system(design: CrankDesign) -> Check:
     if not isinstance(found, SatelliteBearings):
         return _unknown(design, code, found, limit, "bearing")
     if found.system_life is None:
-        return _rating(code, limit, "bearing.dynamic_rating")
+        return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -41,6 +41,8 @@ UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 
 Forces = RealForces | ContactForce | ImpossibleMechanism | None
 """Forces, or why there are none; None where they are not asked, or of too many pairs."""
+
+Body = Literal["pin", "hole"]
 
 Result = TypeVar("Result")
 
@@ -112,8 +114,9 @@ class CrankDesign:
         The crankshaft.
     bending_safety, fatigue_safety : float
         Required safety of the pins against yield, and in fatigue.
-    static_safety : float
-        Required safety of bearings against their static rating.
+    static_safety : float or None
+        Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
+        not given.
     life : float
         Required life, s.
     min_efficiency : float or None
@@ -174,7 +177,7 @@ class CrankDesign:
     crankshaft: Shaft | None = None
     bending_safety: float = 1.5
     fatigue_safety: float = 1.5
-    static_safety: float = 1.0
+    static_safety: float | None = None
     life: float = 5000 * 3600.0
     min_efficiency: float | None = None
     max_wear: float | None = None
@@ -269,8 +272,8 @@ class CrankDesign:
             contact_length=self.contact_length,
             law=self.law or HertzLaw(),
             clearance=self.clearance or 0.0,
-            pin_material=self.pin_material,
-            hole_material=self.hole_material,
+            pin_material=self.lasting("pin"),
+            hole_material=self.lasting("hole"),
             pin=self.pin,
             deviations=self.deviations or Deviations(),
         )
@@ -421,14 +424,15 @@ class CrankDesign:
         assert force is not None
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
-        assert self.pin_material is not None and self.hole_material is not None
+        pin, hole = self.lasting("pin"), self.lasting("hole")
+        assert pin is not None and hole is not None
         return hertz(
             force=force.peak_force * factor,
             contact_length=self.contact_length,
             pin_radius=self.pin_radius,
             hole_radius=self.hole_radius,
-            pin_material=self.pin_material,
-            hole_material=self.hole_material,
+            pin_material=pin,
+            hole_material=hole,
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
         )
@@ -458,6 +462,20 @@ class CrankDesign:
             "pin": force.peak_pair.pin,
             "crank_angle": force.peak_crank_angle,
         }
+
+    @property
+    def loads_over_life(self) -> float | None:
+        """How often a place of pin or hole is loaded over the required life, once a turn of the
+        satellite against its crank; None without a speed.
+        """
+        if self.input_speed is None:
+            return None
+        return self.input_speed * self.life / self.mechanism.crank_angle_per_wave
+
+    def lasting(self, body: Body) -> ElasticMaterial | None:
+        """Material of pin or hole, its limit wanted for the loads over the life."""
+        material = self.pin_material if body == "pin" else self.hole_material
+        return None if material is None else material.lasting(self.loads_over_life)
 
     @cached_property
     def clearance(self) -> float | None:
@@ -561,13 +579,15 @@ class CrankDesign:
         assert self.output_torque is not None
         return self.static_torque / (self.output_torque * self.dynamic_factor)
 
-    def unturned(self, found: object) -> tuple[str, tuple[str, ...]]:
-        """Why what turns is not known, as the reason of a check, and which inputs are missing."""
+    def unturned(self, found: object, *, speed: bool = True) -> tuple[str, tuple[str, ...]]:
+        """Why what turns is not known, as the reason of a check, and which inputs are missing;
+        `speed` whether it needs one.
+        """
         if isinstance(found, ImpossibleMechanism):
             return self.why_unknown(found), ()
         if self.eccentricity is None:
             return "eccentricity_missing", ("eccentricity",)
-        if self.input_speed is None:
+        if speed and self.input_speed is None:
             return "speed_missing", ("input_speed",)
         return (self.why_unknown(None) if self.unmade else "too_large"), ()
 
@@ -579,7 +599,10 @@ class CrankDesign:
         pin, basis = self.pin, self.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
             return Notice("fatigue_no_basis")
-        return _named("fatigue", lambda: basis.strength(pin))
+        found = _named("fatigue", lambda: basis.strength(pin))
+        if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
+            return found
+        return replace(found, cycles=self.loads_over_life)
 
     @cached_property
     def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
@@ -686,11 +709,11 @@ class CrankDesign:
     @cached_property
     def bearings(self) -> SatelliteBearings | ImpossibleMechanism | None:
         """Load and life of the satellites' bearings under the torque, their static safety under the
-        peak torque; why they are not known; None where ring, bearing, speed or eccentricity is not
-        given, or of too many pairs.
+        peak torque; why they are not known; None where ring, bearing or eccentricity is not given,
+        or of too many pairs. Without a speed there is no life.
         """
         bearing, mesh = self.bearing, self.mesh
-        if bearing is None or mesh is None or not (self.loaded and self.input_speed):
+        if bearing is None or mesh is None or not self.loaded:
             return None
         if self.pairs > MOST_BEARING_PAIRS or self.unmade:
             return None

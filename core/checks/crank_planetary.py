@@ -7,7 +7,7 @@ from core.checks.check import Check, Verdict, judged, not_asked, verdict, wall
 from core.checks.crank import BEARING, GEAR, SHAFT
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
-from core.checks.pin_contact import CONTACT
+from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pins import PIN_FATIGUE, PINS
 from core.checks.play import PLAY, no_eccentricity
 from core.checks.real_forces import RealForces
@@ -196,6 +196,7 @@ def crank_checks(design: CrankDesign) -> Verdict:
         "contact": not design.touching,
         "satellite_body": not design.has_body,
         "clearance": not real,
+        "contact_life": design.loaded and design.touching and not life_considered(design),
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
     }
     return verdict(

@@ -70,6 +70,8 @@ CHECK_SOURCES = {
     "least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: "
+    "catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
     "turns it",
     "user": "the limit that was asked",
@@ -88,13 +90,20 @@ REASONS = {
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
     "strength where it is a steel",
+    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
+    "against its crank",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
+    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
+    "which are meant for teeth",
+    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
     "mass_unknown": "No mass of a satellite is given",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
     "soft for the load, or the clearance is too large",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "no_involute": "It is one of involute teeth",
+    "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
+    "out",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "no_teeth": "No teeth or pins of the ring are given",
@@ -128,6 +137,7 @@ NOT_CONSIDERED = {
     "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
+    "contact_life": "how the limits of the contact pressure fall over the life",
     "crankshaft": "crankshaft and balance of masses",
     "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",
@@ -146,6 +156,7 @@ NOT_CONSIDERED = {
 _FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
 _HOLE = ("pin_radius", "hole_radius", "hole_clearance")
 _CONTACT = (*_FORCE, "contact_length", *_HOLE, "dynamic_factor")
+_LOADS = ("input_speed", "ratio", "requirements.life")
 _PIN = (
     *_FORCE,
     "dynamic_factor",
@@ -204,8 +215,9 @@ def _contact_kinds(body: str) -> dict[str, Kind]:
     inputs = (*_CONTACT, f"{body}_material")
     return {
         f"contact_pressure_{body}": Kind(
-            f"Contact pressure of the {body}", "contact", "MPa", "p ≤ p_all/S",
-            f"Above it the surface of the {body} pits in the long run.", inputs, "yanchevsky_2018",
+            f"Contact pressure of the {body}", "contact", "MPa", "p ≤ p_all·Z_NT/S",
+            f"Above it the surface of the {body} pits within the life.",
+            (*inputs, *_LOADS, "pitting_safety"), "yanchevsky_2018",
         ),
         f"contact_shakedown_{body}": Kind(
             f"Shakedown of the {body}", "contact", "MPa", "p ≤ 2.31·R_e",
@@ -301,7 +313,7 @@ CHECKS = {
     "pin_fatigue": Kind(
         "Fatigue of the pins", "pin", "", "n ≥ S_D",
         "Below it the pins break after some time where they bend most.",
-        (*_PIN, *_FATIGUE, "fatigue_safety"), "shigley",
+        (*_PIN, *_FATIGUE, *_LOADS, "fatigue_safety"), "shigley",
     ),
     "pin_deflection": Kind(
         "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 from core.checks.check import Check, judged
-from core.checks.crank_design import CrankDesign
+from core.checks.crank_design import Body, CrankDesign
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
@@ -20,11 +21,9 @@ SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
 quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
 
-Body = Literal["pin", "hole"]
-
 
 def _material(design: CrankDesign, body: Body) -> ElasticMaterial:
-    material = design.pin_material if body == "pin" else design.hole_material
+    material = design.lasting(body)
     assert material is not None
     return material
 
@@ -124,14 +123,21 @@ def _pressure(design: CrankDesign, body: Body) -> Check:
             at=design.peak,
             missing=_missing(design, body, "allowable_pressure"),
         )
-    return _against(
+    reason, missing = "life_of_teeth", tuple[str, ...]()
+    if limit.curve is None:
+        reason = "no_life_curve"
+    elif limit.loads is None:
+        reason, missing = "life_without_speed", ("input_speed",)
+    found = _against(
         design,
         code,
-        float(limit.pressure) / design.pitting_safety,
+        float(limit.allowable) / design.pitting_safety,
         limit_source=limit.source,
         criterion=limit.criterion,
         verified=limit.verified or "",
+        life_factor=limit.life_factor,
     )
+    return found if found.reason else replace(found, reason=reason, missing=missing)
 
 
 def _plastic(design: CrankDesign, code: str, body: Body, ratio: float, warning: str = "") -> Check:
@@ -168,6 +174,12 @@ def _conformity(design: CrankDesign) -> Check:
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
     reserve = design.torque_factor((limit / ratio) ** 2)
     return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
+
+
+def life_considered(design: CrankDesign) -> bool:
+    """Whether every limit of the pressure that is known is that over the life."""
+    limits = [_material(design, body).limit for body in ("pin", "hole")]
+    return all(each is None or each.life_factor is not None for each in limits)
 
 
 CONTACT: dict[str, Callable[[CrankDesign], Check]] = {

@@ -1,6 +1,7 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from core.checks.check import Check, judged, not_asked
 from core.checks.crank_design import CrankDesign
@@ -69,9 +70,11 @@ def _fatigue(design: CrankDesign) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    return judged(
+    check = judged(
         code, safety, limit, keep="above", reserve=safety / limit, error=error, rough=design.as_made
     )
+    lasts = found.fatigue.finite_strength is not None and not check.reason
+    return replace(check, reason="finite_life") if lasts else check
 
 
 def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:

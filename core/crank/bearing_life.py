@@ -10,6 +10,10 @@ Bearing = Literal["ball", "roller"]
 EXPONENTS: dict[Bearing, float] = {"ball": 3.0, "roller": 10 / 3}
 """Exponent p of the life over the load."""
 
+STATIC_SAFETY: dict[Bearing, float] = {"ball": 1.0, "roller": 1.5}
+"""Static rating over the largest load that running as usual asks for: catalogues of SKF and IKO,
+after ISO 76."""
+
 RELIABILITIES = {90.0: 1.0, 95.0: 0.64, 96.0: 0.55, 97.0: 0.47, 98.0: 0.37, 99.0: 0.25}
 """Factor a1 by reliability, percent, of ISO 281:2007; catalogues after earlier editions have 0.62,
 0.53, 0.44, 0.33 and 0.21 from 95 % on: up to a fifth less life for the same bearing."""

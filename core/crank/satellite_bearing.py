@@ -52,8 +52,8 @@ class SatelliteBearings:
 
     Attributes
     ----------
-    relative_speed : float or array, shape (...)
-        Speed of a bearing's rings against each other, rad/s.
+    relative_speed : float or array, shape (...), or None
+        Speed of a bearing's rings against each other, rad/s, where that of the crank is given.
     radial_force_ratio : float or array, shape (...)
         Ratio rho of the ring's force along the crank to that across it.
     operating_pressure_angle : float, array or None
@@ -65,7 +65,7 @@ class SatelliteBearings:
     peak_ring_force : array, shape (..., K)
         Largest resultant of the ring's forces on the satellite, N.
     basic_life : array, shape (..., K) or None
-        Time that 90 % of such bearings reach, s, where the rating is known.
+        Time that 90 % of such bearings reach, s, where rating and speed are known.
     life : array, shape (..., K) or None
         The same at the reliability asked.
     static_safety_factor : array, shape (..., K) or None
@@ -78,7 +78,7 @@ class SatelliteBearings:
         Assumptions that are strained.
     """
 
-    relative_speed: Number
+    relative_speed: Number | None
     radial_force_ratio: Number
     operating_pressure_angle: Number | None
     peak_load: FloatArray
@@ -101,7 +101,7 @@ def satellite_bearings(
     pin_circle_radius: Number,
     eccentricity: Number,
     mesh: RingMesh,
-    input_speed: Number,
+    input_speed: Number | None = None,
     kind: Bearing,
     dynamic_rating: Number | None = None,
     static_rating: Number | None = None,
@@ -134,8 +134,8 @@ def satellite_bearings(
         Eccentricity e of the cranks, m, > 0.
     mesh : RingMesh
         The ring's force along the crank.
-    input_speed : float or array
-        Speed w_in of the crank, rad/s, > 0.
+    input_speed : float or array, optional
+        Speed w_in of the crank, rad/s, > 0; without it there is no life.
     kind : {"ball", "roller"}
         Rolling elements.
     dynamic_rating, static_rating : float or array, optional
@@ -188,9 +188,12 @@ def satellite_bearings(
         output_torque=output_torque,
         pin_circle_radius=pin_circle_radius,
         eccentricity=eccentricity,
-        input_speed=input_speed,
         ring_factor=ring_factor,
     )
+    relative_speed = None
+    if input_speed is not None:
+        check_positive(input_speed=input_speed)
+        relative_speed = input_speed * ((1 + mechanism.ratio) / mechanism.ratio)
     static_torque = output_torque if peak_torque is None else peak_torque
     check_positive(peak_torque=static_torque)
     ratio = mechanism.ratio
@@ -216,10 +219,9 @@ def satellite_bearings(
         )
         static = static_loads.most
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
-    relative_speed = input_speed * ((1 + ratio) / ratio)
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
-    if dynamic_rating is not None:
+    if dynamic_rating is not None and relative_speed is not None:
         rating = np.asarray(dynamic_rating, dtype=np.float64)[..., None]
         turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
         basic = turning * rating_life(load=equivalent, rating=rating, kind=kind)

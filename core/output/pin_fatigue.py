@@ -3,6 +3,10 @@
 from dataclasses import dataclass
 
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.results import ROUNDING
+
+NOTHING = 16 * ROUNDING
+"""A stress beside a larger one that is rounding only."""
 
 __all__ = ["FatigueStrength", "PinFatigue", "judged"]
 
@@ -19,6 +23,8 @@ class PinFatigue(CycleFatigue):
         Of the cycle, Pa.
     endurance_limit : float
         Endurance limit Se, Pa.
+    finite_strength : float or None
+        Strength for the cycles that it has to stand, Pa, where that is more.
     factors : EnduranceFactors or None
         What the limit was made of.
     safety_factor : float
@@ -63,8 +69,11 @@ def judged(
     Returns
     -------
     PinFatigue
-        Without a life as time.
+        Without a life as time; an end of the cycle within `NOTHING` of the other is 0, as of a pin
+        that is unloaded for a part of the turn.
     """
+    nothing = NOTHING * max(abs(largest), abs(least))
+    largest, least = (0.0 if abs(each) <= nothing else each for each in (largest, least))
     cycle = judge_cycle(strength=strength, largest=largest, least=least)
     own = {name: getattr(cycle, name) for name in CycleFatigue.__dataclass_fields__}
     return PinFatigue(**own, direction=direction, position=position, life=None)

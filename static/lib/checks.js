@@ -54,7 +54,7 @@ const amount = (value, unit) => (value === undefined ? "" : formatQuantity(value
  * limit), `source`, `place`, `reason`, `missing` (paths of fields).
  */
 export function checkRow(check, titles) {
-  const { code, status, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, at, reason, missing = [] } = check;
+  const { code, status, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, life_factor: life, at, reason, missing = [] } = check;
   return {
     code,
     status,
@@ -69,6 +69,7 @@ export function checkRow(check, titles) {
       criterion && (said("criteria", criterion) ?? criterion),
       source && (said(criterion ? "limitSources" : "checkSources", sourceCode) ?? said(criterion ? "checkSources" : "limitSources", sourceCode) ?? source),
       check.verified && message(`checks.${check.verified}`),
+      life !== undefined && message("checks.life", { factor: formatNumber(life, 3) }),
     ].filter(Boolean).join(": "),
     place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatQuantity(at.crank_angle_deg ?? 0, "°", 5) }),
     reason: reason ? reasonText(reason, titles) : "",

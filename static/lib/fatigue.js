@@ -76,21 +76,27 @@ function factorSteps({ factors, ...own }, { asked, d, R_m, inStress }) {
   ];
 }
 
-/** Of `cycle` in the answer; `asked` is what it is judged by, `inStress` whether the stress has the notch in it already. */
-export function cycleSteps(cycle, { asked = {}, d, R_m, R_e, inStress }) {
+/**
+ * Of `cycle` in the answer; `asked` is what it is judged by, `inStress` whether the stress has the notch in it
+ * already, `finite` the steps of the strength over a life that is short.
+ */
+export function cycleSteps(cycle, { asked = {}, d, R_m, R_e, inStress, finite = [] }) {
   const at = (name, symbol, rest) => result(cycle, name, symbol, rest);
   const ends = { σ_max: q("σ_max", cycle.max_stress_MPa, "MPa"), σ_min: q("σ_min", cycle.min_stress_MPa, "MPa") };
   const criterion = asked.criterion ?? "goodman";
+  const { endurance_limit_MPa: endless, finite_strength_MPa: short } = cycle;
+  const lasting = short === undefined ? q("S_e", endless, "MPa") : q("S_f", short, "MPa");
   return [
     at("amplitude_MPa", "σ_a", { formula: "(σ_max-σ_min)/2", values: ends }),
     at("mean_MPa", "σ_m", { formula: "(σ_max+σ_min)/2", values: ends }),
     ...factorSteps(cycle, { asked, d, R_m, inStress }),
     ...(cycle.factors ? [] : [at("endurance_limit_MPa", "S_e", { note: "given" })]),
+    ...finite,
     result({ fatigue_safety_factor: cycle.safety_factor }, "fatigue_safety_factor", "n", ["goodman", "soderberg"].includes(criterion) ? {
-      formula: "1/(σ_a/S_e+max(σ_m;0)/R)",
+      formula: `1/(σ_a/${lasting.symbol}+max(σ_m;0)/R)`,
       values: {
         σ_a: q("σ_a", cycle.amplitude_MPa, "MPa"), σ_m: q("σ_m", cycle.mean_MPa, "MPa"),
-        S_e: q("S_e", cycle.endurance_limit_MPa, "MPa"), R: criterion === "soderberg" ? q("R_e", R_e, "MPa") : q("R_m", R_m, "MPa"),
+        [lasting.symbol]: lasting, R: criterion === "soderberg" ? q("R_e", R_e, "MPa") : q("R_m", R_m, "MPa"),
       },
       source: "shigley",
     } : { note: "criterion" }),

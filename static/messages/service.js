@@ -534,6 +534,10 @@ export default {
       "Length",
       ""
     ],
+    "life_curve": [
+      "Life curve",
+      "How the allowable pressure falls over the life, which a design with a speed has: as that of through- or case-hardened steel, of nitrided steel and cast iron, or of nitrocarburised steel."
+    ],
     "load.rollers": [
       "Rollers",
       "Number of rollers."
@@ -908,7 +912,7 @@ export default {
     ],
     "static_safety": [
       "Static safety of bearings",
-      "Static load rating of a bearing over its largest load."
+      "Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers where it is not given."
     ],
     "stiffness_Nm_per_arcmin": [
       "Stiffness of a mesh",
@@ -1069,7 +1073,7 @@ export default {
     ],
     "contact_pressure_pin": [
       "Contact pressure of the pin",
-      "Above it the surface of the pin pits in the long run."
+      "Above it the surface of the pin pits within the life."
     ],
     "contact_shakedown_pin": [
       "Shakedown of the pin",
@@ -1081,7 +1085,7 @@ export default {
     ],
     "contact_pressure_hole": [
       "Contact pressure of the hole",
-      "Above it the surface of the hole pits in the long run."
+      "Above it the surface of the hole pits within the life."
     ],
     "contact_shakedown_hole": [
       "Shakedown of the hole",
@@ -1274,12 +1278,16 @@ export default {
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a drawing of its own",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile strength where it is a steel",
+    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite against its crank",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",
+    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, which are meant for teeth",
+    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
     "limit_unknown": "No limit of the pressure is known for this material: enter one",
     "mass_unknown": "No mass of a satellite is given",
     "no_balance": "The forces with clearance and deviations find no balance: the contacts are too soft for the load, or the clearance is too large",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "no_involute": "It is one of involute teeth",
+    "no_life_curve": "How the limit falls over the life is not known for this material: it is left out",
     "no_limit": "No limit was asked",
     "no_pressure": "The contact is wider than the pin: no pressure is known",
     "no_teeth": "No teeth or pins of the ring are given",
@@ -1320,6 +1328,7 @@ export default {
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it turns it",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
@@ -1330,6 +1339,7 @@ export default {
     "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
+    "contact_life": "how the limits of the contact pressure fall over the life",
     "crankshaft": "crankshaft and balance of masses",
     "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",

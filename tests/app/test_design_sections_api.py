@@ -103,6 +103,58 @@ async def test_a_section_is_what_its_endpoint_answers(api, section, design):
         assert without_time(answer[section]) == without_time(expected)
 
 
+STEEL = {"youngs_modulus_GPa": 206.0, "poissons_ratio": 0.3, "allowable_pressure_MPa": 700.0}
+
+
+@pytest.mark.parametrize(
+    ("material", "limit", "factor"),
+    [
+        ("steel_case_hardened", 1500.0, 0.93358053),  # (5e7/4.725e8)^0.0306
+        (STEEL | {"life_curve": "hardened"}, 700.0, 0.93358053),
+        (STEEL | {"life_curve": "nitrided"}, 700.0, (2e6 / 4.725e8) ** 0.0191),
+        (STEEL, 700.0, None),
+        ("steel_bearing", 1500.0, None),
+    ],
+)
+@pytest.mark.parametrize("rpm", [1500.0, None])
+async def test_the_life_of_the_contact(api, material, limit, factor, rpm):
+    """5000 h of 1500 turns a minute, ratio 20: in the limit, the reserve and the safety."""
+    body = changed(
+        contact__hole_material=material,
+        load__input_speed_rpm=rpm,
+        requirements__life_h=5000.0,
+        include=["hertz", "checks"],
+    )
+    if rpm is None:
+        factor = None
+    for section in ("pin", "fatigue", "friction", "bearing", "crankshaft", "gear"):
+        body.pop(section, None)
+    answer = await answered(api, body)
+    (check,) = (each for each in answer["checks"] if each["code"] == "contact_pressure_hole")
+    assert check.get("life_factor") == (factor and pytest.approx(factor, rel=1e-5))
+    assert check["limit"] == pytest.approx(limit * (factor or 1) / 1.2, rel=1e-5)
+    assert check["torque_reserve"] == pytest.approx((check["limit"] / check["value"]) ** 2)
+    assert "/requirements/life_h" in check["inputs"] and "/mechanism/ratio" in check["inputs"]
+    assert ("/load/input_speed_rpm" in check["inputs"]) == (rpm is not None)
+    safety = answer["hertz"]["safety"][1]
+    assert safety["safety_factor"] == pytest.approx(1.2 * check["limit"] / check["value"])
+    assert safety["limit_MPa"] == pytest.approx(limit)
+    assert ("life" in safety) == (factor is not None)
+    if factor is not None:
+        assert check["reason"]["code"] == "life_of_teeth"
+        life = safety["life"]
+        assert life["loads"] == pytest.approx(4.725e8) and life["factor"] == check["life_factor"]
+        by_hand = (life["knee_loads"] / life["loads"]) ** life["exponent"]
+        assert by_hand == pytest.approx(factor, rel=1e-5) and life["largest_factor"] > 1
+    known = (isinstance(material, str) and material != "steel_bearing") or "life_curve" in material
+    if rpm is None and known:
+        assert check["reason"]["code"] == "life_without_speed"
+        assert check["missing"] == ["/load/input_speed_rpm"]
+    elif factor is None:
+        assert check["reason"]["code"] == "no_life_curve"
+        assert "contact_life" in answer["not_considered"]
+
+
 async def test_bending_pins_share_by_stiffness(api):
     """The near satellite carries most: by its pins, its bearing, its contact."""
     bent, even = await answered(api, DESIGN), await answered(api, changed(pin=None, fatigue=None))
@@ -328,7 +380,7 @@ async def test_what_is_missing_is_pointed_to(api):
         "crank_bearing_life": ["/crankshaft/bearings"],
     }.items():
         assert missing[code] == pointers, code
-    assert answer["not_considered"] == ["satellite_body", "clearance", "gear"]
+    assert answer["not_considered"] == ["satellite_body", "clearance", "contact_life", "gear"]
     pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
     assert "/pin/satellite_positions_mm" in pin["inputs"]
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]

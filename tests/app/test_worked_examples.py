@@ -155,11 +155,11 @@ MORE: list[dict[str, Any]] = [
                     "hole_radius_mm": 10.0,
                     "dynamic_factor": 1.25,
                 },
-                "requirements": {"life_h": 4000.0},
+                "requirements": {"life_h": hours},
                 "besides": besides,
             },
         }
-        for besides in (BARE, SLEEVED)
+        for besides, hours in ((BARE, 4000.0), (SLEEVED, 4000.0), (BARE, 5.0))
     ),
     *(
         {

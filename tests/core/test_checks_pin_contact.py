@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from core.checks.crank_planetary import CRANK
+from core.checks.crank_planetary import CRANK, crank_checks
+from core.fixes import crank_fixes, vary
 from core.materials import ContactLimit, ElasticMaterial
 from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, says
 
@@ -31,7 +32,8 @@ def test_pressure(safety: float) -> None:
     design = replace(REF, pitting_safety=safety)
     for body, limit in (("pin", 900e6), ("hole", 600e6)):
         found = CRANK[f"contact_pressure_{body}"](design)
-        says(found, **contact(limit / safety, criterion="given", verified="", limit_source=""))
+        given = {"criterion": "given", "verified": "", "limit_source": "", "life_factor": None}
+        says(found, **contact(limit / safety, reason="no_life_curve", **given))
         assert design.force is not None
         assert found.at == design.peak
         assert {*found.at} == {"satellite", "pin", "crank_angle"}
@@ -42,6 +44,82 @@ def test_pressure_says_where_its_limit_is_from() -> None:
     found = CRANK["contact_pressure_hole"](replace(REF, hole_material=replace(HOLE, limit=limit)))
     assert (found.limit_source, found.criterion) == ("iso_281", "endurance")
     assert found.verified == limit.verified != ""
+
+
+LASTING = ContactLimit("given", 600e6, curve="hardened")
+"""A limit that falls over the life."""
+
+# 60*1500*(1 + 1/20)*5000 = 4.725e8 turns against the cranks: (5e7/4.725e8)^0.0306
+SPEED, FACTOR = 50 * math.pi, 0.93358053
+
+LIVES: dict[str, tuple[float, float, float]] = {
+    # speed, hours, factor
+    "reference": (SPEED, 5000, FACTOR),
+    "half the speed, twice the life": (SPEED / 2, 10000, FACTOR),
+    "the knee": (SPEED, 5e7 / 94500, 1.0),
+    "short": (SPEED, 10, (5e7 / 945000) ** 0.0756),
+    "few loads": (SPEED, 1, 1.6),
+}
+
+
+@pytest.mark.parametrize("name", LIVES)
+@pytest.mark.parametrize("loose", [0.0, 3e-5])
+def test_the_limit_is_that_over_the_life(name: str, loose: float) -> None:
+    """The limit, the reserve and what governs; of ideal forces and of those as made."""
+    speed, hours, factor = LIVES[name]
+    design = replace(
+        REF,
+        hole_material=replace(HOLE, limit=LASTING),
+        hole_radius=0.010 + loose,
+        input_speed=speed,
+        life=hours * 3600,
+    )
+    found = CRANK["contact_pressure_hole"](design)
+    assert found.life_factor == pytest.approx(factor, rel=1e-7)
+    assert found.limit == pytest.approx(600e6 * factor / 1.2, rel=1e-7)
+    assert found.reason == "life_of_teeth" and found.missing == ()
+    assert found.torque_reserve is not None
+    there = replace(design, output_torque=500.0 * found.torque_reserve)
+    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-9)
+    assert design.contact is not None
+    assert design.contact.safety[1].safety_factor == pytest.approx(
+        600e6 * factor / design.contact.governing_pressure, rel=1e-7
+    )
+    # of the other body it is not known
+    pin = CRANK["contact_pressure_pin"](design)
+    assert (pin.life_factor, pin.limit, pin.reason) == (None, 900e6 / 1.2, "no_life_curve")
+    assert "contact_life" in crank_checks(design).not_considered
+
+
+def test_what_is_not_known_of_the_life_is_said() -> None:
+    bodies = {"pin_material": PIN, "hole_material": HOLE}
+    both = {name: replace(each, limit=LASTING) for name, each in bodies.items()}
+    still = replace(REF, **both)  # type: ignore[arg-type]
+    found = CRANK["contact_pressure_hole"](still)
+    assert (found.life_factor, found.limit) == (None, 600e6 / 1.2)
+    assert (found.reason, found.missing) == ("life_without_speed", ("input_speed",))
+    assert "contact_life" in crank_checks(still).not_considered
+    turning = replace(still, input_speed=SPEED)
+    assert "contact_life" not in crank_checks(turning).not_considered
+    unknown = replace(turning, pin_material=replace(PIN, limit=None))
+    assert "contact_life" not in crank_checks(unknown).not_considered  # it is not checked at all
+    assert "contact_life" not in crank_checks(replace(REF, pin_radius=None)).not_considered
+
+
+def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
+    """Green by 3 % of the limit as it stands; not after 5000 h."""
+    assert REF.contact is not None and REF.contact.governing_pressure is not None
+    pressure = float(REF.contact.governing_pressure)
+    limit = replace(LASTING, pressure=1.2 * 1.06 * pressure)
+    design = replace(REF, hole_material=replace(HOLE, limit=limit))
+    assert CRANK["contact_pressure_hole"](design).status == "pass"
+    lasting = replace(design, input_speed=SPEED)
+    assert CRANK["contact_pressure_hole"](lasting).status == "fail"
+    for fix in crank_fixes(design=lasting, codes=["contact_pressure_hole"]):
+        cured = vary(design=lasting, variable=fix.variable, value=fix.after)
+        check = CRANK["contact_pressure_hole"](cured)
+        assert check.status == "pass" and check.torque_reserve >= 1.1  # type: ignore[operator]
+        assert check.life_factor == pytest.approx(FACTOR, rel=1e-7)
 
 
 @pytest.mark.parametrize("own", [True, False])

@@ -79,6 +79,30 @@ def test_fatigue() -> None:
     assert both.value == pytest.approx(300e6 / STRESS, rel=1e-10)
 
 
+def test_fatigue_over_the_life() -> None:
+    """Few turns: the strength on the line from f*Rm at 1000 cycles to Se at a million."""
+    f = 1.06 - 2.8e-3 * 145.0377377 + 6.9e-6 * 145.0377377**2
+    turns = 1575 / 60  # a second: 1500 a minute, ratio 20
+    for cycles, share in ((1e6, 0.0), (1e5, 1 / 3), (1e3, 1.0), (10.0, 1.0), (4e8, 0.0)):
+        limit = 300e6 * (f * 1000e6 / 300e6) ** share
+        safety = 1 / (STRESS / 2 / limit + STRESS / 2 / 1000e6)
+        design = one_at(0.037, life=cycles / turns)
+        found = CRANK["pin_fatigue"](design)
+        assert found.value == pytest.approx(safety, rel=1e-9)
+        assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-9)
+        assert found.reason == ("finite_life" if share else "")
+        # what counts no cycles, or has no such line, is judged by the endurance limit
+        for other in (
+            replace(design, input_speed=None),
+            part(design, "pin", steel=False),
+        ):
+            lasting = CRANK["pin_fatigue"](other)
+            assert lasting.value == pytest.approx(1.504829, abs=5e-7) and not lasting.reason
+        rotating = part(design, "pin", rotates=True)
+        reversed_safety = CRANK["pin_fatigue"](rotating).value
+        assert reversed_safety == pytest.approx(300e6 / STRESS, rel=1e-9)
+
+
 UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
     # changes of pin, of fatigue, reason, missing
     "no tensile strength": (
@@ -222,9 +246,19 @@ def test_bearings() -> None:
     static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, peak_torque=1000.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
     assert (static.limit, static.status) == (1.0, "pass")
+    assert static.limit_source == "static_guide"
+    roller = CRANK["bearing_static"](part(rigid(peak_torque=1000.0), "bearing", kind="roller"))
+    assert roller.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
+    assert (roller.limit, roller.status) == (1.5, "marginal")
+    # a load at rest needs no speed
+    still = crank_checks(rigid(peak_torque=1000.0, input_speed=None))
+    assert still["bearing_static"] == CRANK["bearing_static"](rigid(peak_torque=1000.0))
+    assert still["bearing_life"].reason == "speed_missing"
+    many = rigid(input_speed=None, pins=2001, crankshaft=None)
+    assert CRANK["bearing_static"](many).reason == "too_large"
     static = CRANK["bearing_static"](rigid(dynamic_factor=1.5, static_safety=3.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=1e-6)
-    assert static.status == "fail"
+    assert (static.status, static.limit_source) == ("fail", "")
     together = part(rigid(life=0.3 * life), "bearing", weibull_slope=10 / 9)
     found = CRANK["system_life"](together)
     assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
@@ -236,7 +270,11 @@ def test_bearings() -> None:
 MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
     # design, checks, missing
     "ring": (replace(WHOLE, gear=None), ("bearing_life", "bearing_static"), ("gear",)),
-    "speed": (replace(WHOLE, input_speed=None), ("bearing_life",), ("input_speed",)),
+    "speed": (
+        replace(part(WHOLE, "bearing", weibull_slope=1.1), input_speed=None),
+        ("bearing_life", "system_life"),
+        ("input_speed",),
+    ),
     "eccentricity": (
         replace(WHOLE, eccentricity=None),
         ("bearing_life", "pressure_angle", "gear_room"),

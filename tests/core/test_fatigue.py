@@ -3,6 +3,8 @@
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.fatigue import (
@@ -10,6 +12,7 @@ from core.fatigue import (
     FatigueStrength,
     cycles_to_failure,
     endurance_limit,
+    finite_strength,
     judge_cycle,
     notch_factor,
     reliability_factor,
@@ -183,6 +186,53 @@ def test_life_on_its_line():
     own = {"fraction": None, "tensile_strength": 1000e6, "endurance": 300e6}
     f = strength_fraction(tensile_strength=1000e6)
     assert life(f * 1000e6, **own) == pytest.approx(1e3, rel=1e-12)
+
+
+def stands(cycles, **changes):
+    own = {"endurance": 300.0, "tensile_strength": 1000.0, "fraction": 0.8} | changes
+    return finite_strength(cycles=cycles, **own)
+
+
+def test_strength_on_the_line_of_life():
+    """The same line the other way: 800 at 1000 cycles, 300 at a million, level beyond both."""
+    for cycles, strength in ((1e3, 800.0), (10**4.5, math.sqrt(300 * 800)), (1e6, 300.0)):
+        assert stands(cycles) == pytest.approx(strength, rel=1e-12)
+    assert stands(1.0) == stands(1e3) and stands(1e9) == 300.0
+    assert stands(1e4, endurance=800.0) == 800.0 and stands(1e4, endurance=900.0) == 900.0
+    own = {"fraction": None, "tensile_strength": 1000e6, "endurance": 300e6}
+    f = strength_fraction(tensile_strength=1000e6)
+    assert stands(1e3, **own) == pytest.approx(f * 1000e6, rel=1e-12)
+
+
+@given(st.floats(1e3, 9.99e5), st.floats(0.1, 0.7), st.floats(1.001, 100.0))
+def test_strength_and_life_are_inverse(cycles, limit, more):
+    own = {"endurance": limit, "tensile_strength": 1.0, "fraction": 0.8}
+    strength = finite_strength(cycles=cycles, **own)
+    assert cycles_to_failure(amplitude=strength, mean=0.0, **own) == pytest.approx(cycles, rel=1e-9)
+    assert limit <= finite_strength(cycles=cycles * more, **own) < strength
+
+
+def test_the_cycles_that_a_part_has_to_stand():
+    """Its safety is by the strength for these; the life that it has is that of the limit."""
+    lasting = FatigueStrength(300.0, 1000.0)
+    for cycles in (None, 1e6, 1e9):
+        strength = FatigueStrength(300.0, 1000.0, cycles=cycles)
+        assert strength.finite is None
+        assert judge_cycle(strength=strength, largest=400.0, least=-400.0) == judge_cycle(
+            strength=lasting, largest=400.0, least=-400.0
+        )
+    short = FatigueStrength(300.0, 1000.0, cycles=1e4)
+    f = strength_fraction(tensile_strength=1000.0)
+    found = judge_cycle(strength=short, largest=500.0, least=-300.0)
+    finite = 300.0 ** (1 / 3) * (f * 1000) ** (2 / 3)
+    assert short.finite == found.finite_strength == pytest.approx(finite, rel=1e-12)
+    assert found.safety_factor == pytest.approx(1 / (400 / finite + 100 / 1000))
+    assert found.endurance_limit == 300.0
+    assert found.cycles == judge_cycle(strength=lasting, largest=500.0, least=-300.0).cycles
+    # at the limit of one the other is at its own
+    edge = judge_cycle(strength=FatigueStrength(300.0, 1000.0, cycles=found.cycles),
+                       largest=500.0, least=-300.0)  # fmt: skip
+    assert edge.safety_factor == pytest.approx(1, rel=1e-12)
 
 
 def test_a_cycle_is_judged():

@@ -26,7 +26,7 @@ from core.fatigue import (
 from core.materials import ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
-from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.pin_turn import pin_turn
 
@@ -65,7 +65,7 @@ def test_the_reference_design() -> None:
     assert found.peak_equivalent_stress == pytest.approx(found.peak_bending_stress, rel=1e-14)
     assert found.static_safety_factor == pytest.approx(800 / 306.704838, rel=1e-8)
     assert f"{found.fatigue.max_stress / 1e6:.6f}" == "306.704838"
-    assert found.fatigue.min_stress == pytest.approx(0, abs=1)
+    assert found.fatigue.min_stress == 0  # the pin is unloaded for half of the turn
     assert f"{found.fatigue.safety_factor:.6f}" == "1.504829"
     assert found.deflection.satellite == 2
     assert f"{found.deflection.deflection * 1e3:.10f}" == "0.0912803795"
@@ -404,3 +404,12 @@ def test_what_cannot_be_is_refused() -> None:
 def test_a_short_pin_is_noticed() -> None:
     found: PinStrength = pin_strength(**REFERENCE | {"diameter": 0.031})
     assert [each.code for each in found.notices] == ["short_pin"]
+
+
+def test_rounding_is_no_stress():
+    """Beside a large one; a small one of a true locus is."""
+    for least, expected in ((-3e-9, 0.0), (3e-8, 0.0), (-1.0, -1.0), (1e-3, 1e-3)):
+        found = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=3e8, least=least)
+        assert (found.max_stress, found.min_stress) == (3e8, expected)
+    tiny = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=1e-9, least=-5e-10)
+    assert tiny.min_stress == -5e-10

@@ -2,7 +2,7 @@
 import { cycleSteps } from "../../lib/fatigue.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
-import { result } from "../../lib/formula/step.js";
+import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { staticStep, torqueOf } from "./bearings.js";
@@ -49,15 +49,36 @@ export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor
 
 export const drawing = { create: pinDrawing, section: "pin_strength" };
 
-function fatigueSteps(fatigue, { besides, load, mechanism }, d, { tensile_strength_MPa: R_m, yield_strength_MPa: R_e }) {
+const KPSI = 6.894757293168361;
+
+/** The strength for the cycles of the life, where these are so few that it is above the endurance limit. */
+function finiteSteps(fatigue, { load, mechanism, requirements }, R_m) {
+  if (fatigue.finite_strength_MPa === undefined) return [];
+  const cycles = intermediate("lifeCycles", "N_L", "", {
+    formula: "max(1000;n_1*(1+1/u)*L/(2*π))",
+    values: { n_1: q("n_1", load.input_speed_rpm, "rpm"), u: q("u", mechanism.ratio), L: q("L", requirements.life_h, "h") },
+    note: "turnsOverLife",
+  });
+  const fraction = intermediate("strengthFraction", "f", "", {
+    formula: "1.06-0.0028*S+0.0000069*S^2", values: { S: q("S", Math.min(Math.max(R_m / KPSI, 70), 200)) }, source: "shigley", note: "inKpsi",
+  });
+  return [cycles, fraction, result(fatigue, "finite_strength_MPa", "S_f", {
+    formula: "S_e*(f*R_m/S_e)^(2-ln(N_L)/ln(1000))",
+    values: { S_e: q("S_e", fatigue.endurance_limit_MPa, "MPa"), f: asValue(fraction), R_m: q("R_m", R_m, "MPa"), N_L: asValue(cycles) },
+    source: "shigley",
+  })];
+}
+
+function fatigueSteps(fatigue, input, d, { tensile_strength_MPa: R_m, yield_strength_MPa: R_e }) {
   if (!fatigue) return [];
-  const at = (name, symbol, rest) => result(fatigue, name, symbol, { note: "worstCycle", ...rest });
+  const { besides, load, mechanism } = input;
+  const at = (name, symbol) => result(fatigue, name, symbol, { note: "worstCycle" });
   return [
     at("position_mm", "x"),
     ...(fatigue.direction_deg === undefined ? [] : [at("direction_deg", "χ")]),
     at("max_stress_MPa", "σ_max"),
     at("min_stress_MPa", "σ_min"),
-    ...cycleSteps(fatigue, { asked: besides.fatigue, d, R_m, R_e }),
+    ...cycleSteps(fatigue, { asked: besides.fatigue, d, R_m, R_e, finite: finiteSteps(fatigue, input, R_m) }),
     ...(fatigue.life_h === undefined ? [] : [result({ fatigue_life_h: fatigue.life_h }, "fatigue_life_h", "L", {
       formula: "2*π*N/(n_1*(1+1/u))",
       values: { N: q("N", fatigue.cycles), n_1: q("n_1", load.input_speed_rpm, "rpm"), u: q("u", mechanism.ratio) },

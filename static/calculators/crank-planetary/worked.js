@@ -198,7 +198,7 @@ function forceSteps(section, mechanism, load) {
   return found;
 }
 
-function hertzSteps(section, { contact, force, edge }, materialOf) {
+function hertzSteps(section, { contact, force, edge }, materialOf, turning) {
   const pin = materialOf("contact.pin_material", contact.pin_material);
   const hole = materialOf("contact.hole_material", contact.hole_material);
   const F = q("F", force, "N");
@@ -248,12 +248,30 @@ function hertzSteps(section, { contact, force, edge }, materialOf) {
   ];
   const conformal = section.conformal_pressure_MPa;
   if (conformal !== undefined) found.push(...conformalSteps(section, { w, r, R, ...elastic }));
-  found.push(...safetySteps(section, conformal === undefined ? p : q("p_c", conformal, "MPa")));
+  found.push(...safetySteps(section, conformal === undefined ? p : q("p_c", conformal, "MPa"), turning));
   return found;
 }
 
+/** How the limit of a body falls over the life, where that is known. */
+function lifeSteps({ life }, index, { speed, life_h: hours, ratio }) {
+  if (!life) return [];
+  const loads = intermediate("loads", "N_L", "", {
+    formula: "n_1*(1+1/u)*L/(2*π)",
+    values: { n_1: q("n_1", speed, "rpm"), u: q("u", ratio), L: q("L", hours, "h") },
+    note: "turnsOverLife",
+  });
+  return [loads, {
+    ...intermediate("lifeFactor", `Z_NT${index}`, "", {
+      formula: "min(Z_m;(N_k/N_L)^m)",
+      values: { Z_m: q("Z_m", life.largest_factor), N_k: q("N_k", life.knee_loads), N_L: asValue(loads), m: q("m", life.exponent) },
+      source: "iso6336", note: "lifeOfTeeth",
+    }),
+    value: life.factor,
+  }];
+}
+
 /** Each body with a limit by this, under the pressure that governs; the smaller where both have one. */
-function safetySteps(section, pressure) {
+function safetySteps(section, pressure, turning) {
   const { governing_pressure_MPa: governing, safety = [], conformal_pressure_MPa: conformal } = section;
   if (governing === undefined) return [];
   const found = [result(section, "governing_pressure_MPa", "p_g", {
@@ -262,12 +280,13 @@ function safetySteps(section, pressure) {
     ...(conformal === undefined ? { note: "governsHertz" } : { note: "governsConformal" }),
   })];
   const p_g = q("p_g", governing, "MPa");
-  for (const { body, limit_MPa: limit, criterion, source_code: source, safety_factor: value } of safety) {
+  for (const one of safety) {
+    const { body, limit_MPa: limit, criterion, source_code: source, safety_factor: value, life } = one;
     const index = body === "pin" ? 1 : 2;
-    found.push(result(section, `safety_${body}`, `S_${index}`, {
+    found.push(...lifeSteps(one, index, turning), result(section, `safety_${body}`, `S_${index}`, {
       value,
-      formula: "p_P/p_g",
-      values: { p_P: q(`p_P${index}`, limit, "MPa"), p_g },
+      formula: life ? "p_P*Z_NT/p_g" : "p_P/p_g",
+      values: { p_P: q(`p_P${index}`, limit, "MPa"), p_g, ...(life && { Z_NT: q(`Z_NT${index}`, life.factor) }) },
       ...(source ? { note: "limit", noteValues: { criterion, source } } : { note: "limitGiven" }),
     }));
   }
@@ -329,10 +348,11 @@ export function workedSteps({ input, answer, materialOf, more = {} }) {
   const mechanism = mechanismOf(input.mechanism);
   const { cyclogram, contact_force: force, hertz, geometry } = answer;
   const pressed = hertz && pressedBy(input.contact, answer);
+  const turning = { speed: input.load?.input_speed_rpm, life_h: input.requirements?.life_h, ratio: mechanism.ratio };
   return [
     cyclogram && { section: "cyclogram", steps: cyclogramSteps(cyclogram, mechanism) },
     force && { section: "contact_force", steps: forceSteps(force, mechanism, input.load) },
-    hertz && { section: "hertz", steps: hertzSteps(hertz, pressed, materialOf) },
+    hertz && { section: "hertz", steps: hertzSteps(hertz, pressed, materialOf, turning) },
     geometry && { section: "geometry", steps: geometrySteps(geometry, input.contact) },
     ...WANTED.map(({ id, section }) => answer[section] && more[id] && {
       section, steps: more[id](answer[section], { ...input, mechanism }, { materialOf, answer }),
