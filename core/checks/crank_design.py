@@ -23,7 +23,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, face_load_factor
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import FIT_TOLERANCE
-from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
@@ -582,33 +582,10 @@ class CrankDesign:
         return _named("fatigue", lambda: basis.strength(pin))
 
     @cached_property
-    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins without their fatigue, with their deflection."""
-        known = self.__dict__.get("pin_strength")
-        return known or self._pin_strength(None)
-
-    @cached_property
-    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
-        it is not known; None without pins, or of too many.
+    def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
+        """Stresses of the pins under the dynamic load; why they are not known; None without pins,
+        or of too many.
         """
-        judged = self.fatigue_strength
-        if not isinstance(judged, FatigueStrength):
-            found = self.pin_loads
-        else:
-            found = self._pin_strength(judged)
-        if self.pin is None or not isinstance(found, PinStrength):
-            return found
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        valid = self.pin.valid_diameter
-        if valid is not None and self.pin.diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
-        return replace(found, notices=notices + found.notices)
-
-    def _pin_strength(
-        self, fatigue: FatigueStrength | None
-    ) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins; why it is not known."""
         if not (self.loaded and self.touching and self.pin) or self.unmade:
             return None
         if self.pairs > MOST_PIN_PAIRS:
@@ -616,7 +593,7 @@ class CrankDesign:
         pin = self.pin
         return _known(
             "pin",
-            lambda: pin_strength(
+            lambda: pin_stresses(
                 **self._forced,
                 application_factor=self.dynamic_factor,
                 peak_torque=self.static_torque,
@@ -626,12 +603,33 @@ class CrankDesign:
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                rotates=pin.rotates,
-                fatigue=fatigue,
-                input_speed=self.input_speed,
-                deflection=True,
             ),
         )
+
+    @cached_property
+    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins without their fatigue, with their deflection."""
+        found = self._pin_stresses
+        return found.strength(deflection=True) if isinstance(found, PinStresses) else found
+
+    @cached_property
+    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
+        it is not known; None without pins, or of too many.
+        """
+        judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
+        if pin is None or not isinstance(found, PinStrength):
+            return found
+        if isinstance(judged, FatigueStrength):
+            assert isinstance(self._pin_stresses, PinStresses)
+            found = self._pin_stresses.strength(
+                rotates=pin.rotates, fatigue=judged, input_speed=self.input_speed, deflection=True
+            )
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid = pin.valid_diameter
+        if valid is not None and pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(found, notices=notices + found.notices)
 
     @cached_property
     def losses(self) -> PinLosses | ImpossibleMechanism | None:
