@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.output.pin_turn import Turn, combine
+from core.output.pin_turn import BLOCK, Turn, combine
 from core.output.sampled_turn import PinSamples
 
 ROUGH, ROUGHLY = 2, 1 - 1e-6
@@ -42,9 +42,6 @@ SETTLED = 1e-15
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
 
-BLOCK = 1_000_000
-"""Numbers that are worked on at once."""
-
 AROUND = 24
 """Directions looked at first."""
 
@@ -64,7 +61,12 @@ SAMPLED = 0.95
 KEPT = 64
 """Most points about which is looked further: more are only where the measure is flat."""
 
-THIRDS = np.array([-1.0, 0.0, 1.0]) / 3
+CLOSER, CLOSED_CLOSER, CLOSED_AROUND = 3, 7, 27
+"""How much closer the next points are, where over the turn is searched, where that is known in
+closed form, and where then directions alone count."""
+
+CLOSED = 1 - 1e-14
+"""What part of the largest closed forms find at least."""
 
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
@@ -314,11 +316,13 @@ Found = tuple[float, float, float]
 def highest(
     *,
     value: Callable[[Points, int], tuple[FloatArray, FloatArray]],
-    ends: FloatArray,
+    stretches: FloatArray,
     around: bool = False,
     enough: float,
     climb: Callable[[Points], Found],
-) -> Found:
+    closed: bool = False,
+    beyond: float = -np.inf,
+) -> Found | None:
     """The largest value of all sections, and of all directions where they count.
 
     Parameters
@@ -327,49 +331,60 @@ def highest(
         Of points and in how many rounds the turn is to be searched: values, shape (rows,), and how
         far above them a largest one may lie that is no farther off than half the way to the next
         points.
-    ends : array, shape (s,)
-        Ends of the stretches along which the value is smooth, ascending; one section if there is
-        no other.
+    stretches : array, shape (2, s)
+        Ends of the stretches along which the value is smooth; the same twice for one section.
     around : bool
         Whether directions count.
     enough : float
         What may be left above the best point, as a part of the value, for this search to end.
     climb : callable
         The largest value about the points that are left, the best first.
+    closed : bool
+        Whether values are exact.
+    beyond : float
+        Value up to which a largest one does not count.
 
     Returns
     -------
     value, section, direction : float
+        None where there is nothing beyond.
     """
-    long = len(ends) > 1
-    if long:
-        parts = ALONG if around else ALONG_ONLY
-        low, high = (np.repeat(each, parts + 1) for each in (ends[:-1], ends[1:]))
-        way = np.tile(np.arange(parts + 1) / parts, len(ends) - 1)
-        stretches = np.array([low * (1 - way) + high * way, low, high, (high - low) / parts])
-    else:
-        stretches = np.array([ends, ends, ends, [0.0]])
+    long = stretches[1] > stretches[0]
+    parts = np.where(long, ALONG if around else ALONG_ONLY, 0)
+    row = np.repeat(np.arange(len(parts)), parts + 1)
+    part = np.maximum(parts, 1)[row]
+    way = (np.arange(len(row)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)) / part
+    low, high = stretches[:, row]
     directions = 2 * np.pi * np.arange(AROUND) / AROUND if around else np.zeros(1)
-    x, low, high, length = np.repeat(stretches, len(directions), axis=1)
+    points = np.array([low * (1 - way) + high * way, low, high, (high - low) / part])
+    x, low, high, length = np.repeat(points, len(directions), axis=1)
     angle = float(directions[1]) if around else 0.0
-    at = Points(x, np.tile(directions, stretches.shape[1]), length, angle, low, high)
-    moves = np.meshgrid(THIRDS if long else 0.0, THIRDS if around else 0.0)
-    move_x, move_chi = (each.ravel() for each in moves)
-    best = -np.inf
+    at = Points(x, np.tile(directions, points.shape[1]), length, angle, low, high)
+    closer = CLOSER if not closed else CLOSED_CLOSER if long.any() else CLOSED_AROUND
+    moves = (np.arange(closer) - closer // 2) / closer
+    grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
+    move_x, move_chi = (each.ravel() for each in grid)
+    best = beyond
     level = 0
     while True:
         values, room = value(at, ROUGH * (level > 0))
         best = max(best, float(values.max()))
-        least = min(best * (ROUGHLY if level else SAMPLED), float(values.max()))
+        share = CLOSED if closed else ROUGHLY if level else SAMPLED
+        least = max(min(best * share, float(values.max())), beyond * share)
         kept = np.flatnonzero(values + room >= least)
+        if not len(kept):
+            return None
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
-        if room.max() <= enough * best:
-            return climb(at.of(kept[_apart(at.of(kept))]))
+        if room[kept].max() <= enough * best:
+            return climb(at.of(kept[:1] if closed else kept[_apart(at.of(kept))]))
         many = at.of(np.repeat(kept, len(move_x)))
-        x = many.section + many.length * np.tile(move_x, len(kept))
+        moved = np.tile(move_x, len(kept))
+        x = many.section + many.length * moved
         chi = many.direction + at.angle * np.tile(move_chi, len(kept))
-        inside = np.flatnonzero((x >= many.low) & (x <= many.high))
-        at = Points(x, chi, many.length / 3, at.angle / 3, many.low, many.high).of(inside)
+        inside = np.flatnonzero(
+            (x >= many.low) & (x <= many.high) & ((many.length > 0) | (moved == 0))
+        )
+        at = Points(x, chi, many.length / closer, at.angle / closer, many.low, many.high).of(inside)
         level += 1
 
 

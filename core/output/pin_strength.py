@@ -345,10 +345,13 @@ def pin_stresses(
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
-    found = [_stresses(pin, case) for case in cases]
+    found: list[_Stresses] = []
+    for case in reversed(cases):  # the uneven ones first, within which others mostly stay
+        most = max((each.equivalent for each in found), default=0.0)
+        found.insert(0, _stresses(pin, case, most))
     if made is not None and static_torque != torque:
         again = _made_cases([made(way * static_torque) for way in ways])
-        static = max(pin.equivalent(case) for case in again)
+        static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
     error += _of_two_supports(beam, satellite_positions)
     return PinStresses(pin, mechanism, material, found, static, method, error, evaluations)
@@ -460,8 +463,8 @@ class _Stresses:
     slopes: FloatArray
 
 
-def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
-    """What a pin bears under loads."""
+def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
+    """What a pin bears under loads; the equivalent stress only where it is beyond another."""
     beam, z, ends = pin.beam, pin.positions, pin.ends
     rows = (
         np.eye(len(z)),
@@ -474,11 +477,14 @@ def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
     forces, deflections, slopes, shears, at_root = np.split(
         found, np.cumsum([len(each) for each in rows[:-1]])
     )
+    bent, place = (float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)
+    equivalent = pin.equivalent(loads, max(beyond, bent))
     return _Stresses(
         loads,
-        *((float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)),
+        bent,
+        place,
         mean_shear=float(shears.max()),
-        equivalent=pin.equivalent(loads),
+        equivalent=max(equivalent, bent),
         forces=forces,
         deflections=deflections,
         slopes=slopes,
@@ -499,7 +505,11 @@ def _fatigue(
             if case.loads.alternates:
                 angle = pin.direction(case.loads, case.place)
             else:
-                top, bottom, seen, angle = pin.cycle(case.loads, strength, case.bent)
+                beyond = 0.0 if worst is None else 1 / worst[1].safety_factor
+                seen_cycle = pin.cycle(case.loads, strength, case.bent, beyond)
+                if seen_cycle is None:
+                    continue
+                top, bottom, seen, angle = seen_cycle
             chi = _turned(angle)
         cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
         if worst is None or cycle.safety_factor < worst[1].safety_factor:
