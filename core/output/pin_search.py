@@ -11,6 +11,7 @@ the best point near it, and drops only what cannot hold it:
 What is left when that is little is narrowed down in all variables at once.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -61,9 +62,11 @@ SAMPLED = 0.95
 KEPT = 64
 """Most points about which is looked further: more are only where the measure is flat."""
 
-CLOSER, CLOSED_CLOSER, CLOSED_AROUND = 3, 7, 27
-"""How much closer the next points are, where over the turn is searched, where that is known in
-closed form, and where then directions alone count."""
+CLOSER = 3
+"""How much closer the next points are, at least."""
+
+POINTS = 300
+"""About how many points are looked at then where values are known in closed form."""
 
 CLOSED = 1 - 1e-14
 """What part of the largest closed forms find at least."""
@@ -360,10 +363,6 @@ def highest(
     x, low, high, length = np.repeat(points, len(directions), axis=1)
     angle = float(directions[1]) if around else 0.0
     at = Points(x, np.tile(directions, points.shape[1]), length, angle, low, high)
-    closer = CLOSER if not closed else CLOSED_CLOSER if long.any() else CLOSED_AROUND
-    moves = (np.arange(closer) - closer // 2) / closer
-    grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
-    move_x, move_chi = (each.ravel() for each in grid)
     best = beyond
     level = 0
     while True:
@@ -377,14 +376,19 @@ def highest(
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
         if room[kept].max() <= enough * best:
             return climb(at.of(kept[:1] if closed else kept[_apart(at.of(kept))]))
-        many = at.of(np.repeat(kept, len(move_x)))
+        many = POINTS / len(kept) if closed else 0.0
+        closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
+        moves = (np.arange(closer) - closer // 2) / closer
+        grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
+        move_x, move_chi = (each.ravel() for each in grid)
+        near = at.of(np.repeat(kept, len(move_x)))
         moved = np.tile(move_x, len(kept))
-        x = many.section + many.length * moved
-        chi = many.direction + at.angle * np.tile(move_chi, len(kept))
+        x = near.section + near.length * moved
+        chi = near.direction + at.angle * np.tile(move_chi, len(kept))
         inside = np.flatnonzero(
-            (x >= many.low) & (x <= many.high) & ((many.length > 0) | (moved == 0))
+            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (moved == 0))
         )
-        at = Points(x, chi, many.length / closer, at.angle / closer, many.low, many.high).of(inside)
+        at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
         level += 1
 
 
