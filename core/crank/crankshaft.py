@@ -275,17 +275,19 @@ def _ideal_reactions(
         for way in ways:
             both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
             found = largest(turn=turn, arms=(both,), measure=np.abs)
-            for row in np.flatnonzero(found > off).tolist():
-                mean, lost = mean_power(
-                    turn=turn,
-                    arms=(both[row : row + 1],),
-                    measure=np.abs,
-                    largest=found[row : row + 1],
-                    exponent=exponents[row],
-                )
-                most[row] = max(most[row], found[row])
-                equivalent[row] = max(equivalent[row], mean[0])
-                truncation = max(truncation, lost)
+            rows = np.flatnonzero(found > off)
+            if not len(rows):
+                continue
+            mean, lost = mean_power(
+                turn=turn,
+                arms=(both[rows],),
+                measure=np.abs,
+                largest=found[rows],
+                exponents=[exponents[row] for row in rows],
+            )
+            most[rows] = np.maximum(most[rows], found[rows])
+            equivalent[rows] = np.maximum(equivalent[rows], mean)
+            truncation = max(truncation, lost)
     size = turn.forces[0].size
     return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
 

@@ -196,7 +196,7 @@ class LoadedPin:
             return values, curvature * at.length**2 / 8
 
         def climb(points: Points) -> Found:
-            if isinstance(turn, PinSamples) or len(self.ends) == 1:
+            if isinstance(turn, PinSamples):
                 return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
             own, at = points.of(tops.row), turn.at(tops.arc)
@@ -218,6 +218,8 @@ class LoadedPin:
             top = int(values.argmax())
             return float(values[top]), float(x[top]), 0.0
 
+        if len(self.ends) == 1:
+            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
         found = highest(
             value=value,
             stretches=self.stretches(),
