@@ -27,7 +27,7 @@ from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
-from core.results import Accuracy, Notice
+from core.results import ROUNDING, Accuracy, Notice
 
 MOST_REAL_PAIRS = 100
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
@@ -35,6 +35,9 @@ MOST_REAL_PAIRS = 100
 MOST_PIN_PAIRS, MOST_BEARING_PAIRS = 500, 2000
 """Most pairs of which the locus of a pin's moment is looked at, and of which the forces on the
 satellites are integrated over the turn."""
+
+ALIKE = 64 * ROUNDING
+"""Difference of stiffnesses that only rounding makes, as a part of them."""
 
 UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 """Why forces are not known, as the reason of a check, where there is one of its own."""
@@ -507,7 +510,9 @@ class CrankDesign:
 
     @cached_property
     def pair_stiffness(self) -> tuple[float, ...] | None:
-        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load."""
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
+        where all are alike.
+        """
         pin, force = self.pin, self.force
         if pin is None or self.as_made or not isinstance(force, ContactForce):
             return None
@@ -524,10 +529,11 @@ class CrankDesign:
             poissons_ratio=pin.material.poissons_ratio,
             span=pin.span,
         )
-        return beam.pair_stiffness(
+        found = beam.pair_stiffness(
             positions=pin.satellite_positions,
             contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
         )
+        return None if max(found) - min(found) <= ALIKE * max(found) else found
 
     @property
     def pin_length(self) -> float:

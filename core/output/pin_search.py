@@ -74,6 +74,8 @@ CLOSED = 1 - 1e-14
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
 
+Triple = tuple[FloatArray, FloatArray, FloatArray]
+
 Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
 """Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
 
@@ -179,35 +181,35 @@ def largest(
     result, tops = summits(turn=turn, arms=arms, measure=measure)
     own, at = tuple(each[tops.row] for each in arms), turn.at(tops.arc)
     every, place, width = np.arange(len(tops.row)), tops.place, tops.width
+    best = np.full(len(every), -np.inf)
     closer = 1 / CELLS**2 if turn.smooth else 1 / CELLS
     for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
         grid = place[:, None] + (after[:, None] * AFTER - before[:, None] * BEFORE)
-        grid = np.minimum(np.maximum(grid, 0.0), 1.0)
+        grid = np.minimum(grid, 1.0)
         forces = at(grid)
         found = measure(*(combine(arms=each, forces=forces) for each in own))
         index = found.argmax(axis=1)
         index = np.where(found[every, index] > found[:, CELLS], index, CELLS)
-        np.maximum.at(result, tops.row, found[every, index])
-        place = grid[every, index]
-        end = (place == 0) | (place == 1)
-        stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
-        place = np.where(end | stuck, place, _vertex(grid, found, np.clip(index, 1, 2 * CELLS - 1)))
-        width = width * np.where(stuck, 2.0, closer)
-        beside = np.minimum(
-            found[every, np.maximum(index - 1, 0)], found[every, np.minimum(index + 1, 2 * CELLS)]
-        )
-        if (found[every, index] - beside <= SETTLED * np.abs(found[every, index])).all():
+        top, place = found[every, index], grid[every, index]
+        best = np.maximum(best, top)
+        middle = np.minimum(np.maximum(index, 1), 2 * CELLS - 1)
+        values = found[every, middle - 1], found[every, middle], found[every, middle + 1]
+        lowest = np.minimum(np.minimum(*values[:2]), values[2])
+        if (top - lowest <= SETTLED * np.abs(top)).all():
             break
+        places = grid[every, middle - 1], grid[every, middle], grid[every, middle + 1]
+        end = (place == 0) | (place == 1)
+        stuck = (middle != index) & ~end
+        place = np.where(end | stuck, place, _vertex(places, values))
+        width = width * np.where(stuck, 2.0, closer)
+    np.maximum.at(result, tops.row, best)
     return result
 
 
-def _vertex(grid: FloatArray, values: FloatArray, index: IntArray) -> FloatArray:
+def _vertex(places: Triple, values: Triple) -> FloatArray:
     """Where the parabola through three points of each row is largest, between the outer two."""
-    every = np.arange(len(index))
-    (x0, f0), (x1, f1), (x2, f2) = (
-        (grid[every, index + k], values[every, index + k]) for k in (-1, 0, 1)
-    )
+    (x0, x1, x2), (f0, f1, f2) = places, values
     rise, fall = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0)
     bent = rise - fall
     known = bent > 0
