@@ -14,11 +14,11 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import MISSED, bearing_curves, made_parts, mean_power
+from core.crank.satellite_bearing import bearing_curves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.pin_search import largest
+from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import ComplexArray, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known

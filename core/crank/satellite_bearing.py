@@ -30,7 +30,7 @@ from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import SETTLED, largest
+from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -40,10 +40,6 @@ COARSEST, FINEST = 3, 9
 
 CONVERGED = 1e-14
 """Relative difference of two rules that ends them."""
-
-MISSED = SETTLED / 8
-"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
-neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,6 +40,10 @@ BEFORE = AFTER[::-1]
 SETTLED = 1e-15
 """How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
+MISSED = SETTLED / 8
+"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
+neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
+
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
 
@@ -183,7 +187,7 @@ def largest(
     every, place, width = np.arange(len(tops.row)), tops.place, tops.width
     best = np.full(len(every), -np.inf)
     closer = 1 / CELLS**2 if turn.smooth else 1 / CELLS
-    for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
+    for done in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
         grid = place[:, None] + (after[:, None] * AFTER - before[:, None] * BEFORE)
         grid = np.minimum(grid, 1.0)
@@ -193,29 +197,37 @@ def largest(
         index = np.where(found[every, index] > found[:, CELLS], index, CELLS)
         top, place = found[every, index], grid[every, index]
         best = np.maximum(best, top)
-        middle = np.minimum(np.maximum(index, 1), 2 * CELLS - 1)
+        middle = np.maximum(index, np.where(before > 0, 1, CELLS + 1))  # three places apart
+        middle = np.minimum(middle, np.where(after > 0, 2 * CELLS - 1, CELLS - 1))
         values = found[every, middle - 1], found[every, middle], found[every, middle + 1]
         lowest = np.minimum(np.minimum(*values[:2]), values[2])
-        if (top - lowest <= SETTLED * np.abs(top)).all():
-            break
         places = grid[every, middle - 1], grid[every, middle], grid[every, middle + 1]
-        end = (place == 0) | (place == 1)
-        stuck = (middle != index) & ~end
-        place = np.where(end | stuck, place, _vertex(places, values))
+        stuck = ((index == 0) | (index == 2 * CELLS)) & (place > 0) & (place < 1)
+        vertex, above = _vertex(places, values)
+        settled = top - lowest <= SETTLED * np.abs(top)
+        if done and turn.smooth:  # the parabola of so near places is right
+            settled |= (above - top <= MISSED * np.abs(top)) & ~stuck
+        if settled.all():
+            break
+        place = np.where(stuck, place, vertex)
         width = width * np.where(stuck, 2.0, closer)
     np.maximum.at(result, tops.row, best)
     return result
 
 
-def _vertex(places: Triple, values: Triple) -> FloatArray:
-    """Where the parabola through three points of each row is largest, between the outer two."""
+def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
+    """Where the parabola through three points of each row is largest, between the outer two, and
+    its value there.
+    """
     (x0, x1, x2), (f0, f1, f2) = places, values
     rise, fall = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0)
-    bent = rise - fall
-    known = bent > 0
-    part = np.where(known, rise / np.where(known, bent, 1.0), 0.5)
-    middle = (x0 + x1) / 2 + part * (x2 - x0) / 2
-    return np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
+    known = rise > fall
+    bent = np.where(known, rise - fall, 1.0)
+    middle = (x0 + x1) / 2 + rise / bent * (x2 - x0) / 2
+    middle = np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
+    before, after = middle - x0, middle - x1
+    summed = rise * before - bent * before * after / np.where(known, x2 - x0, 1.0)
+    return middle, np.where(known, f0 + summed / np.where(known, (x1 - x0) * (x2 - x1), 1.0), f1)
 
 
 def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
