@@ -27,10 +27,12 @@ from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
+from core.output.satellite_support import SatelliteSupport
 from core.results import ROUNDING, Accuracy, Notice
 
-MOST_REAL_PAIRS = 100
-"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
+MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
+"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
+whose satellites give."""
 
 MOST_PIN_PAIRS, MOST_BEARING_PAIRS = 500, 2000
 """Most pairs of which the locus of a pin's moment is looked at, and of which the forces on the
@@ -97,6 +99,8 @@ class CrankDesign:
         How the pins are held, and of what they are.
     deviations : Deviations or None
         Of this piece, where they are stated.
+    support : SatelliteSupport or None
+        What the satellites give, where that is stated; the geometry is of first order then.
     max_backlash, max_lost_motion : float or None
         Largest backlash and lost motion that are asked, rad.
     input_speed : float or None
@@ -166,6 +170,7 @@ class CrankDesign:
     law: ContactLaw | None = None
     pin: DesignPin | None = None
     deviations: Deviations | None = None
+    support: SatelliteSupport | None = None
     max_backlash: float | None = None
     max_lost_motion: float | None = None
     input_speed: float | None = None
@@ -244,18 +249,18 @@ class CrankDesign:
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or a law of contact are stated. Bending pins alone leave
-        the ideal forces.
+        """Whether clearance, deviations, a law of contact or satellites that give are stated.
+        Bending pins alone leave the ideal forces.
         """
-        stated = (self.law, self.deviations)
+        stated = (self.law, self.deviations, self.support)
         return (self.clearance or 0.0) > 0 or any(each is not None for each in stated)
 
     @cached_property
     def real(self) -> RealMechanism | None:
         """The mechanism as it is made; None where too little of it is given, or the forces cannot
-        be solved: of more than `MOST_REAL_PAIRS`, or of holes around the centre.
+        be solved: of more than `most_real_pairs`, or of holes around the centre.
         """
-        if not (self.loaded and self.touching) or self.pins * self.satellites > MOST_REAL_PAIRS:
+        if not (self.loaded and self.touching) or self.pairs > self.most_real_pairs:
             return None
         assert self.pin_circle_radius is not None and self.contact_length is not None
         assert self.pin_radius is not None and self.hole_radius is not None
@@ -276,6 +281,8 @@ class CrankDesign:
             hole_material=self.hole_material,
             pin=self.pin,
             deviations=self.deviations or Deviations(),
+            exact=self.support is None,
+            support=self.support,
         )
 
     def real_forces_at(self, factor: float) -> RealForces:
@@ -344,7 +351,7 @@ class CrankDesign:
         """
         if isinstance(forces, ImpossibleMechanism):
             return UNSOLVED.get(forces.code, "no_balance")
-        many = self.pins * self.satellites > MOST_REAL_PAIRS
+        many = self.pairs > self.most_real_pairs
         return "too_many_pairs" if many else "no_balance"
 
     @property
@@ -546,6 +553,11 @@ class CrankDesign:
         assert self.contact_length is not None
         given = None if self.pin is None else self.pin.contact_length
         return self.contact_length if given is None else given
+
+    @property
+    def most_real_pairs(self) -> int:
+        """Most pairs of which the forces of the mechanism as it is made are solved."""
+        return MOST_REAL_PAIRS if self.support is None else MOST_GIVING_PAIRS
 
     @property
     def pairs(self) -> int:
