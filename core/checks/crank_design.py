@@ -23,18 +23,23 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, face_load_factor
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import FIT_TOLERANCE
-from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
-from core.results import Accuracy, Notice
+from core.output.satellite_support import SatelliteSupport
+from core.results import ROUNDING, Accuracy, Notice
 
-MOST_REAL_PAIRS = 100
-"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
+MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
+"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
+whose satellites give."""
 
 MOST_PIN_PAIRS, MOST_BEARING_PAIRS = 500, 2000
 """Most pairs of which the locus of a pin's moment is looked at, and of which the forces on the
 satellites are integrated over the turn."""
+
+ALIKE = 64 * ROUNDING
+"""Difference of stiffnesses that only rounding makes, as a part of them."""
 
 UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 """Why forces are not known, as the reason of a check, where there is one of its own."""
@@ -96,6 +101,8 @@ class CrankDesign:
         How the pins are held, and of what they are.
     deviations : Deviations or None
         Of this piece, where they are stated.
+    support : SatelliteSupport or None
+        What the satellites give, where that is stated; the geometry is of first order then.
     max_backlash, max_lost_motion : float or None
         Largest backlash and lost motion that are asked, rad.
     input_speed : float or None
@@ -166,6 +173,7 @@ class CrankDesign:
     law: ContactLaw | None = None
     pin: DesignPin | None = None
     deviations: Deviations | None = None
+    support: SatelliteSupport | None = None
     max_backlash: float | None = None
     max_lost_motion: float | None = None
     input_speed: float | None = None
@@ -244,18 +252,18 @@ class CrankDesign:
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or a law of contact are stated. Bending pins alone leave
-        the ideal forces.
+        """Whether clearance, deviations, a law of contact or satellites that give are stated.
+        Bending pins alone leave the ideal forces.
         """
-        stated = (self.law, self.deviations)
+        stated = (self.law, self.deviations, self.support)
         return (self.clearance or 0.0) > 0 or any(each is not None for each in stated)
 
     @cached_property
     def real(self) -> RealMechanism | None:
         """The mechanism as it is made; None where too little of it is given, or the forces cannot
-        be solved: of more than `MOST_REAL_PAIRS`, or of holes around the centre.
+        be solved: of more than `most_real_pairs`, or of holes around the centre.
         """
-        if not (self.loaded and self.touching) or self.pins * self.satellites > MOST_REAL_PAIRS:
+        if not (self.loaded and self.touching) or self.pairs > self.most_real_pairs:
             return None
         assert self.pin_circle_radius is not None and self.contact_length is not None
         assert self.pin_radius is not None and self.hole_radius is not None
@@ -276,6 +284,8 @@ class CrankDesign:
             hole_material=self.lasting("hole"),
             pin=self.pin,
             deviations=self.deviations or Deviations(),
+            exact=self.support is None,
+            support=self.support,
         )
 
     def real_forces_at(self, factor: float) -> RealForces:
@@ -344,7 +354,7 @@ class CrankDesign:
         """
         if isinstance(forces, ImpossibleMechanism):
             return UNSOLVED.get(forces.code, "no_balance")
-        many = self.pins * self.satellites > MOST_REAL_PAIRS
+        many = self.pairs > self.most_real_pairs
         return "too_many_pairs" if many else "no_balance"
 
     @property
@@ -439,10 +449,15 @@ class CrankDesign:
 
     def torque_factor(self, factor: float) -> float:
         """Factor on the torque under which the largest line load is so many times as large."""
-        force, edge = self.judged_forces, self.edge_factor(1.0)
-        on_force, before = factor, 0.0
-        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-9 * on_force:
-            on_force, before = factor * edge / self.edge_factor(on_force), on_force
+        force, on_force, edge = self.judged_forces, factor, self.edge_factor(1.0)
+        before = gone = 0.0  # secants of the logarithm of both
+        while self.pin and 0 < on_force < math.inf:
+            left = math.log(factor * edge / self.edge_factor(on_force) / on_force)
+            if abs(left) <= 1e-9:
+                break
+            step = left if left == before or not before else gone * left / (before - left)
+            before, gone = left, step
+            on_force *= math.exp(step)
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
     @cached_property
@@ -525,7 +540,9 @@ class CrankDesign:
 
     @cached_property
     def pair_stiffness(self) -> tuple[float, ...] | None:
-        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load."""
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
+        where all are alike.
+        """
         pin, force = self.pin, self.force
         if pin is None or self.as_made or not isinstance(force, ContactForce):
             return None
@@ -542,10 +559,11 @@ class CrankDesign:
             poissons_ratio=pin.material.poissons_ratio,
             span=pin.span,
         )
-        return beam.pair_stiffness(
+        found = beam.pair_stiffness(
             positions=pin.satellite_positions,
             contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
         )
+        return None if max(found) - min(found) <= ALIKE * max(found) else found
 
     @property
     def pin_length(self) -> float:
@@ -553,6 +571,11 @@ class CrankDesign:
         assert self.contact_length is not None
         given = None if self.pin is None else self.pin.contact_length
         return self.contact_length if given is None else given
+
+    @property
+    def most_real_pairs(self) -> int:
+        """Most pairs of which the forces of the mechanism as it is made are solved."""
+        return MOST_REAL_PAIRS if self.support is None else MOST_GIVING_PAIRS
 
     @property
     def pairs(self) -> int:
@@ -605,33 +628,10 @@ class CrankDesign:
         return replace(found, cycles=self.loads_over_life)
 
     @cached_property
-    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins without their fatigue, with their deflection."""
-        known = self.__dict__.get("pin_strength")
-        return known or self._pin_strength(None)
-
-    @cached_property
-    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
-        it is not known; None without pins, or of too many.
+    def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
+        """Stresses of the pins under the dynamic load; why they are not known; None without pins,
+        or of too many.
         """
-        judged = self.fatigue_strength
-        if not isinstance(judged, FatigueStrength):
-            found = self.pin_loads
-        else:
-            found = self._pin_strength(judged)
-        if self.pin is None or not isinstance(found, PinStrength):
-            return found
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        valid = self.pin.valid_diameter
-        if valid is not None and self.pin.diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
-        return replace(found, notices=notices + found.notices)
-
-    def _pin_strength(
-        self, fatigue: FatigueStrength | None
-    ) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins; why it is not known."""
         if not (self.loaded and self.touching and self.pin) or self.unmade:
             return None
         if self.pairs > MOST_PIN_PAIRS:
@@ -639,7 +639,7 @@ class CrankDesign:
         pin = self.pin
         return _known(
             "pin",
-            lambda: pin_strength(
+            lambda: pin_stresses(
                 **self._forced,
                 application_factor=self.dynamic_factor,
                 peak_torque=self.static_torque,
@@ -649,12 +649,33 @@ class CrankDesign:
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                rotates=pin.rotates,
-                fatigue=fatigue,
-                input_speed=self.input_speed,
-                deflection=True,
             ),
         )
+
+    @cached_property
+    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins without their fatigue, with their deflection."""
+        found = self._pin_stresses
+        return found.strength(deflection=True) if isinstance(found, PinStresses) else found
+
+    @cached_property
+    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
+        it is not known; None without pins, or of too many.
+        """
+        judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
+        if pin is None or not isinstance(found, PinStrength):
+            return found
+        if isinstance(judged, FatigueStrength):
+            assert isinstance(self._pin_stresses, PinStresses)
+            found = self._pin_stresses.strength(
+                rotates=pin.rotates, fatigue=judged, input_speed=self.input_speed, deflection=True
+            )
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid = pin.valid_diameter
+        if valid is not None and pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(found, notices=notices + found.notices)
 
     @cached_property
     def losses(self) -> PinLosses | ImpossibleMechanism | None:
