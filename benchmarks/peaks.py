@@ -17,12 +17,14 @@ from itertools import repeat
 
 from benchmarks.options import options
 from core.errors import ImpossibleMechanism
+from core.output.compiled import load
 from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
-from core.output.sharing_kernel import largest
+from core.output.sharing_kernel import FORCE
+from core.output.turn import Turn
 from tests.oracles.real_mechanisms import STEEL
 
 DESIGNS, POSITIONS = 200, 60_000
@@ -91,19 +93,17 @@ def scan(seed: int, positions: int) -> Scan | None:
     real, torque = design(seed)
     try:
         turn = over_turn(real=real, output_torque=torque)
-        setup, room, highest = real.setup(1.0), real.room(), 0.0
-        for k in range(positions):
-            real.solved(2 * math.pi * (k + 0.5) / positions, torque, setup, room)
-            highest = max(highest, largest(room))
+        places = [2 * math.pi * (k + 0.5) / positions for k in range(positions)]
+        highest = Turn(real, torque).values(FORCE, places).heights.max()
     except ImpossibleMechanism:
         return None
-    return Scan(seed, highest / turn.peak_force - 1, turn.accuracy.relative_error)
+    return Scan(seed, float(highest) / turn.peak_force - 1, turn.accuracy.relative_error)
 
 
 def main(designs: int, positions: int) -> int:
     """Scan all and say what came of it; 1 if any peak was missed."""
     start, found = time.perf_counter(), []
-    with ProcessPoolExecutor(2) as pool:
+    with ProcessPoolExecutor(2, initializer=load) as pool:
         for each in pool.map(scan, range(designs), repeat(positions)):
             if each is None:
                 continue
