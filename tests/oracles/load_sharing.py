@@ -111,21 +111,27 @@ def _loaded(real: RealMechanism, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]
 def _root(f, low: mpf, high: mpf) -> mpf:
     """Root of an increasing function: false position (Illinois), sure by the signs beside it."""
     close = mpf(10) ** (8 - DIGITS)
-    left, right, side = f(low), f(high), 0
+    left, right, side, last = f(low), f(high), 0, mp.inf
     if left >= 0 or right <= 0:
         return low if left >= 0 else high
     for _ in range(60):
         x = (low * right - high * left) / (right - left)
         here = f(x)
         width = abs(x) * close + mpf(10) ** -DIGITS
-        if here == 0 or (f(x - width) <= 0 <= f(x + width)):
+        if here == 0:
             return x
+        near = abs(x - last) < mp.sqrt(width)  # else it is not worth a look
         if here < 0:
+            if near and f(x + width) >= 0:
+                return x
             low, left = x, here
             right, side = (right / 2 if side == -1 else right), -1
         else:
+            if near and f(x - width) <= 0:
+                return x
             high, right = x, here
             left, side = (left / 2 if side == 1 else left), 1
+        last = x
     return _bisected(lambda x: f(x) < 0, low, high)
 
 
