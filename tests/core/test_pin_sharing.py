@@ -1,0 +1,41 @@
+"""Pins under several cases of load: what is told is the worst of them, each number for itself."""
+
+import pytest
+
+from core.output.pin_strength import pin_strength
+from tests.core.test_pin_strength import REFERENCE
+
+EQUAL, STIFF = 10000 / 3, 40000 / 9
+"""N: T/R over the sum of k_j*cos^2, which is 3/2 a satellite, of k = 1 and 1, 2 and 1."""
+
+
+@pytest.mark.parametrize("stiffness", [(1.0, 2.0), (2.0, 1.0)])
+def test_the_worst_of_equal_and_stiffness_sharing(stiffness: tuple[float, float]) -> None:
+    found = pin_strength(**REFERENCE, deflection=True, pair_stiffness=stiffness)
+    equal = pin_strength(**REFERENCE, deflection=True)
+    near, far = (STIFF if k == 2 else EQUAL for k in stiffness)
+    assert found.deflection.forces == pytest.approx((near, far), rel=1e-13)
+    assert found.peak_force == pytest.approx(STIFF, rel=1e-13)
+    assert found.peak_shear_force == pytest.approx(STIFF, rel=1e-13)
+    assert found.peak_moment == pytest.approx(max(near * 0.015, far * 0.037), rel=1e-13)
+    assert found.sharing == ("stiffness" if far == STIFF else "equal")
+    more = far / EQUAL
+    assert found.deflection.satellite == 2
+    assert found.deflection.deflection == pytest.approx(
+        more * equal.deflection.deflection, rel=1e-13
+    )
+    assert found.deflection.slope == pytest.approx(more * equal.deflection.slope, rel=1e-13)
+    assert found.fatigue.safety_factor == pytest.approx(
+        equal.fatigue.safety_factor / more, rel=1e-9
+    )
+
+
+@pytest.mark.parametrize("places", [(1e-5, 0.03), (0.03, 0.06 - 1e-5)])
+def test_beside_a_support_the_deflection_is_known_less(places: tuple[float, float]) -> None:
+    """There it is the rest of parts that are larger by the cube of 6000."""
+    thin = REFERENCE | {"contact_length": 1e-5, "support": "supported", "span": 0.06}
+    errors = [
+        pin_strength(**thin | {"satellite_positions": each}).accuracy.relative_error
+        for each in (places, (0.03, 0.04))
+    ]
+    assert errors[0] > 1e-16 * 6000**3 and errors[1] < 1e-12
