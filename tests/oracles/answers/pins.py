@@ -221,5 +221,5 @@ PIN_STRENGTH = Calculation(
         "/fatigue/mean_MPa": "1e-4 of the largest: the utilisation is flat there",
         "/fatigue/cycles": CYCLES,
     },
-    one_in=50,
+    one_in=20,
 )
