@@ -1,5 +1,6 @@
 """Pins under several cases of load: what is told is the worst of them, each number for itself."""
 
+import numpy as np
 import pytest
 
 from core.output.pin_strength import pin_strength
@@ -38,4 +39,19 @@ def test_beside_a_support_the_deflection_is_known_less(places: tuple[float, floa
         pin_strength(**thin | {"satellite_positions": each}).accuracy.relative_error
         for each in (places, (0.03, 0.04))
     ]
-    assert errors[0] > 1e-16 * 6000**3 and errors[1] < 1e-12
+    assert 1e-16 * 6000**3 < errors[0] < 1e-14 * 6000**3
+    assert errors[1] < 1e-12
+
+
+def test_the_locus_of_the_root_over_a_turn_of_the_wave() -> None:
+    """Only where asked; at the root of the reference design two circles, of F0*z."""
+    assert pin_strength(**REFERENCE).locus is None
+    locus = pin_strength(**REFERENCE, locus=True).locus
+    assert locus.crank_angle[0] == pytest.approx(0, abs=1e-12)
+    assert locus.crank_angle[-1] == pytest.approx(2 * np.pi / 1.05, rel=1e-12)
+    # half a turn of the wave each satellite, F = F0*cos(driving angle)
+    wave = locus.crank_angle * 1.05
+    inside = np.abs(np.sin(wave)) > 1e-9
+    arm = np.where(np.sin(wave) > 0, 0.037, 0.015)
+    moment = np.hypot(locus.tangential, locus.radial)
+    assert (moment - EQUAL * arm * np.abs(np.sin(wave)))[inside] == pytest.approx(0, abs=1e-9)
