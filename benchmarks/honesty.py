@@ -20,8 +20,8 @@ from tests.oracles.answers.calculation import GIVEN, Calculation, pattern
 from tests.oracles.answers.outcome import NOTHING_KNOWN, Outcome, outcome
 
 CASES = 10_000
-MOST_OVERSTATED, JUDGED_FROM = 100, 10
-"""Largest median of the overstatement in practical cases, where there are so many of them."""
+JUDGED_FROM = 10
+"""Practical cases from which on the median of their overstatement is judged."""
 
 REPORT = Path(__file__).parent.parent / "docs" / "accuracy.md"
 HEAD = """\
@@ -32,11 +32,12 @@ extreme, through the service as it is; every number of every answer against 40-d
 another way, on the decimals of the request and not on the doubles that they become; of pins,
 bearings and crankshafts the turn is looked through at 64 bits. So the error includes what is lost
 by reading the input, which nearly equal radii, angles beside a pole, dead centres or narrow working
-lengths magnify. Where exact values take long there are fewer cases. A case holds where no number is further off than its
-`relative_error` says, relative to what the calculation documents: its own size, that of its vector,
-the largest force, the pin circle, the range shown. From 1 on it says that nothing is known, and the
-answer warns of it (`hardly_known`): such cases, none of them practical, have a column of their own.
-Overstated: median of the stated error over the largest one measured in the answer (at least 2^-54).
+lengths magnify. Where exact values take long there are fewer cases. A case holds where no number is
+further off than its `relative_error` says, relative to what the calculation documents: its own
+size, that of its vector, the largest force, the pin circle, the range shown. From 1 on it says that
+nothing is known, and the answer warns of it (`hardly_known`): such cases, none of them practical,
+have a column of their own. Overstated: median of the stated error over the largest one measured in
+the answer (at least 2^-54).
 
 | calculation | cases | refused | nothing known | holds | practical | extreme | \
 overstated, practical | extreme | largest measured | largest stated |
@@ -90,7 +91,7 @@ class Verdict:
         )
         true = not any(each.false or each.unknown for each in self.answered)
         few = len(self.half(False)) < JUDGED_FROM
-        return answered and true and (few or self.overstated[0] <= MOST_OVERSTATED)
+        return answered and true and (few or self.overstated[0] <= self.calculation.most_overstated)
 
     def row(self) -> str:
         """Its row of the table."""
