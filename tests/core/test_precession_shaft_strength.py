@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -94,6 +94,8 @@ BRONZE = ElasticMaterial(111e9, 0.349, ContactLimit("given", 400e6))
 
 
 @given(q=st.floats(1e2, 1e6), r=st.floats(1e-3, 0.1), other=st.floats(1e-3, 1.0))
+@example(q=3.1e6, r=1e-3, other=1e-3)  # nearly too wide
+@example(q=3.3e6, r=1e-3, other=1e-3)
 def test_two_cylinders_as_shigley_has_them(q: float, r: float, other: float) -> None:
     """Eqs (3-73), (3-74), with diameters: half-width first, pressure from it."""
     found = line_contact(
@@ -138,3 +140,20 @@ def test_a_hollow_is_a_hole() -> None:
     for radius in (0.0, -0.008, -0.001):
         with pytest.raises(InvalidInput):
             line_contact(line_load=1e5, roller_radius=0.008, mating_radius=radius, **own)
+
+
+@pytest.mark.parametrize("apart", [1.0, 1e-3, 1e-6])
+def test_what_a_hollow_nearly_as_wide_as_the_roller_is_known_to(apart: float) -> None:
+    """Radii that are a rounding off change the contact by no more than it states."""
+    own = {"line_load": 1e5, "roller_material": STEEL, "mating_material": BRONZE}
+    hollow = -0.008 * (1 + apart)
+    found = line_contact(roller_radius=0.008, mating_radius=hollow, **own)
+    off = line_contact(
+        roller_radius=math.nextafter(0.008, 1), mating_radius=math.nextafter(hollow, -1), **own
+    )
+    error = found.accuracy.relative_error
+    for name in ("max_pressure", "half_width", "reduced_radius"):
+        assert abs(getattr(off, name) / getattr(found, name) - 1) <= error
+    assert 1e-16 / apart < error < 1e-14 / apart
+    loose = line_contact(roller_radius=0.008, mating_radius=hollow, **own, load_error=1e-3)
+    assert loose.accuracy.relative_error == pytest.approx(error + 5e-4, rel=1e-12)
