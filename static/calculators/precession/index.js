@@ -4,7 +4,6 @@ import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
-import { workedSteps } from "./worked.js";
 
 const GEAR = [
   "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
@@ -174,7 +173,7 @@ export default {
     { id: "workShaft", section: "shaft_deflection", measures: "precession/shaft-deflection" },
   ],
 
-  worked: workedSteps,
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["khatetovsky"],
 };
