@@ -1,5 +1,5 @@
 /** Strength of the pins: what is said and drawn of the service's answer, and its worked steps. No DOM. */
-import { cycleSteps } from "../../lib/fatigue.js";
+import { cycleSteps } from "../../lib/formula/fatigue.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";

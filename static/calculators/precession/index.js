@@ -5,7 +5,6 @@ import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
-import { workedSteps } from "./worked.js";
 
 const GEAR = [
   "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
@@ -198,7 +197,7 @@ export default {
       starts: () => ({ "line_contact.roller_material": "steel_bearing", "line_contact.mating_material": "steel_case_hardened" }),
     },
   ],
-  worked: workedSteps,
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["khatetovsky"],
 };

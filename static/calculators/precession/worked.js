@@ -1,5 +1,5 @@
 /** Worked steps of the calculator of the precessional gear. No DOM, no texts. */
-import { cycleSteps } from "../../lib/fatigue.js";
+import { cycleSteps } from "../../lib/formula/fatigue.js";
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 

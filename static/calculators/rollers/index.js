@@ -5,7 +5,6 @@ import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
-import { gapsOf, workedSteps } from "./worked.js";
 
 function forceCell(section) {
   return {
@@ -27,6 +26,11 @@ function stressCell(section) {
     ...stated(section, section.bending_stress_MPa, "MPa", 4),
     note: message("verdict.bendingMoment", { moment: formatQuantity(section.bending_moment_Nm, "N·m", 4) }),
   };
+}
+
+/** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
+export function gapsOf(count, tolerance) {
+  return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
 }
 
 const PATH = "/roller-strength";
@@ -88,7 +92,7 @@ export default {
   ],
 
   wanted: [enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, roller_rotates: {} })],
-  worked: workedSteps,
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["ovsyannikov"],
 };

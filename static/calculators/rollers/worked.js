@@ -1,14 +1,10 @@
 /** Worked steps of the calculator of swinging rollers. No DOM, no texts. */
-import { cycleSteps } from "../../lib/fatigue.js";
+import { cycleSteps } from "../../lib/formula/fatigue.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
+import { gapsOf } from "./index.js";
 
 const SOURCE = "ovsyannikov2019";
-
-/** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
-export function gapsOf(count, tolerance) {
-  return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
-}
 
 function modulusSteps(input, E) {
   if (input.shear_modulus_GPa !== undefined) return { G: q("G", input.shear_modulus_GPa, "GPa"), steps: [] };
