@@ -18,15 +18,15 @@ import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
-import { createKeys } from "./views/keys.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
-import { createShare } from "./views/share.js";
 import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
 const UNWRITTEN = "khv-calc.address";
+const WRITTEN = "khv-calc.written";
 const ADDRESS_MS = 300; // after the last change of the address
+const WRITING_MS = 1000; // until the browser loads what has been written
 const AGAIN_MS = 4000; // until the page tries again to start
 const client = createClient();
 let service = null;
@@ -41,9 +41,12 @@ function described() {
   return service;
 }
 
-// An address that was left before it was written: where it was to stand, and what.
+// An address that was left before it was written, or written when this page was asked for already: where it was to
+// stand, and what.
 const [place, unwritten] = parsed(session.getItem(UNWRITTEN), []);
-const linked = new URLSearchParams(place === location.search ? unwritten : location.search);
+const [former, written, time] = parsed(session.getItem(WRITTEN), []);
+const late = former === location.search && time > performance.timeOrigin - WRITING_MS ? written : location.search;
+const linked = new URLSearchParams(place === location.search ? unwritten : late);
 const languages = [linked.get("lang"), lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
 const language = languages.find((id) => id in LANGUAGES) ?? "en";
 const units = [linked.get("units"), lasting.getItem("units")].find((id) => SYSTEMS.includes(id)) ?? SYSTEMS[0];
@@ -79,6 +82,7 @@ const addressing = {
   now(write = "replaceState") {
     clearTimeout(this.timer);
     if (this.query === null) return;
+    session.setItem(WRITTEN, JSON.stringify([location.search, this.query, Date.now()]));
     history[write](null, "", `?${this.query}`);
     this.query = null;
     session.setItem(UNWRITTEN, "[]");
@@ -224,8 +228,11 @@ const settings = createSettings({
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
 keep.setAttribute("aria-keyshortcuts", "Alt+K");
-const share = createShare({ exchange: () => bench?.exchange() ?? null, say });
-document.getElementById("tools").append(undo, redo, keep, share.button, settings.button, createKeys({ about: () => bench?.help() ?? null }).button);
+const share = tool("⇩", message("share.title"));
+const keys = tool("?", message("page.keys"));
+for (const button of [share, keys]) button.setAttribute("aria-haspopup", "dialog");
+keys.setAttribute("aria-keyshortcuts", "?");
+document.getElementById("tools").append(undo, redo, keep, share, settings.button, keys);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
@@ -241,4 +248,17 @@ addEventListener("popstate", () => {
 onSystemTheme(() => bench?.retheme());
 addEventListener("pagehide", () => bench?.close());
 
-open(asked);
+/** What the tools open is loaded after the first figures. */
+async function loadTools() {
+  await bench?.begun;
+  try {
+    const [{ createShare }, { createKeys }] = await Promise.all([import("./views/share.js"), import("./views/keys.js")]);
+    createShare({ button: share, exchange: () => bench?.exchange() ?? null, say });
+    createKeys({ button: keys, about: () => bench?.help() ?? null });
+    for (const button of [share, keys]) button.disabled = false;
+  } catch {
+    setTimeout(loadTools, AGAIN_MS);
+  }
+}
+
+open(asked).then(loadTools);

@@ -125,3 +125,6 @@ export function figureText(id, params) {
     [name, name === "unit" ? shownUnit(value) : placed(value)]));
   return said(kind, code, values);
 }
+
+/** What the model of a calculation leaves out, in words. */
+export const neglectedIn = (about) => (about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail);

@@ -322,14 +322,15 @@ export function drawable({ about: { calculator }, shown, curves, tables }) {
 
 /** The state in force, and the views that are told of every next one. */
 export function createStore(state) {
-  let views = [];
+  const views = [];
   return {
     get state() {
       return state;
     },
-    show(all) {
-      views = all;
-      for (const view of views) view.update(state);
+    /** Tell these views too, now and of every next one. */
+    show(more) {
+      views.push(...more);
+      for (const view of more) view.update(state);
     },
     apply(transition, ...values) {
       const next = transition(state, ...values);

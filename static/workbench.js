@@ -11,26 +11,27 @@ import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/f
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
-import { problemText } from "./service_texts.js";
+import { neglectedIn } from "./service_texts.js";
 import * as next from "./store.js";
-import { createAccuracy, neglectedIn } from "./views/accuracy.js";
 import { createChecks } from "./views/checks.js";
-import { createCompare } from "./views/compare.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
-import { nameFiles } from "./views/files.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
-import { loadPlotly } from "./views/plot.js";
-import { createReport } from "./views/report.js";
-import { createResults } from "./views/results.js";
 import { currentTheme } from "./views/settings.js";
-import { createSizing } from "./views/sizing.js";
 import { createNumbers, createVerdict } from "./views/verdict.js";
-import { createWanted } from "./views/wanted.js";
-import { createWorked } from "./views/worked.js";
+
+const AGAIN_MS = 4000; // until the rest of the page is asked for again
+
+const rests = new Map(); // what makes the rest of a calculator's page, by its id, once loaded
+
+/** Load what stands under the figures (rest.js), with the calculator's worked steps. */
+async function loadRest({ id, worked }) {
+  const [{ createRest }, { workedSteps }] = await Promise.all([import("./rest.js"), worked()]);
+  rests.set(id, (parts) => createRest({ ...parts, workedSteps }));
+}
 
 /** A field lights its dimension in the drawing, and a dimension its field. */
 function lightEachOther(form, drawing) {
@@ -60,6 +61,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const store = next.createStore(next.opened(about, typed, currentTheme(), claim));
   const asking = createAsking({ store, client, designs });
   const listening = new AbortController();
+  const answered = asking.now(); // while the views are made
 
   function change(transition, ...values) {
     store.apply(transition, ...values, Date.now());
@@ -112,7 +114,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
         if (text !== null) change(next.typedIn, path, text);
       },
-      size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
+      size: (path) => rest?.size(path),
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       switched: (group, on) => changeAtOnce(next.switched, group, on),
@@ -125,7 +127,6 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
-  const sizing = createSizing({ calculator, client, titles, on: { applied: apply } });
   const verdict = createVerdict({ calculator, titles });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
@@ -155,7 +156,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, verdict: wordIn(calculator, answer) });
     asking.compare(message("compare.kept", { name }));
   };
-  const all = calculator.figures.map((figure) => createFigure({
+  const figureOf = (figure) => createFigure({
     figure,
     client,
     titles,
@@ -170,43 +171,13 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       picked: (pair) => select(pair === store.state.turn.pair ? null : pair),
       tables: asking.tables,
     },
-  }));
+  });
+  const figures = calculator.figures.filter(({ measures }) => !measures).map(figureOf);
   const explanation = createExplanation({ calculator, materialOf });
-  const results = createResults({ calculator, titles });
-  const worked = createWorked({
-    calculator,
-    materialOf,
-    on: { print: () => report.print(), save: () => report.save() },
-  });
-  const compare = createCompare({
-    model,
-    calculator,
-    on: {
-      open: ({ input, labels, verdict }) => take(stateOf(input, labels), { verdict }),
-      rename(design, name) {
-        designs.rename(design, name);
-        asking.compare();
-      },
-      remove(design) {
-        designs.remove(design);
-        asking.compare();
-      },
-      export: () => compare.save(designs.exported()),
-      import(text) {
-        const count = designs.imported(text);
-        asking.compare(count === null ? message("compare.notOurs") : message("compare.imported", { count }));
-      },
-    },
-  });
-
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(notice.root, picker.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  const measured = all.filter((figure) => figure.measured);
-  const figures = all.filter((figure) => !figure.measured);
-  const wanted = createWanted({ calculator, store, client, titles, figures, calculations });
-  const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
   const column = (name, ...views) => {
     const part = element(html`<div class="${name}"></div>`);
     part.append(...views.map(({ root }) => root));
@@ -217,10 +188,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     column("answer", numbers, checks, explanation),
     column("shown", drawing, ...figures.filter(({ side }) => !side)),
     column("beside", ...figures.filter(({ side }) => side)),
-    wanted.root,
-    column("rest", compare, results, worked, accuracy),
   );
-  const cards = [verdict, numbers, checks, explanation, drawing, ...all, wanted, compare, results, worked, accuracy];
   host.replaceChildren(inputs, outputs);
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
@@ -230,22 +198,11 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   addEventListener("online", () => asking.now(), { signal: listening.signal });
 
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
-  const report = createReport({
-    calculator, model, catalogues, version, outputs, figures, worked,
-    shown: () => store.state.shown,
-    light: () => {
-      retheme("light");
-      return Promise.all(figures.map((figure) => figure.settled()));
-    },
-    back: retheme,
-    failed: (problem) => store.apply(next.announcing, message("report.failed", { detail: problemText(problem, titles) })),
-  });
-
   store.show([
     notice,
     picker,
     form,
-    ...cards,
+    verdict, numbers, checks, explanation, drawing, ...figures,
     {
       update(state) {
         host.dataset.state = state.phase;
@@ -256,16 +213,33 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
     following(({ typed }) => [typed.texts.title ?? ""], (title) => {
-      nameFiles(title);
       document.title = [title, message(`calculator.${calculator.id}`), "KHV Calc"].filter(Boolean).join(" · ");
     }),
     following(({ said }) => [said], on.say),
     following((state) => [state.address, next.verdictOf(state)], (address, verdict) => address && on.address(withVerdict(address, verdict))),
   ]);
-  // Plotly, asked for at the head of the page, is run also where there is nothing to draw yet.
-  asking.now().then(() => loadPlotly().catch(() => {}));
+
+  let rest = null; // once there is time for it
+  const addRest = () => {
+    if (listening.signal.aborted) return;
+    rest = rests.get(calculator.id)({
+      store, outputs, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
+      on: {
+        opened: (input, labels, claim) => take(stateOf(input, labels), claim),
+        applied: apply,
+        compared: (said) => asking.compare(said),
+        themed: retheme,
+      },
+    });
+  };
+  const load = () => loadRest(calculator).then(addRest, () => setTimeout(load, AGAIN_MS));
+  const begun = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
+  if (rests.has(calculator.id)) addRest();
+  else begun.then(load);
 
   return {
+    /** When the first figures are drawn. */
+    begun,
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
@@ -288,10 +262,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       asking.cancel();
       listening.abort();
       drawing.close();
-      sizing.close();
-      report.close();
-      wanted.close();
-      for (const figure of all) figure.close();
+      rest?.close();
+      for (const figure of figures) figure.close();
       on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));
     },
   };

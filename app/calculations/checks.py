@@ -45,7 +45,7 @@ class RequirementsFields(RequestModel):
         group="requirements",
         default=1.5,
         **SAFETY,
-        help="Factor by which all stresses of a pin may grow before it breaks by fatigue.",
+        help="Factor by which all stresses of a part may grow before it breaks by fatigue.",
     )
     static_safety: Maybe[float] = quantity(
         "Static safety of bearings",

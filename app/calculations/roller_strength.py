@@ -246,7 +246,7 @@ class RollerStrengthRequest(JudgedFields):
         if asked is not None and self.stress_concentration > 1:
             for name in ("fatigue_notch_factor", "notch"):
                 if getattr(asked, name) is not None:  # a notch counts once
-                    raise field_error("fatigue", "exclusive", field="stress_concentration")
+                    raise field_error(f"fatigue/{name}", "exclusive", field="stress_concentration")
         return self
 
     def solve(self) -> RollerStrength:

@@ -332,12 +332,12 @@ class ShaftStrengthOut(ResponseModel):
         "Bending moment at the clamp.", symbol="M", equation="|C·(a + b) + B·b|"
     )
     peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
-    position_mm: float = result("Its section, from C towards the clamp.")
+    peak_stress_position_mm: float = result("Its section, from C towards the clamp.")
     static_safety_factor: Maybe[float] = result(
         "Yield strength over it, where that is given.", symbol="S", default=None
     )
     fatigue: Maybe[CycleOut] = None
-    fatigue_position_mm: Maybe[float] = result(
+    cycle_position_mm: Maybe[float] = result(
         "Section of that cycle, from C towards the clamp.", default=None
     )
 

@@ -24,7 +24,8 @@ class CrankDesign(DesignLosses):
             return None
         ratio = self.mechanism.ratio
         return named(
-            section="gear", calculation=lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio)
+            section="gear",
+            calculation=lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio),
         )
 
     @cached_property

@@ -190,8 +190,6 @@ def crank_checks(design: CrankDesign) -> Verdict:
     Verdict
     """
     tables = crank_tables(design)
-    if "pin_fatigue" in tables and design.loaded:
-        _ = design.pin_strength  # of which the others take what they need
     real = design.loaded and design.touching and isinstance(design.judged_forces, RealForces)
     absent = {
         "load": not design.loaded,

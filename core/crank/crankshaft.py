@@ -14,11 +14,11 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import MISSED, bearing_curves, made_parts, mean_power
+from core.crank.satellite_bearing import bearing_curves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.pin_search import largest
+from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import ComplexArray, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -275,17 +275,19 @@ def _ideal_reactions(
         for way in ways:
             both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
             found = largest(turn=turn, arms=(both,), measure=np.abs)
-            for row in np.flatnonzero(found > off).tolist():
-                mean, lost = mean_power(
-                    turn=turn,
-                    arms=(both[row : row + 1],),
-                    measure=np.abs,
-                    largest=found[row : row + 1],
-                    exponent=exponents[row],
-                )
-                most[row] = max(most[row], found[row])
-                equivalent[row] = max(equivalent[row], mean[0])
-                truncation = max(truncation, lost)
+            rows = np.flatnonzero(found > off)
+            if not len(rows):
+                continue
+            mean, lost = mean_power(
+                turn=turn,
+                arms=(both[rows],),
+                measure=np.abs,
+                largest=found[rows],
+                exponents=[exponents[row] for row in rows],
+            )
+            most[rows] = np.maximum(most[rows], found[rows])
+            equivalent[rows] = np.maximum(equivalent[rows], mean)
+            truncation = max(truncation, lost)
     size = turn.forces[0].size
     return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
 

@@ -11,7 +11,7 @@ for its ripple:
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -30,7 +30,7 @@ from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import SETTLED, largest
+from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -40,10 +40,6 @@ COARSEST, FINEST = 3, 9
 
 CONVERGED = 1e-14
 """Relative difference of two rules that ends them."""
-
-MISSED = SETTLED / 8
-"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
-neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -382,11 +378,19 @@ def _loads(
     across = np.tile(own[:some], (len(rho), 1))
     inwards = rho[:, None, None] * own[:some] + along[:, None, None] * pins[:some]
     arms = across, inwards.reshape(across.shape)
-    most = largest(turn=turn, arms=arms, measure=np.hypot)
-    least = -largest(turn=turn, arms=arms, measure=lambda w, s: -np.hypot(w, s))
-    ring = np.tile(largest(turn=turn, arms=(own[:some],), measure=np.real), len(rho))
+    # most, least and ring at once: what is sought least has its sign turned
+    rings = np.concatenate((own[:some], np.zeros_like(own[:some])))
+    many = (
+        np.concatenate((each, -each, ring))
+        for each, ring in zip(arms, np.split(rings, 2), strict=True)
+    )
+    found = largest(
+        turn=turn, arms=tuple(many), measure=lambda w, s: np.copysign(np.hypot(w, s), w)
+    )
+    most, least, ring = np.split(found, (len(across), 2 * len(across)))
+    least, ring = -least, np.tile(ring, len(rho))
     mean, truncation = mean_power(
-        turn=turn, arms=arms, measure=np.hypot, largest=most, exponent=exponent
+        turn=turn, arms=arms, measure=np.hypot, largest=most, exponents=[exponent] * len(most)
     )
     share, force = turn.errors.reshape(2, -1)[:, :some]
     off = np.outer(np.hypot(1, rho), share) + np.outer(along, force)
@@ -402,9 +406,9 @@ def mean_power(
     arms: tuple[NDArray[Any], ...],
     measure: Callable[..., FloatArray],
     largest: FloatArray,
-    exponent: float,
+    exponents: Sequence[float],
 ) -> tuple[FloatArray, float]:
-    """Equivalent load ``<Q^p>^(1/p)`` over the turn.
+    """Equivalent loads ``<Q^p>^(1/p)`` over the turn.
 
     Parameters
     ----------
@@ -416,8 +420,8 @@ def mean_power(
         The load by the sums, each shape (1, n).
     largest : array, shape (rows,)
         Largest loads, > 0.
-    exponent : float
-        p.
+    exponents : sequence of float
+        p of each.
 
     Returns
     -------
@@ -429,13 +433,13 @@ def mean_power(
     for level in range(COARSEST, FINEST + 1):
         values, weights = turn.nodes_of(level)
         mean = np.zeros(len(largest))
-        for row, top in enumerate(largest.tolist()):
+        for row, (top, power) in enumerate(zip(largest.tolist(), exponents, strict=True)):
             sums = (combine(arms=each[row : row + 1], forces=values) for each in arms)
-            mean[row] = weights @ (measure(*sums)[0] / top) ** exponent
+            mean[row] = weights @ (measure(*sums)[0] / top) ** power
         off, before = np.abs(mean - before), mean
         if (off <= CONVERGED * mean).all():
             break
-    return largest * mean ** (1 / exponent), float((off / mean).max())
+    return largest * mean ** (1 / np.array(exponents)), float((off / mean).max())
 
 
 @dataclass(frozen=True, slots=True)

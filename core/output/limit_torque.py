@@ -5,7 +5,8 @@ import numpy as np
 from core.output.compiled import in_place_of
 from core.output.contact_law import law_kind
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import alone, at, balance, play
+from core.output.satellite_support import rigid_limit_torque
+from core.output.sharing_kernel import alone
 from core.output.summits import Grid, summits
 from core.output.turn import Turn
 
@@ -63,15 +64,9 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
         less.append(approach * whole)
 
     def torque(psi: float) -> float:
-        at(psi, setup, pairs, room)
-        for i, each in enumerate(less):
-            room.q[i] -= each
-        low, high, *_ = play(setup, room)
-        if low > high:
-            return 0.0
-        at(psi, setup, pairs, room)
-        lag = min(high, setup.eccentricity / setup.radius)
-        return max(balance(lag, setup, pairs, room)[0], 0.0)
+        if real.held is not None:
+            return real.held.limit_torque(psi, less, setup, room)
+        return rigid_limit_torque(psi, less, setup, pairs, room)
 
     loops = in_place_of(value=lambda kind, psi, *_: (-torque(psi), True))
 

@@ -14,9 +14,11 @@ from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
     CELLS,
+    ENOUGH,
     JOINT_ROUNDS,
     JOINT_SMOOTH,
     NEAR,
+    ROUGH,
     Found,
     Measure,
     Points,
@@ -67,6 +69,12 @@ class PinLoads:
     pin: int = 1
     wave: FloatArray | None = None
 
+    @property
+    def closed(self) -> PinTurn | None:
+        """The turn, where what is largest over it is known in closed form."""
+        turn = self.turn
+        return turn if isinstance(turn, PinTurn) and turn.exponent == 1 else None
+
 
 @dataclass(frozen=True)
 class LoadedPin:
@@ -107,6 +115,23 @@ class LoadedPin:
         ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
         return np.unique(np.clip(ends, 0, self.beam.span))
 
+    def stretches(self, convex: bool = True) -> FloatArray:
+        """Stretches of the pin that may hold what is largest, shape (2, s).
+
+        Parameters
+        ----------
+        convex : bool
+            Whether that is convex in the moment: between loads, where the moment changes evenly,
+            it is largest at an end then.
+        """
+        low, high = (self.ends[:-1], self.ends[1:]) if len(self.ends) > 1 else (self.ends,) * 2
+        if convex:
+            middle, half = (low + high) / 2, float(self.beam.contact_length) / 2
+            loaded = (np.abs(middle[:, None] - self.positions) < half).any(axis=1)
+            ends = self.ends[[0, -1]][: len(self.ends)]
+            low, high = (np.concatenate((each[loaded], ends)) for each in (low, high))
+        return np.array([low, high])
+
     def moments(self, x: FloatArray, unit: float) -> FloatArray:
         """Bending stress at sections by a unit of each satellite's force, Pa."""
         found: FloatArray = unit / self.modulus * self.beam.moment(x[..., None], self.positions)
@@ -128,18 +153,42 @@ class LoadedPin:
 
     def bending(self, loads: PinLoads) -> tuple[float, float]:
         """Largest bending stress of any section, Pa, and the section, m."""
-        return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs)
+        turn, curvature = loads.closed, self._curvature(loads)
+        if turn is None:
+            return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs, 0.0)
 
-    def equivalent(self, loads: PinLoads) -> float:
-        """Largest equivalent stress of any section, Pa."""
+        def value(at: Points, _: int) -> tuple[FloatArray, FloatArray]:
+            top = turn.reach(self._turned(loads, at))
+            return top, (curvature * at.length**2 + top * at.angle**2) / 8
+
+        found = highest(
+            value=value,
+            stretches=self.stretches(),
+            around=True,
+            enough=ENOUGH,
+            climb=lambda points: (float(value(points, 0)[0][0]), float(points.section[0]), 0.0),
+            closed=True,
+        )
+        assert found is not None
+        return found[:2]
+
+    def _turned(self, loads: PinLoads, at: Points) -> ComplexArray:
+        """What unit forces do in the direction of each point."""
+        turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
+        return self.moments(at.section, loads.unit) * turned
+
+    def equivalent(self, loads: PinLoads, beyond: float) -> float:
+        """Largest equivalent stress of any section, Pa; 0 where it is not beyond one, Pa."""
 
         def arms(x: FloatArray) -> tuple[FloatArray, ...]:
             return self.moments(x, loads.unit), self.shears(x, loads.unit)
 
-        return self._along(loads, arms, _equivalent)[0]
+        return self._along(loads, arms, _equivalent, beyond)[0]
 
-    def _along(self, loads: PinLoads, arms: Arms, measure: Measure) -> tuple[float, float]:
-        """Largest measure of any section, and the section."""
+    def _along(
+        self, loads: PinLoads, arms: Arms, measure: Measure, beyond: float
+    ) -> tuple[float, float]:
+        """Largest measure of any section, and the section; 0 where it is not beyond a value."""
         turn, curvature = loads.turn, self._curvature(loads)
 
         def value(at: Points, rounds: int | None) -> tuple[FloatArray, FloatArray]:
@@ -147,7 +196,7 @@ class LoadedPin:
             return values, curvature * at.length**2 / 8
 
         def climb(points: Points) -> Found:
-            if isinstance(turn, PinSamples) or len(self.ends) == 1:
+            if isinstance(turn, PinSamples):
                 return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
             own, at = points.of(tops.row), turn.at(tops.arc)
@@ -169,7 +218,16 @@ class LoadedPin:
             top = int(values.argmax())
             return float(values[top]), float(x[top]), 0.0
 
-        return highest(value=value, ends=self.ends, enough=loads.error, climb=climb)[:2]
+        if len(self.ends) == 1:
+            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
+        found = highest(
+            value=value,
+            stretches=self.stretches(),
+            enough=loads.error,
+            climb=climb,
+            beyond=beyond,
+        )
+        return (0.0, 0.0) if found is None else found[:2]
 
     def direction(self, loads: PinLoads, section: float) -> float:
         """Direction of the largest moment of a section, rad."""
@@ -191,8 +249,8 @@ class LoadedPin:
         return math.atan2(moment.imag, moment.real)
 
     def cycle(
-        self, loads: PinLoads, strength: FatigueStrength, bent: float
-    ) -> tuple[float, float, float, float]:
+        self, loads: PinLoads, strength: FatigueStrength, bent: float, beyond: float
+    ) -> tuple[float, float, float, float] | None:
         """The worst stress cycle of any point of the edge.
 
         Parameters
@@ -203,15 +261,17 @@ class LoadedPin:
             What it is judged by.
         bent : float
             Largest bending stress, Pa.
+        beyond : float
+            Utilisation up to which a cycle does not count.
 
         Returns
         -------
         largest, least : float
-            Stress, Pa.
+            Stress, Pa; None where there is no such cycle.
         section, direction : float
             m, rad.
         """
-        turn, curvature = loads.turn, self._curvature(loads)
+        turn, closed, curvature = loads.turn, loads.closed, self._curvature(loads)
         steepest = curvature * float(self.beam.contact_length)
         steep = strength.utilisation(curvature, 0.0) + strength.utilisation(0.0, curvature)
         corners = strength.criterion == "fkm_haigh" and bool(
@@ -219,22 +279,22 @@ class LoadedPin:
         )
         ends = np.zeros(2)
 
-        def arms(at: Points) -> ComplexArray:
-            turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
-            return self.moments(at.section, loads.unit) * turned
-
         def used(top: FloatArray, bottom: FloatArray) -> FloatArray:
             found: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
             return found
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            if rounds == 0:
+            if rounds == 0 and closed is None:
                 top, bottom = self._sampled_cycles(loads, at)
             else:
-                both = arms(at)
+                both = self._turned(loads, at)
                 both = np.concatenate((both, -both))
-                found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
+                if closed is None:
+                    found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
+                else:
+                    found = closed.reach(both)
                 top, bottom = found[: len(found) // 2], -found[len(found) // 2 :]
+            ends[:] = top[0], bottom[0]
             use = used(top, bottom)
             room = (steep * at.length**2 + use * at.angle**2) / 8
             if corners:
@@ -246,11 +306,10 @@ class LoadedPin:
             return use, room
 
         def climb(points: Points) -> Found:
-            own = arms(points)
-            if isinstance(turn, PinSamples):
-                stress = (own[:1] @ turn.forces)[0].real
-                ends[:] = stress.max(), stress.min()
-                return 0.0, float(points.section[0]), float(points.direction[0])
+            if isinstance(turn, PinSamples) or closed is not None:
+                best = float(value(points.of(FIRST), ROUGH)[0][0])
+                return best, float(points.section[0]), float(points.direction[0])
+            own = self._turned(loads, points)
             tops, bottoms = (
                 summits(turn=turn, arms=(sign * own,), measure=np.real)[1] for sign in (1, -1)
             )
@@ -300,10 +359,16 @@ class LoadedPin:
             ]
             return float(values[best]), float(places[2][best]), float(places[3][best])
 
-        _, section, direction = highest(
-            value=value, ends=self.ends, around=True, enough=loads.error, climb=climb
+        found = highest(
+            value=value,
+            stretches=self.stretches(strength.criterion != "fkm_haigh"),
+            around=True,
+            enough=loads.error if closed is None else ENOUGH,
+            climb=climb,
+            closed=closed is not None,
+            beyond=beyond,
         )
-        return float(ends[0]), float(ends[1]), section, direction
+        return None if found is None else (float(ends[0]), float(ends[1]), *found[1:])
 
     def _sampled_cycles(self, loads: PinLoads, at: Points) -> tuple[FloatArray, FloatArray]:
         """Largest and least sample of the stress, for all sections in few directions."""

@@ -11,6 +11,7 @@ the best point near it, and drops only what cannot hold it:
 What is left when that is little is narrowed down in all variables at once.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -19,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.output.pin_turn import Turn, combine
+from core.output.pin_turn import BLOCK, Turn, combine
 from core.output.sampled_turn import PinSamples
 
 ROUGH, ROUGHLY = 2, 1 - 1e-6
@@ -39,11 +40,12 @@ BEFORE = AFTER[::-1]
 SETTLED = 1e-15
 """How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
+MISSED = SETTLED / 8
+"""By how much, as a part of it, the best place of a summit may miss what is largest: where its
+neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
+
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
-
-BLOCK = 1_000_000
-"""Numbers that are worked on at once."""
 
 AROUND = 24
 """Directions looked at first."""
@@ -64,10 +66,19 @@ SAMPLED = 0.95
 KEPT = 64
 """Most points about which is looked further: more are only where the measure is flat."""
 
-THIRDS = np.array([-1.0, 0.0, 1.0]) / 3
+CLOSER = 3
+"""How much closer the next points are, at least."""
+
+POINTS = 300
+"""About how many points are looked at then where values are known in closed form."""
+
+CLOSED = 1 - 1e-14
+"""What part of the largest closed forms find at least."""
 
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
+
+Triple = tuple[FloatArray, FloatArray, FloatArray]
 
 Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
 """Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
@@ -174,41 +185,49 @@ def largest(
     result, tops = summits(turn=turn, arms=arms, measure=measure)
     own, at = tuple(each[tops.row] for each in arms), turn.at(tops.arc)
     every, place, width = np.arange(len(tops.row)), tops.place, tops.width
+    best = np.full(len(every), -np.inf)
     closer = 1 / CELLS**2 if turn.smooth else 1 / CELLS
-    for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
+    for done in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
         grid = place[:, None] + (after[:, None] * AFTER - before[:, None] * BEFORE)
-        grid = np.minimum(np.maximum(grid, 0.0), 1.0)
+        grid = np.minimum(grid, 1.0)
         forces = at(grid)
         found = measure(*(combine(arms=each, forces=forces) for each in own))
         index = found.argmax(axis=1)
         index = np.where(found[every, index] > found[:, CELLS], index, CELLS)
-        np.maximum.at(result, tops.row, found[every, index])
-        place = grid[every, index]
-        end = (place == 0) | (place == 1)
-        stuck = ((index == 0) | (index == 2 * CELLS)) & ~end
-        place = np.where(end | stuck, place, _vertex(grid, found, np.clip(index, 1, 2 * CELLS - 1)))
-        width = width * np.where(stuck, 2.0, closer)
-        beside = np.minimum(
-            found[every, np.maximum(index - 1, 0)], found[every, np.minimum(index + 1, 2 * CELLS)]
-        )
-        if (found[every, index] - beside <= SETTLED * np.abs(found[every, index])).all():
+        top, place = found[every, index], grid[every, index]
+        best = np.maximum(best, top)
+        middle = np.maximum(index, np.where(before > 0, 1, CELLS + 1))  # three places apart
+        middle = np.minimum(middle, np.where(after > 0, 2 * CELLS - 1, CELLS - 1))
+        values = found[every, middle - 1], found[every, middle], found[every, middle + 1]
+        lowest = np.minimum(np.minimum(*values[:2]), values[2])
+        places = grid[every, middle - 1], grid[every, middle], grid[every, middle + 1]
+        stuck = ((index == 0) | (index == 2 * CELLS)) & (place > 0) & (place < 1)
+        vertex, above = _vertex(places, values)
+        settled = top - lowest <= SETTLED * np.abs(top)
+        if done and turn.smooth:  # the parabola of so near places is right
+            settled |= (above - top <= MISSED * np.abs(top)) & ~stuck
+        if settled.all():
             break
+        place = np.where(stuck, place, vertex)
+        width = width * np.where(stuck, 2.0, closer)
+    np.maximum.at(result, tops.row, best)
     return result
 
 
-def _vertex(grid: FloatArray, values: FloatArray, index: IntArray) -> FloatArray:
-    """Where the parabola through three points of each row is largest, between the outer two."""
-    every = np.arange(len(index))
-    (x0, f0), (x1, f1), (x2, f2) = (
-        (grid[every, index + k], values[every, index + k]) for k in (-1, 0, 1)
-    )
+def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
+    """Where the parabola through three points of each row is largest, between the outer two, and
+    its value there.
+    """
+    (x0, x1, x2), (f0, f1, f2) = places, values
     rise, fall = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0)
-    bent = rise - fall
-    known = bent > 0
-    part = np.where(known, rise / np.where(known, bent, 1.0), 0.5)
-    middle = (x0 + x1) / 2 + part * (x2 - x0) / 2
-    return np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
+    known = rise > fall
+    bent = np.where(known, rise - fall, 1.0)
+    middle = (x0 + x1) / 2 + rise / bent * (x2 - x0) / 2
+    middle = np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
+    before, after = middle - x0, middle - x1
+    summed = rise * before - bent * before * after / np.where(known, x2 - x0, 1.0)
+    return middle, np.where(known, f0 + summed / np.where(known, (x1 - x0) * (x2 - x1), 1.0), f1)
 
 
 def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
@@ -314,11 +333,13 @@ Found = tuple[float, float, float]
 def highest(
     *,
     value: Callable[[Points, int], tuple[FloatArray, FloatArray]],
-    ends: FloatArray,
+    stretches: FloatArray,
     around: bool = False,
     enough: float,
     climb: Callable[[Points], Found],
-) -> Found:
+    closed: bool = False,
+    beyond: float = -np.inf,
+) -> Found | None:
     """The largest value of all sections, and of all directions where they count.
 
     Parameters
@@ -327,49 +348,61 @@ def highest(
         Of points and in how many rounds the turn is to be searched: values, shape (rows,), and how
         far above them a largest one may lie that is no farther off than half the way to the next
         points.
-    ends : array, shape (s,)
-        Ends of the stretches along which the value is smooth, ascending; one section if there is
-        no other.
+    stretches : array, shape (2, s)
+        Ends of the stretches along which the value is smooth; the same twice for one section.
     around : bool
         Whether directions count.
     enough : float
         What may be left above the best point, as a part of the value, for this search to end.
     climb : callable
         The largest value about the points that are left, the best first.
+    closed : bool
+        Whether values are exact.
+    beyond : float
+        Value up to which a largest one does not count.
 
     Returns
     -------
     value, section, direction : float
+        None where there is nothing beyond.
     """
-    long = len(ends) > 1
-    if long:
-        parts = ALONG if around else ALONG_ONLY
-        low, high = (np.repeat(each, parts + 1) for each in (ends[:-1], ends[1:]))
-        way = np.tile(np.arange(parts + 1) / parts, len(ends) - 1)
-        stretches = np.array([low * (1 - way) + high * way, low, high, (high - low) / parts])
-    else:
-        stretches = np.array([ends, ends, ends, [0.0]])
+    long = stretches[1] > stretches[0]
+    parts = np.where(long, ALONG if around else ALONG_ONLY, 0)
+    row = np.repeat(np.arange(len(parts)), parts + 1)
+    part = np.maximum(parts, 1)[row]
+    way = (np.arange(len(row)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)) / part
+    low, high = stretches[:, row]
     directions = 2 * np.pi * np.arange(AROUND) / AROUND if around else np.zeros(1)
-    x, low, high, length = np.repeat(stretches, len(directions), axis=1)
+    points = np.array([low * (1 - way) + high * way, low, high, (high - low) / part])
+    x, low, high, length = np.repeat(points, len(directions), axis=1)
     angle = float(directions[1]) if around else 0.0
-    at = Points(x, np.tile(directions, stretches.shape[1]), length, angle, low, high)
-    moves = np.meshgrid(THIRDS if long else 0.0, THIRDS if around else 0.0)
-    move_x, move_chi = (each.ravel() for each in moves)
-    best = -np.inf
+    at = Points(x, np.tile(directions, points.shape[1]), length, angle, low, high)
+    best = beyond
     level = 0
     while True:
         values, room = value(at, ROUGH * (level > 0))
         best = max(best, float(values.max()))
-        least = min(best * (ROUGHLY if level else SAMPLED), float(values.max()))
+        share = CLOSED if closed else ROUGHLY if level else SAMPLED
+        least = max(min(best * share, float(values.max())), beyond * share)
         kept = np.flatnonzero(values + room >= least)
+        if not len(kept):
+            return None
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
-        if room.max() <= enough * best:
-            return climb(at.of(kept[_apart(at.of(kept))]))
-        many = at.of(np.repeat(kept, len(move_x)))
-        x = many.section + many.length * np.tile(move_x, len(kept))
-        chi = many.direction + at.angle * np.tile(move_chi, len(kept))
-        inside = np.flatnonzero((x >= many.low) & (x <= many.high))
-        at = Points(x, chi, many.length / 3, at.angle / 3, many.low, many.high).of(inside)
+        if room[kept].max() <= enough * best:
+            return climb(at.of(kept[:1] if closed else kept[_apart(at.of(kept))]))
+        many = POINTS / len(kept) if closed else 0.0
+        closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
+        moves = (np.arange(closer) - closer // 2) / closer
+        grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
+        move_x, move_chi = (each.ravel() for each in grid)
+        near = at.of(np.repeat(kept, len(move_x)))
+        moved = np.tile(move_x, len(kept))
+        x = near.section + near.length * moved
+        chi = near.direction + at.angle * np.tile(move_chi, len(kept))
+        inside = np.flatnonzero(
+            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (moved == 0))
+        )
+        at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
         level += 1
 
 

@@ -8,6 +8,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -135,7 +136,103 @@ class PinStrength:
     notices: tuple[Notice, ...]
 
 
-def pin_strength(
+@dataclass(frozen=True, slots=True)
+class PinStresses:
+    """Stresses of the pins over the turn, from which their strength follows.
+
+    Attributes
+    ----------
+    pin : LoadedPin
+        The pin.
+    mechanism : Mechanism
+        Its mechanism.
+    material : ElasticMaterial
+        Its material.
+    cases : list
+        Largest stresses by each sharing of the load, or of each pin.
+    static : float
+        Largest equivalent stress under the peak torque over that of the cases.
+    method : str
+        How they were found.
+    error : float
+        Relative error of all stresses.
+    evaluations : int
+        How often forces were evaluated.
+    """
+
+    pin: LoadedPin
+    mechanism: Mechanism
+    material: ElasticMaterial
+    cases: list["_Stresses"]
+    static: float
+    method: str
+    error: float
+    evaluations: int
+
+    def strength(
+        self,
+        *,
+        rotates: bool = False,
+        fatigue: FatigueStrength | None = None,
+        input_speed: float | None = None,
+        deflection: bool = False,
+        locus: bool = False,
+    ) -> PinStrength:
+        """Strength by these stresses.
+
+        Parameters
+        ----------
+        rotates : bool
+            Whether the pin turns in the carrier: then every point of its edge meets every
+            direction, and the cycle of the largest moment is fully reversed.
+        fatigue : FatigueStrength, optional
+            What its fatigue is judged by.
+        input_speed : float, optional
+            Speed w_in of the crank, rad/s, > 0, for the life.
+
+        Returns
+        -------
+        PinStrength
+        """
+        pin, found, mechanism = self.pin, self.cases, self.mechanism
+        positions = pin.positions.tolist()
+        bent = max(found, key=lambda each: each.bent)
+        worst = max(found, key=lambda each: each.equivalent)
+        most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
+        cycle, seen, notices = None, worst.place, []
+        if fatigue is not None:
+            worst, cycle = _fatigue(pin, found, fatigue, rotates)
+            seen = cycle.position
+            if input_speed is not None and cycle.cycles is not None:
+                frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
+                cycle = replace(cycle, life=cycle.cycles / frequency)
+            if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
+                notices.append(Notice("low_cycle_fatigue"))
+        if min(positions) < pin.diameter / 2:
+            notices.append(Notice("short_pin"))
+        chi = None if cycle is None else cycle.direction
+        accuracy = Accuracy(self.method, self.error, self.evaluations)
+        strength = self.material.yield_strength
+        return PinStrength(
+            peak_force=float(max(each.forces.max() for each in found)),
+            peak_moment=bent.bent * pin.modulus,
+            peak_moment_position=bent.place,
+            peak_bending_stress=bent.bent,
+            peak_shear_force=mean_shear * pin.area,
+            peak_shear_stress=4 / 3 * mean_shear,
+            peak_equivalent_stress=most,
+            static_safety_factor=None if strength is None else strength / (self.static * most),
+            fatigue=cycle,
+            deflection=_deflection(found) if deflection else None,
+            locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
+            sharing=worst.loads.sharing,
+            pin=worst.loads.pin,
+            accuracy=accuracy,
+            notices=(*notices, *poorly_known(accuracy)),
+        )
+
+
+def pin_stresses(
     *,
     mechanism: Mechanism,
     force_exponent: float = 1.0,
@@ -147,18 +244,13 @@ def pin_strength(
     material: ElasticMaterial,
     support: Support = "cantilever",
     span: float | None = None,
-    rotates: bool = False,
-    fatigue: FatigueStrength | None = None,
-    input_speed: float | None = None,
-    deflection: bool = False,
-    locus: bool = False,
     application_factor: float = 1.0,
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
     pair_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
-) -> PinStrength:
-    """Bending, shear, static safety, fatigue and deflection of the pins.
+) -> PinStresses:
+    """Stresses of the pins over the turn.
 
     The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
     shared by it, and the worse counts; with `made` those of the mechanism as it is made, and the
@@ -187,13 +279,6 @@ def pin_strength(
         Held at one end; at both, free to tilt; at both, built in.
     span : float, optional
         Distance L of the two supports, m; for the latter two.
-    rotates : bool
-        Whether the pin turns in the carrier: then every point of its edge meets every direction,
-        and the cycle of the largest moment is fully reversed.
-    fatigue : FatigueStrength, optional
-        What its fatigue is judged by.
-    input_speed : float, optional
-        Speed w_in of the crank, rad/s, > 0, for the life.
     deflection, locus : bool
         Whether the deflection, or the locus of the moment, is wanted.
     application_factor : float
@@ -210,7 +295,7 @@ def pin_strength(
 
     Returns
     -------
-    PinStrength
+    PinStresses
 
     Raises
     ------
@@ -219,24 +304,6 @@ def pin_strength(
     ImpossibleMechanism
         If the mechanism has a dead centre.
 
-    Notes
-    -----
-    Source of the ideal forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived,
-    see docs/theory.md. In reverse an ideal pin feels the same forces the other way, half a turn of
-    the wave later. A pin shorter than half its diameter bends less than its seat gives way.
-
-    Examples
-    --------
-    Six pins, two satellites, 500 N*m: every point of the root has the same amplitude.
-
-    >>> steel = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
-    >>> pin = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016,
-    ...        "contact_length": 0.02, "satellite_positions": (0.015, 0.037), "material": steel}
-    >>> found = pin_strength(
-    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0), **pin,
-    ...     fatigue=FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6))
-    >>> round(found.peak_bending_stress/1e6, 6), round(found.fatigue.safety_factor, 6)
-    (306.704838, 1.504829)
     """
     check_positive(
         output_torque=output_torque,
@@ -278,43 +345,70 @@ def pin_strength(
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
-    found = [_stresses(pin, case) for case in cases]
-    bent = max(found, key=lambda each: each.bent)
-    worst = max(found, key=lambda each: each.equivalent)
-    most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
+    found: list[_Stresses] = []
+    for case in reversed(cases):  # the uneven ones first, within which others mostly stay
+        most = max((each.equivalent for each in found), default=0.0)
+        found.insert(0, _stresses(pin, case, most))
     if made is not None and static_torque != torque:
         again = _made_cases([made(way * static_torque) for way in ways])
-        static = max(pin.equivalent(case) for case in again) / most
-    cycle, seen, notices = None, worst.place, []
-    if fatigue is not None:
-        worst, cycle = _fatigue(pin, found, fatigue, rotates)
-        seen = cycle.position
-        if input_speed is not None and cycle.cycles is not None:
-            frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
-            cycle = replace(cycle, life=cycle.cycles / frequency)
-        if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
-            notices.append(Notice("low_cycle_fatigue"))
-    if min(satellite_positions) < diameter / 2:
-        notices.append(Notice("short_pin"))
-    chi = None if cycle is None else cycle.direction
-    accuracy = Accuracy(method, error + _of_two_supports(beam, satellite_positions), evaluations)
-    strength = material.yield_strength
-    return PinStrength(
-        peak_force=float(max(each.forces.max() for each in found)),
-        peak_moment=bent.bent * pin.modulus,
-        peak_moment_position=bent.place,
-        peak_bending_stress=bent.bent,
-        peak_shear_force=mean_shear * pin.area,
-        peak_shear_stress=4 / 3 * mean_shear,
-        peak_equivalent_stress=most,
-        static_safety_factor=None if strength is None else strength / (static * most),
-        fatigue=cycle,
-        deflection=_deflection(found) if deflection else None,
-        locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
-        sharing=worst.loads.sharing,
-        pin=worst.loads.pin,
-        accuracy=accuracy,
-        notices=(*notices, *poorly_known(accuracy)),
+        static = max(pin.equivalent(case, 0.0) for case in again)
+        static /= max(each.equivalent for each in found)
+    error += _of_two_supports(beam, satellite_positions)
+    return PinStresses(pin, mechanism, material, found, static, method, error, evaluations)
+
+
+def pin_strength(
+    *,
+    rotates: bool = False,
+    fatigue: FatigueStrength | None = None,
+    input_speed: float | None = None,
+    deflection: bool = False,
+    locus: bool = False,
+    **loaded: Any,
+) -> PinStrength:
+    """Bending, shear, static safety, fatigue and deflection of the pins.
+
+    Parameters
+    ----------
+    rotates : bool
+        Whether the pin turns in the carrier: then every point of its edge meets every direction,
+        and the cycle of the largest moment is fully reversed.
+    fatigue : FatigueStrength, optional
+        What its fatigue is judged by.
+    input_speed : float, optional
+        Speed w_in of the crank, rad/s, > 0, for the life.
+    **loaded
+        What `pin_stresses` takes.
+
+    Returns
+    -------
+    PinStrength
+
+    Notes
+    -----
+    Source of the ideal forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived,
+    see docs/theory.md. In reverse an ideal pin feels the same forces the other way, half a turn of
+    the wave later. A pin shorter than half its diameter bends less than its seat gives way.
+
+    Examples
+    --------
+    Six pins, two satellites, 500 N*m: every point of the root has the same amplitude.
+
+    >>> steel = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
+    >>> pin = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016,
+    ...        "contact_length": 0.02, "satellite_positions": (0.015, 0.037), "material": steel}
+    >>> found = pin_strength(
+    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0), **pin,
+    ...     fatigue=FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6))
+    >>> round(found.peak_bending_stress/1e6, 6), round(found.fatigue.safety_factor, 6)
+    (306.704838, 1.504829)
+    """
+    return pin_stresses(**loaded).strength(
+        rotates=rotates,
+        fatigue=fatigue,
+        input_speed=input_speed,
+        deflection=deflection,
+        locus=locus,
     )
 
 
@@ -369,8 +463,8 @@ class _Stresses:
     slopes: FloatArray
 
 
-def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
-    """What a pin bears under loads."""
+def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
+    """What a pin bears under loads; the equivalent stress only where it is beyond another."""
     beam, z, ends = pin.beam, pin.positions, pin.ends
     rows = (
         np.eye(len(z)),
@@ -383,11 +477,14 @@ def _stresses(pin: LoadedPin, loads: PinLoads) -> _Stresses:
     forces, deflections, slopes, shears, at_root = np.split(
         found, np.cumsum([len(each) for each in rows[:-1]])
     )
+    bent, place = (float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)
+    equivalent = pin.equivalent(loads, max(beyond, bent))
     return _Stresses(
         loads,
-        *((float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)),
+        bent,
+        place,
         mean_shear=float(shears.max()),
-        equivalent=pin.equivalent(loads),
+        equivalent=max(equivalent, bent),
         forces=forces,
         deflections=deflections,
         slopes=slopes,
@@ -408,7 +505,11 @@ def _fatigue(
             if case.loads.alternates:
                 angle = pin.direction(case.loads, case.place)
             else:
-                top, bottom, seen, angle = pin.cycle(case.loads, strength, case.bent)
+                beyond = 0.0 if worst is None else 1 / worst[1].safety_factor
+                seen_cycle = pin.cycle(case.loads, strength, case.bent, beyond)
+                if seen_cycle is None:
+                    continue
+                top, bottom, seen, angle = seen_cycle
             chi = _turned(angle)
         cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
         if worst is None or cycle.safety_factor < worst[1].safety_factor:

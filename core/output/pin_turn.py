@@ -48,6 +48,9 @@ over from one pair to the next."""
 SINGULAR = 1e-5
 """The same where the force rises with a power of the cosine that is not whole."""
 
+BLOCK = 1_000_000
+"""Numbers that are worked on at once."""
+
 NOTHING = 1e-30
 """Force of a pair, over that of the best placed one, that no sum feels."""
 
@@ -221,6 +224,57 @@ class PinTurn(Turn):
             return found
 
         return own
+
+    @cached_property
+    def _quadratics(self) -> tuple[ComplexArray, FloatArray]:
+        """T times the forces, and T, along each arc for v = 1, where both are quadratic: their
+        coefficients ``c0*(1 - w)^2 + 2*c1*w*(1 - w) + c2*w^2``, shapes (3, arcs, K), (3, arcs).
+        """
+        low, high = self.own[:, self.arcs]
+        first, last = self.cosines[:, self.part[self.arcs]]
+        forces = low * low.real, (low * high.real + high * low.real) / 2, high * high.real
+        weights = self.weights[self.part[self.arcs]]
+        total = (first * first, first * last, last * last)
+        return (
+            np.stack(forces) * self.drives[self.arcs],
+            np.stack([(weights * each).sum(axis=1) for each in total]),
+        )
+
+    def reach(self, arms: ComplexArray) -> FloatArray:
+        """Largest real part over the turn of sums of the forces, in closed form for v = 1.
+
+        With the coefficients of `_quadratics` the slope of a quotient has the coefficients
+        ``c1*t0 - c0*t1, (c2*t0 - c0*t2)/2, c2*t1 - c1*t2``.
+
+        Parameters
+        ----------
+        arms : array, shape (rows, K)
+            What unit forces of the satellites do.
+
+        Returns
+        -------
+        array, shape (rows,)
+        """
+        rows = max(1, BLOCK // len(self.arcs))
+        if len(arms) > rows:
+            return np.concatenate(
+                [self.reach(arms[i : i + rows]) for i in range(0, len(arms), rows)]
+            )
+        forces, (t0, t1, t2) = self._quadratics
+        c0, c1, c2 = (combine_real(arms, each.T) for each in forces)
+        rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
+        root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))
+        up = bend > 0  # the root at which the slope falls, without a difference of numbers alike
+        root += np.abs(bend)
+        after = np.maximum(np.where(up, root, 2 * rise), 0.0)
+        before = np.maximum(np.where(up, -2 * fall, root), 0.0)
+        summed = after + before
+        way = np.where(before > 0, after, 0.0) / np.where(summed > 0, summed, 1.0)
+        left = 1 - way
+        b0, b1, b2 = left * left, 2 * way * left, way * way
+        inside = (c0 * b0 + c1 * b1 + c2 * b2) / (t0 * b0 + t1 * b1 + t2 * b2)
+        found: FloatArray = np.maximum(np.maximum(c0 / t0, c2 / t2), inside).max(axis=1)
+        return found
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
         """Forces over the turn, both sides of every switching angle.
@@ -430,6 +484,14 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     for k in range(1, arms.shape[1]):
         found = found + arms[:, k : k + 1] * forces[..., k, :]
     return found
+
+
+def combine_real(arms: ComplexArray, forces: ComplexArray) -> FloatArray:
+    """Real part of `combine`."""
+    real, imaginary = combine(arms=arms.real, forces=forces.real), -arms.imag
+    for k in range(arms.shape[1]):
+        real += imaginary[:, k : k + 1] * forces[k].imag
+    return real
 
 
 @lru_cache(maxsize=256)

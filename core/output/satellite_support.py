@@ -26,6 +26,7 @@ from core.output.sharing_kernel import (
     Room,
     Setup,
     at,
+    balance,
     interference,
     law,
     play,
@@ -122,6 +123,40 @@ def check_support(*, support: SatelliteSupport | None, satellites: int, exact: b
     if isinstance(support, CrankSupport) and not 0 <= support.radial_clearance < math.inf:
         given_clearance = support.radial_clearance
         raise InvalidInput("radial_clearance", given_clearance, "greater_than_equal", limit=0)
+
+
+def rigid_limit_torque(
+    psi: float, limits: Sequence[float], setup: Setup, pairs: Pairs, room: Room
+) -> float:
+    """Torque under which the first pair of rigid satellites is pressed in by its limit.
+
+    Parameters
+    ----------
+    psi : float
+        Wave angle, rad.
+    limits : sequence of float
+        Of each pair: its approach at its limit, m; in exact geometry ``2*C*d + d^2``.
+    setup : Setup
+        The design, with the torque's direction.
+    pairs : Pairs
+        Constants of the pairs.
+    room : Room
+        Scratch.
+
+    Returns
+    -------
+    float
+        As `HeldSatellites.limit_torque`.
+    """
+    at(psi, setup, pairs, room)
+    for i, limit in enumerate(limits):
+        room.q[i] -= limit
+    low, high, *_ = play(setup, room)
+    if low > high:
+        return 0.0
+    at(psi, setup, pairs, room)
+    lag = min(high, setup.eccentricity / setup.radius)
+    return max(balance(lag, setup, pairs, room)[0], 0.0)
 
 
 def loosen(*, support: SatelliteSupport | None, pairs: Pairs) -> None:
@@ -231,6 +266,62 @@ class HeldSatellites:
             at(psi, one, pairs, own)
             worst.append(interference(-far, far, one, pairs, own))
         return max(worst)
+
+    def limit_torque(self, psi: float, limits: list[float], setup: Setup, room: Room) -> float:
+        """Torque under which the first pair is pressed in by its limit.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        limits : list of float
+            Approach of each pair at its limit, m.
+        setup : Setup
+            The design, with the torque's direction.
+        room : Room
+            Scratch.
+
+        Returns
+        -------
+        float
+            N*m; 0 where a pair is pressed as far without load. Where the output would lag by the
+            eccentricity before, the torque that brings it there.
+        """
+        if isinstance(self.support, Shares):
+            pins, each = setup.pins, enumerate(self._each(setup, room))
+            return min(
+                rigid_limit_torque(psi, limits[j * pins : (j + 1) * pins], *one)
+                / self.support.shares[j]
+                for j, one in each
+            )
+        at(psi, setup, self.pairs, room)
+        count, far = setup.satellites, setup.eccentricity / setup.radius
+        zero = min(max(play(setup, room)[1], -far), far)
+        owns = [0.0 if self._crank else 1.0] * count  # over the lag
+
+        def pressed(lag: float) -> _Balance:
+            """By how much the pair that is nearest to its limit, or beyond it, is beyond."""
+            discs = [self._disc(lag, owns[j], j, setup, room) for j in range(count)]
+            if lag != 0:
+                owns[:] = [disc.own / lag for disc in discs]
+            beyond, most = [], 0
+            for i, limit in enumerate(limits):
+                own = discs[i // setup.pins].own
+                turned, back = (lag, own) if self._crank else (own, 0.0)
+                beyond.append(room.q[i] + turned * room.v[i] + back - limit)
+                most = i if beyond[i] > beyond[most] else most
+            lever, value = room.v[most], beyond[most]
+            slope = discs[most // setup.pins].effective(lever, self._factor(lever))
+            size = abs(room.q[most]) + abs(lag * lever) + limits[most]
+            return _Balance(value, -value / slope if slope > 0 else math.inf, size, slope, discs)
+
+        if pressed(zero).value >= 0:
+            return 0.0
+        rigid = [q - limit for q, limit in zip(room.q, limits, strict=True)]
+        first = min(max(play(setup, room._replace(q=rigid))[1], zero), far)
+        lag, last, _, _ = _root(pressed, first, zero, math.inf)
+        discs = last.discs if lag <= far else pressed(far).discs
+        return max(math.fsum(disc.torque for disc in discs), 0.0)
 
     def wave_torque(self, psi: float, setup: Setup, room: Room) -> float:
         """Torque of the forces on the wave, N*m, as `solve` left the room.

@@ -18,23 +18,23 @@ class ShaftStrength:
         Bending moment at B and at the clamp, N*m.
     peak_stress : float
         Largest bending stress, Pa, without a notch.
-    position : float
+    peak_stress_position : float
         Its section, m from C towards the clamp.
     static_safety_factor : float or None
         Yield strength over that stress, where it is known.
     fatigue : CycleFatigue or None
         Of the section that has the least safety, where the load turns round the shaft.
-    fatigue_position : float or None
+    cycle_position : float or None
         That section, m from C.
     """
 
     bending_moment_B: float
     bending_moment_clamp: float
     peak_stress: float
-    position: float
+    peak_stress_position: float
     static_safety_factor: float | None
     fatigue: CycleFatigue | None
-    fatigue_position: float | None
+    cycle_position: float | None
 
 
 def shaft_strength(
@@ -99,7 +99,7 @@ def shaft_strength(
             bent = moment(start + end, end if piece.behind_b else 0.0)
             stress = bent * 32 / math.pi / piece.diameter**3
             places.append((stress, start + end, piece.diameter))
-    stress, position, _ = max(places)
+    stress, worst_bent, _ = max(places)
     worst: CycleFatigue | None = None
     worst_place = None
     if fatigue is not None and not load_rotates_with_shaft:
@@ -113,8 +113,8 @@ def shaft_strength(
         bending_moment_B=moment(a, 0.0),
         bending_moment_clamp=moment(a + overhang, overhang),
         peak_stress=stress,
-        position=position,
+        peak_stress_position=worst_bent,
         static_safety_factor=static,
         fatigue=worst,
-        fatigue_position=worst_place,
+        cycle_position=worst_place,
     )

@@ -456,7 +456,7 @@ export default {
     ],
     "fatigue_safety": [
       "Safety in fatigue",
-      "Factor by which all stresses of a pin may grow before it breaks by fatigue."
+      "Factor by which all stresses of a part may grow before it breaks by fatigue."
     ],
     "force_N": [
       "Contact force",

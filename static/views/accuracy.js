@@ -2,6 +2,7 @@
 import { formatDuration, formatNumber } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
+import { neglectedIn } from "../service_texts.js";
 import { following } from "../store.js";
 
 function sectionMarkup([id, { accuracy: { method, method_code: code, relative_error: error, evaluations, run_time_us: time } }]) {
@@ -12,9 +13,6 @@ function sectionMarkup([id, { accuracy: { method, method_code: code, relative_er
     time: formatDuration(time),
   })}</li>`;
 }
-
-/** What the model of a calculation leaves out, in words. */
-export const neglectedIn = (about) => (about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail);
 
 /** `about` is what the service says of the calculation: `{ model, sources }`; `figures` those of error against run time. */
 export function createAccuracy({ calculator, about, figures }) {

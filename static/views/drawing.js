@@ -6,7 +6,6 @@ import { formatQuantity } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { drawable, following } from "../store.js";
-import { download, pngOf, svgOf } from "./files.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
@@ -121,6 +120,7 @@ export function createDrawingView({ calculator, on }) {
   root.querySelector(".figure-tools").addEventListener("click", async ({ target }) => {
     const kind = target.closest("[data-kind]")?.dataset.kind.toLowerCase();
     if (!kind) return;
+    const { download, pngOf, svgOf } = await import("./files.js");
     const svg = place.querySelector("svg");
     const content = kind === "png" ? await pngOf(svg) : svgOf(svg);
     download(`${calculator.id}.${kind}`, content, "image/svg+xml");

@@ -1,19 +1,17 @@
 /** A figure made by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../lib/api.js";
 import { coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
-import { csvOfTables } from "../lib/exports.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { download } from "./files.js";
 import { tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
 /** What a calculator says of a figure, completed; one that `measures` a calculation is drawn on demand only. */
-function completed({ measures, body = (input) => input, ...figure }) {
+function completed({ measures, body = ({ besides, ...input }) => input, ...figure }) {
   if (!measures) return { ...figure, body };
   const measured = (input) => ({ calculation: measures, input: body(input) });
   return { ...figure, onDemand: true, path: "/work-precision/chart", height: 620, body: measured };
@@ -61,6 +59,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   let latest = null; // { input, filled, answer, theme, others } of what is drawn or to be drawn
   let chart = null; // of `latest`, in the language of the page
   let drawing = Promise.resolve(); // until the latest is drawn
+  let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
   const heightOf = (input) => (typeof figure.height === "function" ? figure.height(input) : figure.height);
 
@@ -80,9 +79,26 @@ export function createFigure({ figure: about, client, titles, on }) {
     canvas.style.height = `${height}px`;
   }
 
-  function post({ input, answer }, theme, signal) {
+  async function post({ input, answer }, theme, signal) {
     const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer);
     return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
+  }
+
+  /** Have the chart asked for beside the answer, where its body does not hang on that. */
+  function askAhead({ pending, phase, theme, reading: { input } }) {
+    ahead?.stop.abort();
+    ahead = null;
+    if (phase !== "computing" || measure || (tabled && figure.tables) || figure.body.length > 1) return;
+    const stop = new AbortController();
+    ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
+    ahead.chart.catch(() => {}); // said where it is drawn
+  }
+
+  function chartOf(design, theme, signal) {
+    if (!ahead || ahead.filled !== design.filled || ahead.theme !== theme) return post(design, theme, signal);
+    const { chart } = ahead;
+    ahead = null;
+    return chart;
   }
 
   /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */
@@ -100,7 +116,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   async function ask(signal) {
     const { theme, others } = latest;
     const [own, ...charts] = await Promise.all([latest, ...(figure.compared ? others : [])].map((design) =>
-      post(design, theme, signal)));
+      chartOf(design, theme, signal)));
     return { own, all: overlaid(shaped(own, theme), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one, theme) })), theme) };
   }
 
@@ -175,6 +191,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   async function fileOf(kind) {
     if (kind !== "csv") return [await picture(kind)];
     const tables = figure.tables ? await on.tables(figure) : curveTables(chart ?? await post(latest, "light"));
+    const { csvOfTables } = await import("../lib/exports.js");
     return [csvOfTables(tables), "text/csv"];
   }
 
@@ -182,7 +199,8 @@ export function createFigure({ figure: about, client, titles, on }) {
     const kind = event.target.closest("[data-kind]")?.dataset.kind.toLowerCase();
     if (!kind) return;
     try {
-      download(`${figure.id}.${kind}`, ...await fileOf(kind));
+      const [{ download }, file] = await Promise.all([import("./files.js"), fileOf(kind)]);
+      download(`${figure.id}.${kind}`, ...file);
     } catch (problem) {
       complain(message("figure.failed", { detail: problemText(problem, titles) }));
     }
@@ -191,8 +209,9 @@ export function createFigure({ figure: about, client, titles, on }) {
 
   const updates = [
     /** Keep the room that the figure of what is asked will take. */
-    following(({ pending }) => [pending], ({ pending }) => {
-      if (!measure) return reserve(heightOf(pending));
+    following(({ pending }) => [pending], (state) => {
+      askAhead(state);
+      if (!measure) return reserve(heightOf(state.pending));
       take(null);
       return fold();
     }),
@@ -241,6 +260,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     /** Give up the place on the page and what Plotly listens to for it. */
     close() {
       newest.cancel();
+      ahead?.stop.abort();
       plot.purge();
     },
   };

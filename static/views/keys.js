@@ -1,14 +1,11 @@
 /** Help behind a button and the `?` key: the keys, what every symbol of the open calculator means, what its model leaves out. */
-import { element, fill, html } from "../lib/html.js";
+import { fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { createDialog, symbolMarkup } from "./parts.js";
 
-/** `about()` gives of the open calculator `{ symbols: [[symbol, title, help]], neglected: [text] }`, or null. */
-export function createKeys({ about }) {
+/** Opened by `button` too. `about()` gives of the open calculator `{ symbols: [[symbol, title, help]], neglected: [text] }`, or null. */
+export function createKeys({ button, about }) {
   const rows = ["apply", "step", "undo", "keep", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
-  const button = element(html`
-    <button type="button" class="tool" aria-haspopup="dialog" aria-keyshortcuts="?"
-      aria-label="${message("page.keys")}" title="${message("page.keys")}">?</button>`);
   const dialog = createDialog({
     id: "keys",
     title: message("keys.title"),
@@ -31,5 +28,4 @@ export function createKeys({ about }) {
     event.preventDefault();
     show();
   });
-  return { button };
 }

@@ -10,23 +10,26 @@ const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a p
 // No toolbar over the legend: dragging zooms, a double click shows all again, as Plotly says on a zoom.
 const CONFIG = { displayModeBar: false, responsive: true };
 
+const SOURCE = "static/vendor/plotly/plotly-basic.min.js";
+
 let loading = null;
 
 /**
- * Plotly.js, run once, after the first answer; the page asks for it at its head. It writes its rules
- * into a style element, which the page's policy forbids; where a sheet of that id and class is
- * linked, as in index.html, it leaves them to the sheet.
+ * Plotly.js, run once; first.js has it on the way. It writes its rules into a style element, which the
+ * page's policy forbids; where a sheet of that id and class is linked, as in index.html, it leaves them
+ * to the sheet.
  */
 export function loadPlotly() {
-  loading ??= new Promise((resolve, reject) => {
-    const script = Object.assign(document.createElement("script"), { src: "static/vendor/plotly/plotly-basic.min.js" });
+  loading ??= globalThis.Plotly ? Promise.resolve(globalThis.Plotly) : new Promise((resolve, reject) => {
+    const begun = document.querySelector(`script[src="${SOURCE}"]`);
+    const script = begun ?? Object.assign(document.createElement("script"), { src: SOURCE });
     script.addEventListener("load", () => resolve(globalThis.Plotly));
     script.addEventListener("error", () => {
       loading = null; // the next figure tries again
       script.remove();
       reject(new Error("cannot load Plotly"));
     });
-    document.head.append(script);
+    if (!begun) document.head.append(script);
   });
   return loading;
 }

@@ -1,6 +1,6 @@
 /** What the user may take along: the link, the request for other programs, request and answer as files. */
 import { csvOf, curlLine, flatValues, pythonCode } from "../lib/exports.js";
-import { element, fill, html } from "../lib/html.js";
+import { fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { createDialog } from "./parts.js";
 import { download } from "./files.js";
@@ -22,14 +22,11 @@ function snippet(kind, label, text) {
 }
 
 /**
- * `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
+ * Opened by `button`. `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
  * body, answer }], filled, answer }`, or null where there are none.
  */
-export function createShare({ exchange, say }) {
-  const title = message("share.title");
-  const button = element(html`
-    <button type="button" class="tool" aria-haspopup="dialog" aria-label="${title}" title="${title}">⇩</button>`);
-  const dialog = createDialog({ id: "share", title, content: html`<div class="share"></div>` });
+export function createShare({ button, exchange, say }) {
+  const dialog = createDialog({ id: "share", title: message("share.title"), content: html`<div class="share"></div>` });
   const content = dialog.querySelector(".share");
   let shown = null;
 
@@ -69,5 +66,4 @@ export function createShare({ exchange, say }) {
     if (file === "csv") download(`${calculator}.csv`, resultsCsv(shown), "text/csv");
   });
   button.addEventListener("click", show);
-  return { button };
 }

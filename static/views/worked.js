@@ -67,7 +67,7 @@ function groupMarkup({ steps }, { relative_error: error, method, method_code: co
 }
 
 /** `on.print()` and `on.save()` ask for the report; `materialOf(path, given)` gives a material's values. */
-export function createWorked({ calculator, materialOf, on }) {
+export function createWorked({ workedSteps, materialOf, on }) {
   const root = element(html`
     <section class="card worked" aria-label="${message("worked.title")}">
       <div class="worked-head"><h2>${message("worked.title")}</h2>
@@ -99,7 +99,7 @@ export function createWorked({ calculator, materialOf, on }) {
       const { filled: input, answer } = now;
       const open = new Set(all().filter((details) => details.open).map(({ dataset }) => dataset.section));
       const more = Object.fromEntries(Object.entries(besides).map(([id, { steps }]) => [id, steps]));
-      shown = { answer, groups: calculator.worked({ input, answer, materialOf, more }) };
+      shown = { answer, groups: workedSteps({ input, answer, materialOf, more }) };
       fill(host, html`${shown.groups.map(({ section, steps }) => html`
         <details data-section="${section}"><summary>${message("worked.group", {
           section: message(`section.${section}`), count: steps.length,

@@ -259,7 +259,9 @@ async def test_fatigue_of_rollers_where_asked(api):
     both = ROLLERS | TIRED | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
     refused = await api.post("roller-strength", json=both)
     assert refused.status_code == 422
-    assert [each["pointer"] for each in refused.json()["errors"]] == ["/fatigue"]
+    assert [each["pointer"] for each in refused.json()["errors"]] == [
+        "/fatigue/fatigue_notch_factor"
+    ]
 
 
 async def test_strength_of_the_shaft_where_asked(api):

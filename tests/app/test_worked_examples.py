@@ -67,6 +67,9 @@ SLEEVED: dict[str, Any] = BARE | {
         "bearing_positions_mm": [0.0, 62.0],
     },
 }
+MACHINED = BARE["fatigue"]
+TENSILE = {"tensile_strength_MPa": 950.0}
+STEPPED = [{"length_mm": 50.0, "diameter_mm": 12.0}, {"length_mm": 30.0, "diameter_mm": 16.0}]
 SECTIONS = {
     "pin": "pin_strength",
     "friction": "output_efficiency",
@@ -158,45 +161,75 @@ MORE: list[dict[str, Any]] = [
         }
         for besides, hours in ((BARE, 4000.0), (SLEEVED, 4000.0), (BARE, 5.0))
     ),
-    {
-        "calculation": "roller-strength",
-        "input": {
-            "output_torque_Nm": 150.0,
-            "hole_circle_radius_mm": 28.0,
-            "rollers": 5,
-            "gaps_mm": [0.01, 0.0, 0.2, 0.015, 0.004],
-            "diameter_mm": 9.0,
-            "cylinder_length_mm": 16.0,
-            "sphere_width_mm": 7.0,
-            "sphere_diameter_mm": 12.0,
-            "friction_coefficient": 0.12,
-            "youngs_modulus_GPa": 206.0,
-            "poissons_ratio": 0.29,
-            "stress_concentration": 1.7,
-        },
-    },
-    {
-        "calculation": "precession/shaft-deflection",
-        "input": {
-            "roller_circle_radius_mm": 60.0,
-            "roller_radius_mm": 5.0,
-            "nutation_angle_deg": 5.0,
-            "ratio_u12": 0.95,
-            "torque_Nm": -12.0,
-            "reference_z_mm": 25.0,
-            "bearing_distance_mm": 35.0,
-            "overhang_mm": 45.0,
-            "shaft_sections": [
-                {"length_mm": 50.0, "diameter_mm": 12.0},
-                {"length_mm": 30.0, "diameter_mm": 16.0},
-            ],
-            "youngs_modulus_GPa": 200.0,
-            "rollers": [
-                {"position_angle_deg": 40.0, "phi_min_deg": -70.0, "phi_max_deg": -55.0},
-                {"position_angle_deg": 75.0, "z_min_mm": 12.0, "z_max_mm": 30.0},
-            ],
-        },
-    },
+    *(
+        {
+            "calculation": "roller-strength",
+            "input": {
+                "output_torque_Nm": 150.0,
+                "hole_circle_radius_mm": 28.0,
+                "rollers": 5,
+                "gaps_mm": [0.01, 0.0, 0.2, 0.015, 0.004],
+                "diameter_mm": 9.0,
+                "cylinder_length_mm": 16.0,
+                "sphere_width_mm": 7.0,
+                "sphere_diameter_mm": 12.0,
+                "friction_coefficient": 0.12,
+                "youngs_modulus_GPa": 206.0,
+                "poissons_ratio": 0.29,
+                "yield_strength_MPa": 700.0,
+            }
+            | own,
+        }
+        for own in (
+            {"stress_concentration": 1.7},
+            {
+                "stress_concentration": 1.7,
+                "besides": {"fatigue": {"endurance_limit_MPa": 320.0}} | TENSILE,
+            },
+            {"besides": {"fatigue": MACHINED, "roller_rotates": True} | TENSILE},
+        )
+    ),
+    *(
+        {
+            "calculation": "precession/shaft-deflection",
+            "input": {
+                "roller_circle_radius_mm": 60.0,
+                "roller_radius_mm": 5.0,
+                "nutation_angle_deg": 5.0,
+                "ratio_u12": 0.95,
+                "torque_Nm": -12.0,
+                "reference_z_mm": 25.0,
+                "bearing_distance_mm": 35.0,
+                "overhang_mm": 45.0,
+                "youngs_modulus_GPa": 200.0,
+                "rollers": [
+                    {"position_angle_deg": 40.0, "phi_min_deg": -70.0, "phi_max_deg": -55.0},
+                    {"position_angle_deg": 75.0, "z_min_mm": 12.0, "z_max_mm": 30.0},
+                ],
+            }
+            | own,
+        }
+        for own in (
+            {"shaft_sections": STEPPED},
+            {
+                "shaft_sections": STEPPED,
+                "yield_strength_MPa": 600.0,
+                "besides": {"fatigue": MACHINED} | TENSILE,
+            },
+            {
+                "shaft_diameter_mm": 16.0,
+                "yield_strength_MPa": 600.0,
+                "besides": {
+                    "line_contact": {
+                        "mating_radius_mm": -40.0,
+                        "roller_material": STEEL,
+                        "mating_material": STEEL
+                        | {"youngs_modulus_GPa": 118.0, "poissons_ratio": 0.34},
+                    },
+                },
+            },
+        )
+    ),
 ]
 
 
@@ -233,8 +266,10 @@ async def _answer(api: Any, calculation: str, given: dict[str, Any]) -> dict[str
             }
             del answer["hertz"]["accuracy"]
         return answer
+    whole = {name: part for name, part in given.items() if name != "besides"}
+    whole |= given.get("besides", {})
     if calculation == "roller-strength":
-        return {"roller_strength": await post(calculation, given)}
+        return {"roller_strength": await post(calculation, whole)}
     gear = {name: given[name] for name in GEAR} | {
         name: given[name] for name in ("rollers", "wheel") if name in given
     }
@@ -243,7 +278,7 @@ async def _answer(api: Any, calculation: str, given: dict[str, Any]) -> dict[str
     return {
         "contact_line": await post("precession/contact-line", gear | {"torque_sign": int(sign)}),
         "meshing_load": await post("precession/meshing-load", load),
-        "shaft_deflection": await post(calculation, given),
+        "shaft_deflection": await post(calculation, whole),
     }
 
 

@@ -51,6 +51,7 @@ def test_the_printed_report_holds_inputs_steps_and_version(
         assert words in text, words
     for step in page.locator(".worked details").all():
         step.locator("summary").click()
+        expect(step.locator(".worked-steps > *").first).to_be_visible()
     text = text_of(printed(page))
     for words in STEPS[calculator]:
         assert words in text, words
@@ -134,6 +135,7 @@ def test_the_saved_report_stands_alone(
         assert words in text, words
     for step in page.locator(".worked details").all():
         step.locator("summary").click()
+        expect(step.locator(".worked-steps > *").first).to_be_visible()
     text = text_of(printed(page))
     for words in STEPS[calculator]:
         assert words in text, words

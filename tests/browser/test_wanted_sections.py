@@ -252,3 +252,34 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     expect(page.locator(".part .js-plotly-plot .xtitle")).to_have_count(4)
     page.evaluate("() => document.querySelectorAll('details').forEach((d) => d.open = true)")
     assert foreign(page) == set()
+
+
+def test_fatigue_of_rollers_and_of_the_shaft_with_its_contact_lines(
+    page: Page, service: str
+) -> None:
+    def row(name: str) -> Locator:
+        return page.locator(".checks").get_by_text(name)
+
+    show(page, service, "rollers")
+    switch(page, "endurance").check()
+    expect(row("Fatigue of the rollers")).to_be_visible()
+    expect(page.locator(".checks")).to_contain_text("Enter: Tensile strength")
+    box(page, "tensile_strength_MPa").fill("900")
+    # 254.2/246.6 + 254.2/900: the concentration of the stress counts once
+    expect(page.locator(".checks")).to_contain_text("0.7614")
+    box(page, "fatigue.fatigue_notch_factor").fill("1.6")
+    expect(words_at(page, "fatigue.fatigue_notch_factor")).to_contain_text("Stress concentration")
+    box(page, "fatigue.fatigue_notch_factor").fill("")
+    settled(page)
+    show(page, service, "precession")
+    switch(page, "endurance").check()
+    box(page, "tensile_strength_MPa").fill("900")
+    box(page, "fatigue.fatigue_notch_factor").fill("1.6")
+    switch(page, "lines").check()
+    box(page, "line_contact.mating_radius_mm").fill("-30")
+    expect(row("Pressure along the contact lines")).to_be_visible()
+    expect(row("Fatigue of the shaft in bending")).to_be_visible()
+    settled(page)
+    assert "line_contact.mating_radius_mm=-30" in address(page)
+    reopen(page)
+    expect(row("Pressure along the contact lines")).to_be_visible()

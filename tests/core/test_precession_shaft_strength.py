@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -44,11 +44,11 @@ def test_the_checked_case() -> None:
     found = strength((0.05, 0.02), yield_strength=300e6)
     assert f"{found.bending_moment_clamp * 1e3:.2f}" == "18932.51"
     assert f"{found.peak_stress / 1e6:.4f}" == "24.1056"
-    assert found.position == 0.05
+    assert found.peak_stress_position == 0.05
     own = 0.03 * math.hypot(171.172541156, 338.660950987)
     assert found.bending_moment_B == pytest.approx(own, rel=1e-10)
     assert found.static_safety_factor == pytest.approx(300 / 24.1056, rel=1e-5)
-    assert found.fatigue is None and found.fatigue_position is None
+    assert found.fatigue is None and found.cycle_position is None
     assert strength((0.05, 0.02)).static_safety_factor is None
 
 
@@ -56,7 +56,7 @@ def test_a_load_that_turns_round_the_shaft_reverses_its_bending() -> None:
     found = strength((0.05, 0.02), fatigue=limit)
     assert found.fatigue is not None
     assert found.fatigue.max_stress == -found.fatigue.min_stress == found.peak_stress
-    assert (found.fatigue.mean, found.fatigue_position) == (0, 0.05)
+    assert (found.fatigue.mean, found.cycle_position) == (0, 0.05)
     # 0.8*1.24*20^-0.107*450/1.5 MPa
     limited = 0.8 * 1.24 * 20**-0.107 * 300e6
     assert found.fatigue.safety_factor == pytest.approx(limited / found.peak_stress, rel=1e-12)
@@ -94,6 +94,8 @@ BRONZE = ElasticMaterial(111e9, 0.349, ContactLimit("given", 400e6))
 
 
 @given(q=st.floats(1e2, 1e6), r=st.floats(1e-3, 0.1), other=st.floats(1e-3, 1.0))
+@example(q=3.1e6, r=1e-3, other=1e-3)  # nearly too wide
+@example(q=3.3e6, r=1e-3, other=1e-3)
 def test_two_cylinders_as_shigley_has_them(q: float, r: float, other: float) -> None:
     """Eqs (3-73), (3-74), with diameters: half-width first, pressure from it."""
     found = line_contact(
@@ -138,3 +140,20 @@ def test_a_hollow_is_a_hole() -> None:
     for radius in (0.0, -0.008, -0.001):
         with pytest.raises(InvalidInput):
             line_contact(line_load=1e5, roller_radius=0.008, mating_radius=radius, **own)
+
+
+@pytest.mark.parametrize("apart", [1.0, 1e-3, 1e-6])
+def test_what_a_hollow_nearly_as_wide_as_the_roller_is_known_to(apart: float) -> None:
+    """Radii that are a rounding off change the contact by no more than it states."""
+    own = {"line_load": 1e5, "roller_material": STEEL, "mating_material": BRONZE}
+    hollow = -0.008 * (1 + apart)
+    found = line_contact(roller_radius=0.008, mating_radius=hollow, **own)
+    off = line_contact(
+        roller_radius=math.nextafter(0.008, 1), mating_radius=math.nextafter(hollow, -1), **own
+    )
+    error = found.accuracy.relative_error
+    for name in ("max_pressure", "half_width", "reduced_radius"):
+        assert abs(getattr(off, name) / getattr(found, name) - 1) <= error
+    assert 1e-16 / apart < error < 1e-14 / apart
+    loose = line_contact(roller_radius=0.008, mating_radius=hollow, **own, load_error=1e-3)
+    assert loose.accuracy.relative_error == pytest.approx(error + 5e-4, rel=1e-12)

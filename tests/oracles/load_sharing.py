@@ -111,21 +111,27 @@ def _loaded(real: RealMechanism, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]
 def _root(f, low: mpf, high: mpf) -> mpf:
     """Root of an increasing function: false position (Illinois), sure by the signs beside it."""
     close = mpf(10) ** (8 - DIGITS)
-    left, right, side = f(low), f(high), 0
+    left, right, side, last = f(low), f(high), 0, mp.inf
     if left >= 0 or right <= 0:
         return low if left >= 0 else high
     for _ in range(60):
         x = (low * right - high * left) / (right - left)
         here = f(x)
         width = abs(x) * close + mpf(10) ** -DIGITS
-        if here == 0 or (f(x - width) <= 0 <= f(x + width)):
+        if here == 0:
             return x
+        near = abs(x - last) < mp.sqrt(width)  # else it is not worth a look
         if here < 0:
+            if near and f(x + width) >= 0:
+                return x
             low, left = x, here
             right, side = (right / 2 if side == -1 else right), -1
         else:
+            if near and f(x - width) <= 0:
+                return x
             high, right = x, here
             left, side = (left / 2 if side == 1 else left), 1
+        last = x
     return _bisected(lambda x: f(x) < 0, low, high)
 
 
@@ -148,7 +154,9 @@ def _least(f, low: mpf, high: mpf) -> mpf:
 
 
 def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
-    """Of each pair, satellite by satellite: pin, hole, direction, and the law of its force."""
+    """Of each pair, satellite by satellite: the law of its force, pin and hole and how far their
+    centres may be apart; in first order lever and gap.
+    """
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
     psi = crank_angle * (1 + 1 / ratio) + start
@@ -177,24 +185,28 @@ def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
             )
             reach = mpf(real.eccentricity) + real.clearance + r_h - r_p
             law = _law(real, real.pin_radius + r_p, reach, mpf(bent[j]))
-            pairs[j].append((pin, e * crank, hole, eta, radial, crank, e, reach, law))
+            if real.exact:
+                pairs[j].append((law, pin, e * crank + hole * mp.expj(eta), reach))
+                continue
+            # The difference of the nominal places and of the errors, along the crank.
+            lever = -real.pin_circle_radius * (mp.conj(crank) * radial).imag
+            off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
+            pairs[j].append((law, lever, off.real + (reach - e), None))
     return pairs
 
 
 def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
-    found, held = [], _held(real)
+    """Of each pair its law, its approach and its lever."""
+    held = _held(real)
     loose = mpf(held.radial_clearance) / 2 if isinstance(held, CrankSupport) else mpf(0)
-    for pin, centre, hole, eta, radial, crank, e, reach, law in pairs:
-        if real.exact:
-            turned = pin * mp.expj(-lag)
-            d = turned - centre - hole * mp.expj(eta)
-            approach, lever = abs(d) - reach, (mp.conj(d) * turned).imag / abs(d)
-        else:
-            # The difference of the nominal places and of the errors, along the crank.
-            lever = -real.pin_circle_radius * (mp.conj(crank) * radial).imag
-            off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
-            approach = lever * lag - off.real - (reach - e)
-        found.append((law, approach - loose, lever))
+    if not real.exact:
+        return [(law, lever * lag - gap - loose, lever) for law, lever, gap, _ in pairs]
+    found, turn = [], mp.expj(-lag)
+    for law, pin, hole, reach in pairs:
+        turned = pin * turn
+        d = turned - hole
+        apart = abs(d)
+        found.append((law, apart - reach - loose, (mp.conj(d) * turned).imag / apart))
     return found
 
 

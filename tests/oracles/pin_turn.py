@@ -32,7 +32,9 @@ Array = Any
 
 
 def long(value: mpf) -> np.longdouble:
-    return np.longdouble(mp.nstr(value, 25))
+    """Next to the nearest number of 64 bits: the nearest double and the rest."""
+    near = float(value)
+    return np.longdouble(near) + np.longdouble(float(value - near))
 
 
 def odd(k: int) -> int:

@@ -26,7 +26,7 @@ test("every warning of the calculations says what it tests, why it matters, how 
 });
 
 test("every text of the worked steps is used, and none is missing", () => {
-  const steps = textsOf("static/calculators", ".js");
+  const steps = textsOf("static/calculators", ".js") + textsOf("static/lib", ".js");
   for (const [part, pattern] of [
     ["note", /\bnote: "(\w+)"/g],
     ["erratum", /\berratum: "(\w+)"/g],

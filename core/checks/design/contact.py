@@ -82,10 +82,15 @@ class DesignContact(DesignPins):
 
     def torque_factor(self, factor: float) -> float:
         """Factor on the torque under which the largest line load is so many times as large."""
-        force, edge = self.judged_forces, self.edge_factor(1.0)
-        on_force, before = factor, 0.0
-        while self.pin and 0 < on_force < math.inf and abs(on_force - before) > 1e-9 * on_force:
-            on_force, before = factor * edge / self.edge_factor(on_force), on_force
+        force, on_force, edge = self.judged_forces, factor, self.edge_factor(1.0)
+        before = gone = 0.0  # secants of the logarithm of both
+        while self.pin and 0 < on_force < math.inf:
+            left = math.log(factor * edge / self.edge_factor(on_force) / on_force)
+            if abs(left) <= 1e-9:
+                break
+            step = left if left == before or not before else gone * left / (before - left)
+            before, gone = left, step
+            on_force *= math.exp(step)
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
     @cached_property

@@ -11,8 +11,9 @@ from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import Made
 
-MOST_REAL_PAIRS = 100
-"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds."""
+MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
+"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
+whose satellites give."""
 
 UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
 """Why forces are not known, as the reason of a check, where there is one of its own."""
@@ -43,18 +44,23 @@ class DesignForces(GivenDesign):
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or a law of contact are stated. Bending pins alone leave
-        the ideal forces.
+        """Whether clearance, deviations, a law of contact or satellites that give are stated.
+        Bending pins alone leave the ideal forces.
         """
-        stated = (self.law, self.deviations)
+        stated = (self.law, self.deviations, self.support)
         return (self.clearance or 0.0) > 0 or any(each is not None for each in stated)
+
+    @property
+    def most_real_pairs(self) -> int:
+        """Most pairs of which the forces of the mechanism as it is made are solved."""
+        return MOST_REAL_PAIRS if self.support is None else MOST_GIVING_PAIRS
 
     @cached_property
     def real(self) -> RealMechanism | None:
         """The mechanism as it is made; None where too little of it is given, or the forces cannot
-        be solved: of more than `MOST_REAL_PAIRS`, or of holes around the centre.
+        be solved: of more than `most_real_pairs`, or of holes around the centre.
         """
-        if not (self.loaded and self.touching) or self.pins * self.satellites > MOST_REAL_PAIRS:
+        if not (self.loaded and self.touching) or self.pairs > self.most_real_pairs:
             return None
         assert self.pin_circle_radius is not None and self.contact_length is not None
         assert self.pin_radius is not None and self.hole_radius is not None
@@ -75,6 +81,8 @@ class DesignForces(GivenDesign):
             hole_material=self.lasting("hole"),
             pin=self.pin,
             deviations=self.deviations or Deviations(),
+            exact=self.support is None,
+            support=self.support,
         )
 
     def real_forces_at(self, factor: float) -> RealForces:
@@ -153,7 +161,7 @@ class DesignForces(GivenDesign):
         """
         if isinstance(forces, ImpossibleMechanism):
             return UNSOLVED.get(forces.code, "no_balance")
-        many = self.pins * self.satellites > MOST_REAL_PAIRS
+        many = self.pairs > self.most_real_pairs
         return "too_many_pairs" if many else "no_balance"
 
     @property

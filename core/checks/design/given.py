@@ -12,6 +12,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
+from core.output.satellite_support import SatelliteSupport
 
 Body = Literal["pin", "hole"]
 
@@ -62,6 +63,8 @@ class GivenDesign:
         How the pins are held, and of what they are.
     deviations : Deviations or None
         Of this piece, where they are stated.
+    support : SatelliteSupport or None
+        What the satellites give, where that is stated; the geometry is of first order then.
     max_backlash, max_lost_motion : float or None
         Largest backlash and lost motion that are asked, rad.
     input_speed : float or None
@@ -132,6 +135,7 @@ class GivenDesign:
     law: ContactLaw | None = None
     pin: DesignPin | None = None
     deviations: Deviations | None = None
+    support: SatelliteSupport | None = None
     max_backlash: float | None = None
     max_lost_motion: float | None = None
     input_speed: float | None = None

@@ -12,11 +12,14 @@ from core.output.contact_force import ContactForce
 from core.output.contact_law import HertzLaw, contact_compliance
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import PinStrength, pin_strength
-from core.results import Notice
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
+from core.results import ROUNDING, Notice
 
 MOST_PIN_PAIRS = 500
 """Most pairs of which the locus of a pin's moment is looked at."""
+
+ALIKE = 64 * ROUNDING
+"""Difference of stiffnesses that only rounding makes, as a part of them."""
 
 
 class DesignPins(DesignForces):
@@ -40,7 +43,9 @@ class DesignPins(DesignForces):
 
     @cached_property
     def pair_stiffness(self) -> tuple[float, ...] | None:
-        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load."""
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
+        where all are alike.
+        """
         pin, force = self.pin, self.force
         if pin is None or self.as_made or not isinstance(force, ContactForce):
             return None
@@ -57,10 +62,11 @@ class DesignPins(DesignForces):
             poissons_ratio=pin.material.poissons_ratio,
             span=pin.span,
         )
-        return beam.pair_stiffness(
+        found = beam.pair_stiffness(
             positions=pin.satellite_positions,
             contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
         )
+        return None if max(found) - min(found) <= ALIKE * max(found) else found
 
     @property
     def _forced(self) -> dict[str, Any]:
@@ -95,33 +101,10 @@ class DesignPins(DesignForces):
         return replace(found, cycles=self.loads_over_life)
 
     @cached_property
-    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins without their fatigue, with their deflection."""
-        known = self.__dict__.get("pin_strength")
-        return known or self._pin_strength(None)
-
-    @cached_property
-    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
-        it is not known; None without pins, or of too many.
+    def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
+        """Stresses of the pins under the dynamic load; why they are not known; None without pins,
+        or of too many.
         """
-        judged = self.fatigue_strength
-        if not isinstance(judged, FatigueStrength):
-            found = self.pin_loads
-        else:
-            found = self._pin_strength(judged)
-        if self.pin is None or not isinstance(found, PinStrength):
-            return found
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        valid = self.pin.valid_diameter
-        if valid is not None and self.pin.diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
-        return replace(found, notices=notices + found.notices)
-
-    def _pin_strength(
-        self, fatigue: FatigueStrength | None
-    ) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins; why it is not known."""
         if not (self.loaded and self.touching and self.pin) or self.unmade:
             return None
         if self.pairs > MOST_PIN_PAIRS:
@@ -129,7 +112,7 @@ class DesignPins(DesignForces):
         pin = self.pin
         return known(
             section="pin",
-            calculation=lambda: pin_strength(
+            calculation=lambda: pin_stresses(
                 **self._forced,
                 application_factor=self.dynamic_factor,
                 peak_torque=self.static_torque,
@@ -139,9 +122,30 @@ class DesignPins(DesignForces):
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                rotates=pin.rotates,
-                fatigue=fatigue,
-                input_speed=self.input_speed,
-                deflection=True,
             ),
         )
+
+    @cached_property
+    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins without their fatigue, with their deflection."""
+        found = self._pin_stresses
+        return found.strength(deflection=True) if isinstance(found, PinStresses) else found
+
+    @cached_property
+    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
+        it is not known; None without pins, or of too many.
+        """
+        judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
+        if pin is None or not isinstance(found, PinStrength):
+            return found
+        if isinstance(judged, FatigueStrength):
+            assert isinstance(self._pin_stresses, PinStresses)
+            found = self._pin_stresses.strength(
+                rotates=pin.rotates, fatigue=judged, input_speed=self.input_speed, deflection=True
+            )
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid = pin.valid_diameter
+        if valid is not None and pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(found, notices=notices + found.notices)

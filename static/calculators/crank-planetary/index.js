@@ -12,7 +12,6 @@ import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { partsOf, WANTED, wantedSections } from "./wanted.js";
-import { pressedBy, workedSteps } from "./worked.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -28,6 +27,13 @@ const TRADE_OFF = {
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
 function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, ...load } }) {
   return { ...mechanism, ...load };
+}
+
+/** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
+export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
+  const edge = hertz?.line_load_factor ?? 1;
+  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N, edge };
+  return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
 function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
@@ -287,7 +293,7 @@ export default {
   ],
 
   wanted: WANTED,
-  worked: workedSteps,
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["yanchevskiy"],
 };

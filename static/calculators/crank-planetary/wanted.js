@@ -2,6 +2,7 @@
  * The groups of the crank-planetary form that are off until wanted: their fields, by the paths of the bodies that they
  * ask with, and the page's own. What they ask and say is in modules of their own, loaded when they are switched on.
  */
+import { fatigueFields } from "../../lib/fatigue.js";
 import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { ratioOf } from "./mechanism.js";
@@ -71,7 +72,6 @@ const STUDY = {
 };
 
 const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
-const judgedBy = (...ways) => ({ when: ["strength.fatigue", ...ways] });
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
@@ -79,15 +79,7 @@ const STRENGTH = {
   "pin.material": { without: ["allowable_pressure_MPa", "life_curve"] },
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
-  "strength.fatigue": { options: ["notch_factor", "notch", "endurance_limit", "plain"], default: "notch_factor", words: ["fatigue", "strength"] },
-  "fatigue.surface": { ...judgedBy("notch_factor", "notch"), default: "machined" },
-  "fatigue.fatigue_notch_factor": judgedBy("notch_factor"),
-  "fatigue.notch.theoretical_factor": { ...judgedBy("notch"), required: true },
-  "fatigue.notch.radius_mm": { ...judgedBy("notch"), required: true },
-  "fatigue.reliability_percent": judgedBy("notch_factor", "notch"),
-  "fatigue.endurance_limit_MPa": { ...judgedBy("endurance_limit"), required: true },
-  "fatigue.criterion": { ...rare, ...judgedBy("notch_factor", "notch", "endurance_limit") },
-  "fatigue.edition": { ...rare, ...judgedBy("notch_factor", "notch") },
+  ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
   "pin.rotates": rare,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };

@@ -1,6 +1,7 @@
 /** Worked steps of the crank-planetary calculator. No DOM, no texts. */
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
+import { pressedBy } from "./index.js";
 import { cranksOf, eccentricityOf, ratioOf } from "./mechanism.js";
 import { WANTED } from "./wanted.js";
 
@@ -334,13 +335,6 @@ function geometrySteps(section, contact) {
     source: "yanchevskiy2021",
     erratum: "intersection",
   })];
-}
-
-/** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
-export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
-  const edge = hertz?.line_load_factor ?? 1;
-  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N, edge };
-  return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
 /** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values, `more` are the steps of wanted groups by their ids. */

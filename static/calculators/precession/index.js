@@ -1,18 +1,30 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
+import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
 import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
-import { workedSteps } from "./worked.js";
 
 const GEAR = [
   "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
 ];
 
+const PATH = "/precession/shaft-deflection";
+const TIRED = ["tensile_strength_MPa", "load_rotates_with_shaft", "fatigue"];
+
+const shaftBody = (input, ...include) => ({ ...requestOf(input, { endurance: TIRED, lines: ["line_contact"] }), include });
+
 function pick(input, names) {
   return Object.fromEntries(names.filter((name) => name in input).map((name) => [name, input[name]]));
 }
+
+const LINES = {
+  "line_contact.mating_radius_mm": { required: true },
+  "line_contact.roller_material": { required: true },
+  "line_contact.mating_material": { required: true },
+  "requirements.pitting_safety": { advanced: true },
+};
 
 /** The lines are asked for on the flanks that the torque loads. */
 function lineBody(input) {
@@ -74,11 +86,12 @@ function same(rollers, name) {
 
 export default {
   id: "precession",
-  path: "/precession/shaft-deflection",
+  path: PATH,
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
   requirements: ["bending_safety", "max_deflection_mm", "max_slope_mrad"],
-  hidden: ["include", "fixes_for", "tensile_strength_MPa", "load_rotates_with_shaft", "fatigue", "line_contact"],
+  hidden: ["include", "fixes_for", ...TIRED, "line_contact"],
+  catalogues: { "line_contact.roller_material": "materials", "line_contact.mating_material": "materials" },
   choices: {
     rollersBy: {
       list: ["rollers"],
@@ -122,7 +135,7 @@ export default {
     const bodies = {
       contact_line: ["/precession/contact-line", lineBody(input)],
       meshing_load: ["/precession/meshing-load", loadBody(input)],
-      shaft_deflection: ["/precession/shaft-deflection", { ...input, include: ["checks"] }],
+      shaft_deflection: [PATH, shaftBody(input, "checks")],
     };
     const answer = {};
     for (const id of sections) answer[id] = await post(...bodies[id]);
@@ -131,7 +144,7 @@ export default {
 
   better: { max_line_load_N_per_mm: -1, "deflection_B_mm.total": -1, "deflection_C_mm.total": -1 },
   judgedIn: "shaft_deflection",
-  mend: async ({ post, input }) => ({ shaft_deflection: await post("/precession/shaft-deflection", { ...input, include: ["fixes"] }) }),
+  mend: async ({ post, input }) => ({ shaft_deflection: await post(PATH, shaftBody(input, "fixes")) }),
 
   verdict: (answer) => [
     cell("lineLength", answer.contact_line, lengthCell),
@@ -174,7 +187,17 @@ export default {
     { id: "workShaft", section: "shaft_deflection", measures: "precession/shaft-deflection" },
   ],
 
-  worked: workedSteps,
+  wanted: [
+    enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, load_rotates_with_shaft: {} }),
+    {
+      id: "lines",
+      paths: [PATH],
+      fields: LINES,
+      judged: true,
+      starts: () => ({ "line_contact.roller_material": "steel_bearing", "line_contact.mating_material": "steel_case_hardened" }),
+    },
+  ],
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["khatetovsky"],
 };

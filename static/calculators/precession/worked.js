@@ -1,4 +1,5 @@
 /** Worked steps of the calculator of the precessional gear. No DOM, no texts. */
+import { cycleSteps } from "../../lib/formula/fatigue.js";
 import { definition, quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 
@@ -258,12 +259,80 @@ function shaftSteps(section, load, input) {
   return found;
 }
 
-/** `[{ section, steps }]` of what was answered. */
-export function workedSteps({ input, answer }) {
+/** The shaft's diameter at a place, from C: of two that meet there the smaller. */
+function diameterAt(input, place) {
+  const meeting = pieces(input).filter(({ from, to }) => from <= place * (1 + 1e-9) && place <= to * (1 + 1e-9));
+  return Math.min(...meeting.map(({ d }) => d));
+}
+
+function strengthSteps({ strength, reaction_B_N: [Bx, By], reaction_C_N: [Cx, Cy] }, input) {
+  if (!strength) return [];
+  const { fatigue: cycle, cycle_position_mm: place, peak_stress_position_mm: bent } = strength;
+  const { besides = {}, yield_strength_MPa: R_e } = input;
+  const [a, b] = [q("a", input.bearing_distance_mm, "mm"), q("b", input.overhang_mm, "mm")];
+  const C = { C_x: q("C_x", Cx, "N"), C_y: q("C_y", Cy, "N") };
+  const σ = q("σ", strength.peak_stress_MPa, "MPa");
+  const [M_B, M_A] = [q("M_B", strength.bending_moment_B_Nm, "N·m"), q("M_A", strength.bending_moment_clamp_Nm, "N·m")];
+  const at = (name, symbol, rest) => result(strength, name, symbol, rest);
+  return [
+    at("bending_moment_B_Nm", "M_B", { formula: "sqrt(C_x^2+C_y^2)*a", values: { ...C, a } }),
+    at("bending_moment_clamp_Nm", "M_A", {
+      formula: "sqrt((C_x*(a+b)+B_x*b)^2+(C_y*(a+b)+B_y*b)^2)", values: { ...C, B_x: q("B_x", Bx, "N"), B_y: q("B_y", By, "N"), a, b },
+    }),
+    at("peak_stress_position_mm", "x", { note: "mostBent" }),
+    at("peak_stress_MPa", "σ", input.shaft_sections ? { note: "mostBent" } : {
+      formula: "32*max(M_B;M_A)/(π*d^3)", values: { M_B, M_A, d: q("d", diameterAt(input, bent), "mm") },
+    }),
+    ...(strength.static_safety_factor === undefined ? [] : [at("static_safety_factor", "S", {
+      formula: "R_e/σ", values: { R_e: q("R_e", R_e, "MPa"), σ },
+    })]),
+    ...(!cycle ? [] : [
+      at("cycle_position_mm", "x", { note: "worstSection" }),
+      result(cycle, "max_stress_MPa", "σ_max", { note: "worstSection" }),
+      result(cycle, "min_stress_MPa", "σ_min", { formula: "-σ_max", values: { σ_max: q("σ_max", cycle.max_stress_MPa, "MPa") } }),
+      ...cycleSteps(cycle, { asked: besides.fatigue, d: diameterAt(input, place), R_m: besides.tensile_strength_MPa, R_e }),
+    ]),
+  ];
+}
+
+function contactSteps(contact, load, input, materialOf) {
+  if (!contact) return [];
+  const { mating_radius_mm: r_m, roller_material: roller, mating_material: mating } = input.besides.line_contact;
+  const [one, other] = [materialOf("line_contact.roller_material", roller), materialOf("line_contact.mating_material", mating)];
+  const w = q("q", load.max_line_load_N_per_mm, "N/mm");
+  const ρ = q("ρ_c", contact.reduced_radius_mm, "mm");
+  const E = q("E*", contact.effective_modulus_GPa, "GPa");
+  const johnson = { source: "johnson" };
+  return [
+    result(contact, "reduced_radius_mm", "ρ_c", {
+      formula: "r_m*ρ/(r_m+ρ)", values: { r_m: q("r_m", r_m, "mm"), ρ: q("ρ", input.roller_radius_mm, "mm") }, ...johnson,
+    }),
+    result(contact, "effective_modulus_GPa", "E*", {
+      formula: "1/((1-ν_1^2)/E_1+(1-ν_2^2)/E_2)",
+      values: {
+        E_1: q("E_1", one.youngs_modulus_GPa, "GPa"), E_2: q("E_2", other.youngs_modulus_GPa, "GPa"),
+        ν_1: q("ν_1", one.poissons_ratio), ν_2: q("ν_2", other.poissons_ratio),
+      },
+      ...johnson,
+    }),
+    result(contact, "max_pressure_MPa", "p_0", { formula: "sqrt(w*E/(π*ρ_c))", values: { w, E, ρ_c: ρ }, ...johnson }),
+    result(contact, "half_width_mm", "a", { formula: "sqrt(4*w*ρ_c/(π*E))", values: { w, ρ_c: ρ, E }, ...johnson }),
+    ...Object.entries({ roller_safety: one, mating_safety: other }).filter(([name]) => contact[name] !== undefined).map(([name, body]) =>
+      result(contact, name, "S", {
+        formula: "p_P/p_0", values: { p_P: q("p_P", body.allowable_pressure_MPa, "MPa"), p_0: q("p_0", contact.max_pressure_MPa, "MPa") },
+      })),
+  ];
+}
+
+/** `[{ section, steps }]` of what was answered; `materialOf(path, name or values)` gives values. */
+export function workedSteps({ input, answer, materialOf }) {
   const { contact_line: line, meshing_load: load, shaft_deflection: shaft } = answer;
   return [
     line && { section: "contact_line", steps: lineSteps(line, input) },
     load && { section: "meshing_load", steps: loadSteps(load, line, input) },
-    shaft && { section: "shaft_deflection", steps: shaftSteps(shaft, load, input) },
+    shaft && {
+      section: "shaft_deflection",
+      steps: [...shaftSteps(shaft, load, input), ...strengthSteps(shaft, input), ...contactSteps(shaft.line_contact, load, input, materialOf)],
+    },
   ].filter(Boolean);
 }

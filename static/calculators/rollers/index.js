@@ -1,10 +1,10 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
+import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
-import { gapsOf, workedSteps } from "./worked.js";
 
 function forceCell(section) {
   return {
@@ -28,13 +28,23 @@ function stressCell(section) {
   };
 }
 
+/** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
+export function gapsOf(count, tolerance) {
+  return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
+}
+
+const PATH = "/roller-strength";
+const TIRED = ["tensile_strength_MPa", "roller_rotates", "fatigue"];
+
+const asked = ({ post, input }, ...include) => post(PATH, { ...requestOf(input, { endurance: TIRED }), include });
+
 export default {
   id: "rollers",
-  path: "/roller-strength",
+  path: PATH,
   groups: ["load", "roller", "material", "requirements"],
   inline: ["requirements"],
   requirements: ["bending_safety"],
-  hidden: ["include", "fixes_for", "tensile_strength_MPa", "roller_rotates", "fatigue"],
+  hidden: ["include", "fixes_for", ...TIRED],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
@@ -52,12 +62,10 @@ export default {
 
   sections: ["roller_strength"],
 
-  async ask({ post, input }) {
-    return { roller_strength: await post("/roller-strength", { ...input, include: ["checks"] }) };
-  },
+  ask: async (asking) => ({ roller_strength: await asked(asking, "checks") }),
   better: { max_force_N: -1, load_nonuniformity: -1, bending_stress_MPa: -1, displacement_mm: -1 },
   judgedIn: "roller_strength",
-  mend: async ({ post, input }) => ({ roller_strength: await post("/roller-strength", { ...input, include: ["fixes"] }) }),
+  mend: async (asking) => ({ roller_strength: await asked(asking, "fixes") }),
 
   verdict: ({ roller_strength: section }) => [
     cell("rollerForce", section, forceCell),
@@ -83,7 +91,8 @@ export default {
     { id: "workSharing", section: "roller_strength", measures: "roller-strength" },
   ],
 
-  worked: workedSteps,
+  wanted: [enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, roller_rotates: {} })],
+  worked: () => import("./worked.js"),
   sentences,
   notes: ["ovsyannikov"],
 };

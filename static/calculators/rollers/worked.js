@@ -1,13 +1,10 @@
 /** Worked steps of the calculator of swinging rollers. No DOM, no texts. */
+import { cycleSteps } from "../../lib/formula/fatigue.js";
 import { quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
+import { gapsOf } from "./index.js";
 
 const SOURCE = "ovsyannikov2019";
-
-/** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
-export function gapsOf(count, tolerance) {
-  return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
-}
 
 function modulusSteps(input, E) {
   if (input.shear_modulus_GPa !== undefined) return { G: q("G", input.shear_modulus_GPa, "GPa"), steps: [] };
@@ -60,6 +57,23 @@ function gapSteps(section, { n, c, F_m, gaps, Δ }) {
     }),
     result(section, "load_nonuniformity", "Ψ", {
       formula: "F_1/F_m", values: { F_1: q("F_1", section.max_force_N, "N"), F_m }, source: SOURCE, equation: "6",
+    }),
+  ];
+}
+
+/** The cycle at the middle sphere; the stress concentration counts once, in the stress or in the limit. */
+function fatigueSteps({ fatigue: cycle, bending_stress_MPa: stress }, input) {
+  if (!cycle) return [];
+  const { fatigue: asked, tensile_strength_MPa: R_m, roller_rotates: rotates } = input.besides;
+  const σ = q("σ", stress, "MPa");
+  const σ_max = q("σ_max", cycle.max_stress_MPa, "MPa");
+  return [
+    result(cycle, "max_stress_MPa", "σ_max", cycle.factors
+      ? { formula: "σ", values: { σ } }
+      : { formula: "σ/K_σ", values: { σ, K_σ: q("K_σ", input.stress_concentration) } }),
+    result(cycle, "min_stress_MPa", "σ_min", rotates ? { formula: "-σ_max", values: { σ_max } } : { note: "comesAndGoes" }),
+    ...cycleSteps(cycle, {
+      asked, d: input.diameter_mm, R_m, R_e: input.yield_strength_MPa, inStress: input.stress_concentration > 1,
     }),
   ];
 }
@@ -127,6 +141,7 @@ function strengthSteps(section, input) {
     result(section, "relative_stress", "σ_r", {
       formula: "σ/E", values: { σ: q("σ", section.bending_stress_MPa, "MPa"), E }, source: SOURCE, equation: "12",
     }),
+    ...fatigueSteps(section, input),
   ];
 }
 

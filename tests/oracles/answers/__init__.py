@@ -8,8 +8,14 @@ from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.load_sharing import LOAD_SHARING
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
 from tests.oracles.answers.pins import PIN_STRENGTH
-from tests.oracles.answers.precession import CONTACT_LINE, MESHING_LOAD, SHAFT_DEFLECTION
-from tests.oracles.answers.rollers import ROLLER_STRENGTH
+from tests.oracles.answers.precession import (
+    CONTACT_LINE,
+    LINE_CONTACT,
+    MESHING_LOAD,
+    SHAFT_DEFLECTION,
+    SHAFT_STRENGTH,
+)
+from tests.oracles.answers.rollers import ROLLER_FATIGUE, ROLLER_STRENGTH
 
 CALCULATIONS: tuple[Calculation, ...] = (
     CONTACT_FORCE,
@@ -22,7 +28,10 @@ CALCULATIONS: tuple[Calculation, ...] = (
     SATELLITE_BEARING,
     CRANKSHAFT,
     ROLLER_STRENGTH,
+    ROLLER_FATIGUE,
     CONTACT_LINE,
     MESHING_LOAD,
     SHAFT_DEFLECTION,
+    SHAFT_STRENGTH,
+    LINE_CONTACT,
 )

@@ -120,5 +120,5 @@ def ring_ratio(gear: Body, e: mpf, u: mpf) -> tuple[mpf, mpf | None]:
 
 
 SATELLITE_BEARING = Calculation(
-    "Bearings of the satellites", "satellite-bearing", request, numbers, one_in=10
+    "Bearings of the satellites", "satellite-bearing", request, numbers, one_in=20
 )

@@ -115,4 +115,4 @@ def balance(
     return exact, sizes
 
 
-CRANKSHAFT = Calculation("Crankshaft", "crankshaft", request, numbers, one_in=10)
+CRANKSHAFT = Calculation("Crankshaft", "crankshaft", request, numbers, one_in=20)

@@ -198,5 +198,4 @@ LOAD_SHARING = Calculation(
         "/positions/*/play_error_arcmin": "an error",
         "/positions/*/force_error_N": "an error",
     },
-    one_in=20,
 )

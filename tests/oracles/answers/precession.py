@@ -18,6 +18,8 @@ from tests.oracles.answers.calculation import (
     Numbers,
     typed,
 )
+from tests.oracles.answers.fatigue import CYCLES, Strength, basis
+from tests.oracles.answers.hertz import material, table
 from tests.oracles.precession import length_by_z, load_integrals, scale, z_of_angle
 from tests.oracles.shaft import exact_deflection
 
@@ -262,6 +264,15 @@ def shaft(r: Draw) -> Body:
     return body | {"shaft_sections": sections}
 
 
+def stretches(body: Body) -> list[tuple[mpf, mpf]]:
+    """Lengths and diameters of the shaft from C to the clamp."""
+    if "shaft_sections" in body:
+        given = ((each["length_mm"], each["diameter_mm"]) for each in body["shaft_sections"])
+        return [(typed(length), typed(diameter)) for length, diameter in given]
+    length = typed(body["bearing_distance_mm"]) + typed(body["overhang_mm"])
+    return [(length, typed(body["shaft_diameter_mm"]))]
+
+
 def shaft_numbers(body: Body, answer: Any) -> Numbers:
     """Components over the size of their vector; the simplification's error over itself and 1.
 
@@ -275,13 +286,7 @@ def shaft_numbers(body: Body, answer: Any) -> Numbers:
 def _shaft_numbers(body: Body, answer: Any, exact: Mesh) -> Numbers:
     a, b = typed(body["bearing_distance_mm"]), typed(body["overhang_mm"])
     modulus = 1000 * typed(body["youngs_modulus_GPa"])
-    if "shaft_diameter_mm" in body:
-        sections = [(a + b, typed(body["shaft_diameter_mm"]))]
-    else:
-        sections = [
-            (typed(each["length_mm"]), typed(each["diameter_mm"]))
-            for each in body["shaft_sections"]
-        ]
+    sections = stretches(body)
     plain = [(a + b, min(diameter for _, diameter in sections))]
     at_b = (-exact.moment[1] / a, exact.moment[0] / a)
     at_c = tuple(-force - own for force, own in zip(exact.force, at_b, strict=True))
@@ -318,6 +323,96 @@ def _shaft_numbers(body: Body, answer: Any, exact: Mesh) -> Numbers:
     return found
 
 
+def strong(r: Draw) -> Body:
+    """A shaft of steel, and what its strength is judged by."""
+    return shaft(r) | {
+        "youngs_modulus_GPa": r.decimal(195, 215),
+        "tensile_strength_MPa": r.decimal(700, 1400),
+        "yield_strength_MPa": r.decimal(300, 690),
+        "load_rotates_with_shaft": r.chance(0.2),
+        "fatigue": basis(r),
+    }
+
+
+def strong_numbers(body: Body, answer: Any) -> Numbers:
+    """Those of the shaft, and its stresses at all steps, at B and at the clamp, from the forces and
+    the moment of the mesh: ``F*s - M*min(s/a, 1)``.
+    """
+    found, mesh, sent = shaft_numbers(body, answer), exact_mesh(body), answer["strength"]
+    tensile, yields = (typed(body[f"{name}_strength_MPa"]) for name in ("tensile", "yield"))
+    with mp.workdps(120):
+        a, start, ends = typed(body["bearing_distance_mm"]), mpf(0), []
+        for length, diameter in stretches(body):
+            inside = [a] if start < a < start + length else []
+            ends += [(place, diameter) for place in (start, *inside, start + length)]
+            start += length
+
+        def bent(place: mpf) -> mpf:
+            held = min(place / a, 1)
+            x = mesh.force[0] * place - mesh.moment[1] * held
+            return mp.hypot(x, mesh.force[1] * place + mesh.moment[0] * held)
+
+        stresses = [bent(place) * 32 / (mp.pi * diameter**3) for place, diameter in ends]
+        most, clamp = max(stresses), typed(body["overhang_mm"]) + a
+        exact = {
+            "bending_moment_B_Nm": bent(a) / 1000,
+            "bending_moment_clamp_Nm": bent(clamp) / 1000,
+            "peak_stress_MPa": most,
+            "static_safety_factor": yields / most,
+        }
+    for name, value in exact.items():
+        found[f"/strength/{name}"] = Number(sent[name], value)
+    if not body["load_rotates_with_shaft"]:
+        judged = [Strength(body["fatigue"], diameter, tensile, yields) for _, diameter in ends]
+        stresses = [+stress for stress in stresses]  # to the digits of the rest
+        uses = [stress / own.limit for stress, own in zip(stresses, judged, strict=True)]
+        worst = uses.index(max(uses))
+        cycle = judged[worst].cycle(sent["fatigue"], stresses[worst], -stresses[worst])
+        found |= {f"/strength/fatigue{pointer}": each for pointer, each in cycle.items()}
+    return found
+
+
+def touching(r: Draw) -> Body:
+    """A shaft, and teeth hollow or convex, up to a hair wider than the roller."""
+    body = shaft(r)
+    radius = body["roller_radius_mm"]
+    apart = radius * 10 ** (r.uniform(-9, 3) if r.extreme else r.uniform(-2, 1))
+    hollow = -float(f"{radius + float(f'{apart:.1e}'):.15g}")
+    return body | {
+        "line_contact": {
+            "mating_radius_mm": r.choice((r.rounded(apart), hollow)),
+            "roller_material": material(r),
+            "mating_material": material(r),
+        }
+    }
+
+
+def touching_numbers(body: Body, answer: Any) -> Numbers:
+    """Two cylinders under the largest line load: Johnson, by the sum of the curvatures."""
+    given = body["line_contact"]
+    bodies = [
+        table()[each] if isinstance(each, str) else each
+        for each in (given["roller_material"], given["mating_material"])
+    ]
+    soft = mp.fsum(
+        (1 - typed(each["poissons_ratio"]) ** 2) / typed(each["youngs_modulus_GPa"])
+        for each in bodies
+    )
+    curved = 1 / typed(body["roller_radius_mm"]) + 1 / typed(given["mating_radius_mm"])
+    load, modulus = exact_mesh(body).line_load, 1000 / soft
+    pressure = mp.sqrt(load * modulus * curved / mp.pi)
+    exact = {
+        "max_pressure_MPa": pressure,
+        "half_width_mm": mp.sqrt(4 * load / (mp.pi * modulus * curved)),
+        "reduced_radius_mm": 1 / curved,
+        "effective_modulus_GPa": 1 / soft,
+    }
+    for name, each in zip(("roller_safety", "mating_safety"), bodies, strict=True):
+        if name in answer:
+            exact[name] = typed(each["allowable_pressure_MPa"]) / pressure
+    return {f"/{name}": Number(answer[name], value) for name, value in exact.items()}
+
+
 CONTACT_LINE = Calculation(
     "Contact line",
     "precession/contact-line",
@@ -335,4 +430,24 @@ CONTACT_LINE = Calculation(
 MESHING_LOAD = Calculation("Meshing load", "precession/meshing-load", load, load_numbers)
 SHAFT_DEFLECTION = Calculation(
     "Shaft deflection", "precession/shaft-deflection", shaft, shaft_numbers
+)
+SHAFT_STRENGTH = Calculation(
+    "Strength of the shaft",
+    "precession/shaft-deflection",
+    strong,
+    strong_numbers,
+    unbounded={
+        "/strength/position_mm": "a place of the shaft, B or a step",
+        "/strength/fatigue_position_mm": "a place of the shaft, B or a step",
+        "/strength/fatigue/cycles": CYCLES,
+    },
+    one_in=5,
+)
+LINE_CONTACT = Calculation(
+    "Pressure of the contact line",
+    "precession/shaft-deflection",
+    touching,
+    touching_numbers,
+    part=("line_contact",),
+    one_in=5,
 )

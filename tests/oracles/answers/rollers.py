@@ -13,6 +13,7 @@ from tests.oracles.answers.calculation import (
     Numbers,
     typed,
 )
+from tests.oracles.answers.fatigue import CYCLES, Strength, basis
 from tests.oracles.rollers import exact_compliance, exact_forces
 
 
@@ -104,6 +105,45 @@ def numbers(body: Body, answer: Any) -> Numbers:
     return found
 
 
+def tired(r: Draw) -> Body:
+    """Rollers of steel, and what their fatigue is judged by: a notch counts once."""
+    body, fatigue = request(r), basis(r)
+    body |= {
+        "youngs_modulus_GPa": r.decimal(195, 215),
+        "tensile_strength_MPa": r.decimal(700, 1400),
+        "yield_strength_MPa": r.decimal(300, 690),
+        "roller_rotates": r.chance(0.5),
+        "fatigue": fatigue,
+    }
+    if "surface" in fatigue:
+        if r.chance(0.5):
+            fatigue.pop("notch", None)
+            fatigue.pop("fatigue_notch_factor", None)
+        else:
+            body["stress_concentration"] = 1.0
+    return body
+
+
+def tired_numbers(body: Body, answer: Any) -> Numbers:
+    """Those of the rollers, and their stress as a cycle."""
+    found = numbers(body, answer)
+    top = found["/bending_stress_MPa"].exact
+    if "endurance_limit_MPa" in body["fatigue"]:  # in which the notch is
+        top /= typed(body["stress_concentration"])
+    tensile, yields = (typed(body[f"{name}_strength_MPa"]) for name in ("tensile", "yield"))
+    strength = Strength(body["fatigue"], typed(body["diameter_mm"]), tensile, yields)
+    bottom = -top if body["roller_rotates"] else mpf(0)
+    cycle = strength.cycle(answer["fatigue"], top, bottom)
+    return found | {f"/fatigue{pointer}": each for pointer, each in cycle.items()}
+
+
+ROLLER_FATIGUE = Calculation(
+    "Fatigue of the rollers",
+    "roller-strength",
+    tired,
+    tired_numbers,
+    unbounded={"/loaded_rollers": GIVEN, "/fatigue/cycles": CYCLES},
+)
 ROLLER_STRENGTH = Calculation(
     "Swinging rollers",
     "roller-strength",

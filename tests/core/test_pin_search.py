@@ -1,0 +1,70 @@
+"""The search for the largest value, on functions whose largest value is known."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from core.arrays import FloatArray
+from core.output.pin_search import _tops, narrowed
+
+TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
+
+
+def hills(x: FloatArray, y: FloatArray) -> tuple[FloatArray, list[Any]]:
+    """``7 - (x - a)^2 - 3*(y - b)^2`` on grids of both, a hill for each row."""
+    a, b = TOPS.T[:, :, None, None]
+    values = 7 - (x[:, :, None] - a) ** 2 - 3 * (y[:, None, :] - b) ** 2
+    index = values.reshape(len(values), -1).argmax(axis=1)
+    picks = np.unravel_index(index, values.shape[1:])
+    return values.reshape(len(values), -1).max(axis=1), [*picks]
+
+
+@pytest.mark.parametrize("cells", [(8, 4), (4, 8)])
+def test_narrowed_climbs_any_hill(cells: tuple[int, int]) -> None:
+    """One near its start, one at an end of what is allowed, one far from its start."""
+    values, (x, y) = narrowed(
+        value=hills,
+        places=(np.array([0.4, 0.4, 0.4]), np.array([-2.1, 4.1, 0.5])),
+        widths=(np.full(3, 0.2), np.full(3, 0.3)),
+        limits=((0.0, 0.8), (np.full(3, -5.0), np.array([5.0, 5.0, 40.0]))),
+        cells=cells,
+        rounds=40,
+    )
+    assert values == pytest.approx([7, 7 - 0.01, 7], abs=1e-12)
+    assert x == pytest.approx([0.3, 0.8, 0.05], abs=1e-6)
+    assert y == pytest.approx(TOPS[:, 1], abs=1e-6)
+
+
+def test_narrowed_closes_in_by_half_the_cells_a_round() -> None:
+    found, _ = narrowed(
+        value=hills,
+        places=(np.full(3, 0.5), TOPS[:, 1]),
+        widths=(np.full(3, 0.5), np.zeros(3)),
+        limits=((0.0, 1.0), (-50.0, 50.0)),
+        cells=(8, 4),
+        rounds=6,
+    )
+    # what is left of half a cell: 0.5*(2/8)^5/8/2
+    assert (7 - found <= (0.5 * 0.25**5 / 16) ** 2 * (1 + 1e-9)).all()
+    assert (7 - found > 0).any()
+
+
+def test_a_variable_that_has_no_width_stays() -> None:
+    _, (x, y) = narrowed(
+        value=hills,
+        places=(np.full(3, 0.5), np.zeros(3)),
+        widths=(np.full(3, 0.1), np.zeros(3)),
+        limits=((0.0, 1.0), (-50.0, 50.0)),
+        cells=(8, 4),
+        rounds=20,
+    )
+    assert x == pytest.approx(TOPS[:, 0], abs=1e-6)
+    assert (y == 0).all()
+
+
+def test_tops_of_samples() -> None:
+    values = np.array([3.0, 1.0, 4.0, 4.0, 2.0, 5.0])
+    chosen, drop = _tops(values)
+    assert chosen.tolist() == [True, False, True, True, False, True]
+    assert drop[chosen].tolist() == [2.0, 3.0, 2.0, 3.0]

@@ -1,0 +1,60 @@
+"""Pins under several cases of load: what is told is the worst of them, each number for itself."""
+
+import numpy as np
+import pytest
+
+from core.output.pin_strength import pin_strength
+from tests.core.test_pin_strength import REFERENCE
+
+EQUAL, STIFF = 10000 / 3, 40000 / 9
+"""N: T/R over the sum of k_j*cos^2, which is 3/2 a satellite, of k = 1 and 1, 2 and 1."""
+
+
+@pytest.mark.parametrize("stiffness", [(1.0, 2.0), (2.0, 1.0)])
+def test_the_worst_of_equal_and_stiffness_sharing(stiffness: tuple[float, float]) -> None:
+    found = pin_strength(**REFERENCE, deflection=True, pair_stiffness=stiffness)
+    equal = pin_strength(**REFERENCE, deflection=True)
+    near, far = (STIFF if k == 2 else EQUAL for k in stiffness)
+    assert found.deflection.forces == pytest.approx((near, far), rel=1e-13)
+    assert found.peak_force == pytest.approx(STIFF, rel=1e-13)
+    assert found.peak_shear_force == pytest.approx(STIFF, rel=1e-13)
+    moment = max(near * 0.015, far * 0.037)
+    assert found.peak_moment == pytest.approx(moment, rel=1e-13)
+    bent = moment * 32 / (np.pi * 0.016**3)  # at the root, where no shear is left at its edge
+    assert found.peak_equivalent_stress == pytest.approx(bent, rel=1e-13)
+    assert found.sharing == ("stiffness" if far == STIFF else "equal")
+    more = far / EQUAL
+    assert found.deflection.satellite == 2
+    assert found.deflection.deflection == pytest.approx(
+        more * equal.deflection.deflection, rel=1e-13
+    )
+    assert found.deflection.slope == pytest.approx(more * equal.deflection.slope, rel=1e-13)
+    assert found.fatigue.safety_factor == pytest.approx(
+        equal.fatigue.safety_factor / more, rel=1e-9
+    )
+
+
+@pytest.mark.parametrize("places", [(1e-5, 0.03), (0.03, 0.06 - 1e-5)])
+def test_beside_a_support_the_deflection_is_known_less(places: tuple[float, float]) -> None:
+    """There it is the rest of parts that are larger by the cube of 6000."""
+    thin = REFERENCE | {"contact_length": 1e-5, "support": "supported", "span": 0.06}
+    errors = [
+        pin_strength(**thin | {"satellite_positions": each}).accuracy.relative_error
+        for each in (places, (0.03, 0.04))
+    ]
+    assert 1e-16 * 6000**3 < errors[0] < 1e-14 * 6000**3
+    assert 1e-14 < errors[1] < 1e-12
+
+
+def test_the_locus_of_the_root_over_a_turn_of_the_wave() -> None:
+    """Only where asked; at the root of the reference design two circles, of F0*z."""
+    assert pin_strength(**REFERENCE).locus is None
+    locus = pin_strength(**REFERENCE, locus=True).locus
+    assert locus.crank_angle[0] == pytest.approx(0, abs=1e-12)
+    assert locus.crank_angle[-1] == pytest.approx(2 * np.pi / 1.05, rel=1e-12)
+    # half a turn of the wave each satellite, F = F0*cos(driving angle)
+    wave = locus.crank_angle * 1.05
+    inside = np.abs(np.sin(wave)) > 1e-9
+    arm = np.where(np.sin(wave) > 0, 0.037, 0.015)
+    moment = np.hypot(locus.tangential, locus.radial)
+    assert (moment - EQUAL * arm * np.abs(np.sin(wave)))[inside] == pytest.approx(0, abs=1e-9)
