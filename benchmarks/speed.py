@@ -20,7 +20,7 @@ from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import satellite_bearings
 from core.exploration.solve import solve_for
 from core.fatigue import size_factor, utilisation
-from core.fixes import crank_fixes
+from core.fixes.crank import crank_fixes
 from core.hertz import hertz
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_force import contact_force

@@ -12,7 +12,7 @@ from app.running import path_of
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
 from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED, REASONS
-from core.fixes import Fix, FixStatus
+from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 
 FixesFor = Literal["governing", "failed"]

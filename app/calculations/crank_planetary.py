@@ -49,17 +49,14 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import (
-    MOST_BEARING_PAIRS,
-    MOST_PIN_PAIRS,
-    MOST_REAL_PAIRS,
-    CrankDesign,
-)
+from core.checks.crank_design import MOST_BEARING_PAIRS, CrankDesign
 from core.checks.crank_planetary import crank_checks
+from core.checks.design.forces import MOST_REAL_PAIRS
+from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.fixes import crank_fixes
+from core.fixes.crank import crank_fixes
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position

@@ -41,7 +41,7 @@ from app.units import from_si, to_si
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
 from core.fatigue import CycleFatigue
-from core.fixes import plain_fixes
+from core.fixes.plain import plain_fixes
 from core.results import Notice
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_fatigue, roller_strength

@@ -28,7 +28,7 @@ from app.units import core_name, from_si, to_si
 from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
 from core.fatigue import FatigueStrength
-from core.fixes import plain_fixes
+from core.fixes.plain import plain_fixes
 from core.materials import ElasticMaterial
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad

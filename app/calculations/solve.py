@@ -28,7 +28,7 @@ from app.problems import ErrorItem, Problem, invalid_input, wrong_fields
 from app.running import run
 from core.errors import CalculationError, InvalidInput
 from core.exploration.solve import SAMPLES, TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
-from core.fixes import PIN_SIZES
+from core.fixes.fix import PIN_SIZES
 from core.results import Accuracy
 
 SOLVED = {

@@ -10,7 +10,8 @@ kinds               every check by code: title, formula, reasons, sources, what 
 check               a value judged against its limit, and the verdict of all checks
 real_forces         forces with clearance, deviations and elasticity, in each direction
 sections            pin, fatigue, friction, ring, bearings, crankshaft, as far as given
-crank_design        a crank-planetary reducer, as far as it is given
+design              a crank-planetary reducer: inputs, forces, pins, contact, losses
+crank_design        the same with ring, bearings and shaft: what its checks look at
 pin_contact         pressure, shakedown and yield where pin and hole touch
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear

@@ -1,7 +1,7 @@
 """A check, how a value is judged against its limit, and the verdict of all checks."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
@@ -157,23 +157,46 @@ def judged(
     )
 
 
-def not_asked(*, code: str, value: float | None, name: str) -> Check:
-    """A check whose limit nobody asks.
+def asked(
+    code: str,
+    value: float | None,
+    limit: float | None,
+    *,
+    name: str,
+    unknown: Callable[[], Check] | None = None,
+    with_torque: bool = False,
+    **more: Any,
+) -> Check:
+    """A value against a limit that somebody may ask.
 
     Parameters
     ----------
     code : str
         Which.
     value : float or None
-        What would be compared, where it is known.
+        What is compared, where it is known.
+    limit : float or None
+        Its limit; None where nobody asks.
     name : str
         Core name of the limit.
+    unknown : callable, optional
+        The check where a limit is asked and the value is not known.
+    with_torque : bool
+        Whether the value grows with the torque.
+    **more
+        As of `judged`.
 
     Returns
     -------
     Check
     """
-    return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
+    if limit is None:
+        return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
+    if value is None:
+        assert unknown is not None
+        return unknown()
+    reserve = limit / value if with_torque and value > 0 else None
+    return judged(code, value, limit, reserve=reserve, **more)
 
 
 def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:

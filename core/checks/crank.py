@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from core.checks.check import Check, judged, not_asked, wall
+from core.checks.check import Check, asked, judged, wall
 from core.checks.crank_design import CrankDesign
 from core.checks.play import no_eccentricity
 from core.checks.sections import RollingBearing
@@ -167,17 +167,17 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
     found = design.shaft
     known = found.balance if isinstance(found, Crankshaft) else None
     value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
-    if limit is None:
-        return not_asked(code=code, value=value, name=name)
-    if value is not None:
-        return judged(code, value, limit)
-    assert design.crankshaft is not None
-    if design.crankshaft.satellite_mass is None:
-        missing = ("crankshaft.satellite_mass",)
-        return Check(
-            code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
-        )
-    return _unknown(design, code, found, limit, "crankshaft")
+
+    def unknown() -> Check:
+        assert design.crankshaft is not None
+        if design.crankshaft.satellite_mass is None:
+            missing = ("crankshaft.satellite_mass",)
+            return Check(
+                code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
+            )
+        return _unknown(design, code, found, limit, "crankshaft")
+
+    return asked(code, value, limit, name=name, unknown=unknown)
 
 
 def _unbalance_force(design: CrankDesign) -> Check:

@@ -3,7 +3,7 @@
 import cmath
 from collections.abc import Callable
 
-from core.checks.check import Check, Verdict, judged, not_asked, verdict, wall
+from core.checks.check import Check, Verdict, asked, judged, verdict, wall
 from core.checks.crank import BEARING, GEAR, SHAFT
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
@@ -105,14 +105,16 @@ def _outer_diameter(design: CrankDesign) -> Check:
     code, limit = "outer_diameter", design.max_outer_diameter
     radius, eccentricity = design.outer_radius, design.eccentricity
     value = None if radius is None or eccentricity is None else 2 * (radius + eccentricity)
-    if limit is None:
-        return not_asked(code=code, value=value, name="max_outer_diameter")
-    if radius is None:
+
+    def unknown() -> Check:
+        if radius is not None:
+            return no_eccentricity(code)
         missing = ("satellite_body.outer_radius",)
         return Check(
             code=code, status="not_checked", limit=limit, reason="size_missing", missing=missing
         )
-    return no_eccentricity(code) if value is None else judged(code, value, limit)
+
+    return asked(code, value, limit, name="max_outer_diameter", unknown=unknown)
 
 
 Table = dict[str, Callable[[CrankDesign], Check]]

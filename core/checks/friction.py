@@ -2,79 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
-from core.checks.check import Check, judged, not_asked
+from core.checks.check import Check, asked
 from core.checks.crank_design import CrankDesign
 from core.output.losses import PinLosses
-
-
-def _known(design: CrankDesign, code: str, limit: float | None) -> PinLosses | Check:
-    """Losses; else the check that cannot be made, or that nobody asks."""
-    found = design.losses
-    if isinstance(found, PinLosses):
-        return found
-    if limit is None:
-        return not_asked(code=code, value=None, name=LIMITS[code])
-    reason, missing = design.unturned(found)
-    return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
-
-
-def _efficiency(design: CrankDesign) -> Check:
-    code, limit = "efficiency", design.min_efficiency
-    found = _known(design, code, limit)
-    if isinstance(found, Check):
-        return found
-    value = float(found.efficiency)
-    if limit is None:
-        return not_asked(code=code, value=value, name=LIMITS[code])
-    used = (1 - value) / (1 - limit)  # by the losses
-    return replace(judged(code, value, limit, keep="above"), utilisation=used)
-
-
-def _sliding_speed(design: CrankDesign) -> Check:
-    code, limit = "sliding_speed", design.max_sliding_speed
-    found = _known(design, code, limit)
-    if isinstance(found, Check):
-        return found
-    value = float(found.sliding_speed)
-    return (
-        not_asked(code=code, value=value, name=LIMITS[code])
-        if limit is None
-        else judged(code, value, limit)
-    )
-
-
-def _pv(design: CrankDesign) -> Check:
-    """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
-    code, limit = "pv", design.max_pv
-    found = _known(design, code, limit)
-    if isinstance(found, Check):
-        return found
-    assert design.friction is not None
-    value, error = float(found.peak_pv), 4 * float(found.accuracy.relative_error)
-    if not design.friction.sleeve:
-        return Check(code=code, status="not_applicable", value=value, limit=limit, reason="no_bush")
-    if limit is None:
-        return not_asked(code=code, value=value, name=LIMITS[code])
-    return judged(code, value, limit, reserve=limit / value, error=error, rough=design.as_made)
-
-
-def _wear(design: CrankDesign) -> Check:
-    code, limit = "wear", design.max_wear
-    found = _known(design, code, limit)
-    if isinstance(found, Check):
-        return found
-    depths = [float(each) for each in (found.pin_wear, found.hole_wear) if each is not None]
-    if limit is None:
-        return not_asked(code=code, value=max(depths, default=None), name=LIMITS[code])
-    if not depths:
-        missing = ("friction.wear_rate",)
-        return Check(
-            code=code, status="not_checked", limit=limit, reason="wear_unknown", missing=missing
-        )
-    value, error = max(depths), 4 * float(found.accuracy.relative_error)
-    return judged(code, value, limit, reserve=limit / value, error=error, rough=design.as_made)
-
 
 LIMITS = {
     "efficiency": "min_efficiency",
@@ -83,6 +15,64 @@ LIMITS = {
     "wear": "max_wear",
 }
 """What has to be asked for each."""
+
+
+def _asked(
+    design: CrankDesign,
+    code: str,
+    of: Callable[[PinLosses], float | None],
+    *,
+    with_torque: bool = False,
+    **more: Any,
+) -> Check:
+    """A value of the losses against what is asked."""
+    found, limit = design.losses, getattr(design, LIMITS[code])
+    value = None
+    if isinstance(found, PinLosses):
+        value = of(found)
+        if with_torque:
+            more["error"] = 4 * float(found.accuracy.relative_error)
+            more["rough"] = design.as_made
+
+    def unknown() -> Check:
+        reason, missing = design.unturned(found)
+        if isinstance(found, PinLosses):
+            reason, missing = "wear_unknown", ("friction.wear_rate",)
+        return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+
+    return asked(
+        code, value, limit, name=LIMITS[code], unknown=unknown, with_torque=with_torque, **more
+    )
+
+
+def _efficiency(design: CrankDesign) -> Check:
+    found = _asked(design, "efficiency", lambda losses: float(losses.efficiency), keep="above")
+    if found.value is None or found.limit is None:
+        return found
+    return replace(found, utilisation=(1 - found.value) / (1 - found.limit))  # by the losses
+
+
+def _sliding_speed(design: CrankDesign) -> Check:
+    return _asked(design, "sliding_speed", lambda losses: float(losses.sliding_speed))
+
+
+def _pv(design: CrankDesign) -> Check:
+    """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
+    assert design.friction is not None
+    code, found = "pv", design.losses
+    if isinstance(found, PinLosses) and not design.friction.sleeve:
+        value, limit, why = float(found.peak_pv), design.max_pv, "no_bush"
+        return Check(code=code, status="not_applicable", value=value, limit=limit, reason=why)
+    return _asked(design, code, lambda losses: float(losses.peak_pv), with_torque=True)
+
+
+def _wear(design: CrankDesign) -> Check:
+    def depth(losses: PinLosses) -> float | None:
+        both = (losses.pin_wear, losses.hole_wear)
+        return max((float(each) for each in both if each is not None), default=None)
+
+    return _asked(design, "wear", depth, with_torque=True)
+
 
 FRICTION: dict[str, Callable[[CrankDesign], Check]] = {
     "efficiency": _efficiency,

@@ -7,7 +7,8 @@ from functools import partial
 from typing import Any
 
 from core.checks.check import Check, judged
-from core.checks.crank_design import Body, CrankDesign
+from core.checks.crank_design import CrankDesign
+from core.checks.design.given import Body
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial

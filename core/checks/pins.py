@@ -2,8 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
-from core.checks.check import Check, judged, not_asked
+from core.checks.check import Check, asked, judged
 from core.checks.crank_design import CrankDesign
 from core.errors import ImpossibleMechanism
 from core.output.pin_fatigue import FatigueStrength
@@ -80,16 +82,20 @@ def _fatigue(design: CrankDesign) -> Check:
 def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
     """The largest deflection or slope against what is asked."""
     found = design.pin_strength
-    known = isinstance(found, PinStrength) and found.deflection is not None
-    value = getattr(found.deflection, code.removeprefix("pin_")) if known else None  # type: ignore[union-attr]
-    if limit is None:
-        return not_asked(code=code, value=value, name=f"max_{code.removeprefix('pin_')}")
-    if value is None:
-        return _unknown(design, code, limit)
-    at = {"satellite": found.deflection.satellite}  # type: ignore[union-attr]
-    error = 4 * found.accuracy.relative_error  # type: ignore[union-attr]
-    return judged(
-        code, value, limit, reserve=limit / value, error=error, at=at, rough=design.as_made
+    value, more = None, dict[str, Any]()
+    if isinstance(found, PinStrength) and found.deflection is not None:
+        value = getattr(found.deflection, code.removeprefix("pin_"))
+        more["at"] = {"satellite": found.deflection.satellite}
+        more["error"] = 4 * found.accuracy.relative_error
+    return asked(
+        code,
+        value,
+        limit,
+        name=code.replace("pin", "max"),
+        unknown=partial(_unknown, design, code, limit),
+        with_torque=True,
+        rough=design.as_made,
+        **more,
     )
 
 

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
-from core.checks.check import Check, judged, not_asked
+from core.checks.check import Check, asked
 from core.checks.crank_design import CrankDesign
+from core.checks.design.forces import Forces
 from core.checks.real_forces import RealForces
 
 
@@ -23,38 +24,36 @@ def no_eccentricity(code: str) -> Check:
     return Check(code=code, status="not_checked", reason="eccentricity_missing", missing=missing)
 
 
+def _asked(
+    design: CrankDesign, code: str, limit: float | None, value: float | None, forces: Forces
+) -> Check:
+    """A play against what is asked."""
+    if limit is not None and design.eccentricity is None:
+        return no_eccentricity(code)
+
+    def unknown() -> Check:
+        reason = design.why_unknown(forces)
+        return Check(code=code, status="not_checked", limit=limit, reason=reason)
+
+    return asked(code, value, limit, name=f"max_{code}", unknown=unknown)
+
+
 def _backlash(design: CrankDesign) -> Check:
-    code, limit = "backlash", design.max_backlash
     forces = design.loading if design.as_made else None
     value = forces.turn.backlash_max if isinstance(forces, RealForces) else None
     if not design.as_made and design.clearance is not None:  # none, or interference
         value = 0.0
-    if limit is None:
-        return not_asked(code=code, value=value, name=f"max_{code}")
-    if design.eccentricity is None:
-        return no_eccentricity(code)
-    if value is None:
-        return Check(
-            code=code, status="not_checked", limit=limit, reason=design.why_unknown(forces)
-        )
-    return judged(code, value, limit)
+    return _asked(design, "backlash", design.max_backlash, value, forces)
 
 
 def _lost_motion(design: CrankDesign) -> Check:
-    code, limit = "lost_motion", design.max_lost_motion
-    if limit is None:
-        known = design.as_made and design.dynamic_factor == 1
-        forces = design.real_forces if known else None
-        value = forces.turn.lost_motion if isinstance(forces, RealForces) else None
-        return not_asked(code=code, value=value, name=f"max_{code}")
-    if design.eccentricity is None:
-        return no_eccentricity(code)
-    forces = design.real_forces  # at the torque itself, of which it takes a share
-    if not isinstance(forces, RealForces):
-        return Check(
-            code=code, status="not_checked", limit=limit, reason=design.why_unknown(forces)
-        )
-    return judged(code, forces.turn.lost_motion, limit)
+    limit = design.max_lost_motion
+    wanted = limit is not None and design.eccentricity is not None
+    # at the torque itself, of which it takes a share
+    known = wanted or (limit is None and design.as_made and design.dynamic_factor == 1)
+    forces = design.real_forces if known else None
+    value = forces.turn.lost_motion if isinstance(forces, RealForces) else None
+    return _asked(design, "lost_motion", limit, value, forces)
 
 
 PLAY: dict[str, Callable[[CrankDesign], Check]] = {

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from core.checks.check import Check, Verdict, judged, verdict, wall
+from core.checks.check import Check, Verdict, asked, judged, verdict, wall
 from core.checks.rollers import fatigue_check
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
@@ -79,6 +79,11 @@ def shaft_checks(
     deflection = max(result.deflection_B.total, result.deflection_C.total)
     slope = max(result.slope_B.total, result.slope_C.total)
     error = float(result.accuracy.relative_error)
+
+    def beyond(code: str, value: float, limit: float | None) -> Check:
+        name = code.replace("shaft", "max")
+        return asked(code, value, limit, name=name, with_torque=True, error=4 * error)
+
     limits = {"deflection": max_deflection, "slope": max_slope}
     unasked = [name for name, limit in limits.items() if limit is None]
     more, left = [], []
@@ -98,8 +103,8 @@ def shaft_checks(
         [
             spacing,
             wall("shaft_in_circle", width=room, size=roller_radius),
-            _asked("shaft_deflection", deflection, max_deflection, "max_deflection", error),
-            _asked("shaft_slope", slope, max_slope, "max_slope", error),
+            beyond("shaft_deflection", deflection, max_deflection),
+            beyond("shaft_slope", slope, max_slope),
             *more,
         ],
         (*unasked, *left, "bearing", "friction"),
@@ -145,11 +150,3 @@ def _pressure(contact: LineContact, limits: Sequence[float | None], safety: floa
     limit = min(known) / safety
     error = float(contact.accuracy.relative_error)
     return judged(code, pressure, limit, reserve=(limit / pressure) ** 2, error=4 * error)
-
-
-def _asked(code: str, value: float, limit: float | None, name: str, error: float) -> Check:
-    """A value that grows with the torque against a limit that the user may ask."""
-    if limit is None:
-        return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
-    reserve = limit / value if value > 0 else None
-    return judged(code, value, limit, reserve=reserve, error=4 * error)

@@ -46,6 +46,7 @@ ORDERED = {
     "core.arrays.where",
     "core.arrays.known_where",
     "core.arrays.refuse",
+    "core.checks.check.asked",
     "core.checks.check.judged",
     "core.checks.check.verdict",
     "core.output.force_laws.depressed_cubic_roots",
@@ -61,7 +62,7 @@ KERNELS = {"core.output.sharing_kernel"}
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
-DATACLASSES = [cls for cls in CLASSES if dataclasses.is_dataclass(cls)]
+DATACLASSES = [cls for cls in CLASSES if "__dataclass_fields__" in vars(cls)]  # their own fields
 CALLABLES = FUNCTIONS + [method for cls in CLASSES for method in methods(cls)]
 
 

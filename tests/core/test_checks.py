@@ -13,7 +13,10 @@ from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.kinds import CHECKS
 from core.checks.pin_contact import SHAKEDOWN
 from core.checks.rollers import roller_checks
-from core.fixes import PIN_SIZES, VARIED, crank_fixes, vary
+from core.fixes.changes import vary
+from core.fixes.crank import crank_fixes
+from core.fixes.fix import PIN_SIZES
+from core.fixes.inputs import VARIED
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
 

@@ -11,12 +11,14 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_design import MOST_REAL_PAIRS, CrankDesign
+from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.design.forces import MOST_REAL_PAIRS
 from core.checks.pin_contact import real_reserve
 from core.checks.real_forces import RealForces
 from core.checks.sections import DesignPin
-from core.fixes import crank_fixes, vary
+from core.fixes.changes import vary
+from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.contact_law import LinearLaw

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from core.checks.crank_planetary import CRANK, crank_checks
-from core.fixes import crank_fixes, vary
+from core.fixes.changes import vary
+from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit, ElasticMaterial
 from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, says
 

@@ -13,7 +13,8 @@ import pytest
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.sections import Ring, RollingBearing
-from core.fixes import crank_fixes, value_of, vary
+from core.fixes.changes import value_of, vary
+from core.fixes.crank import crank_fixes
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_law import LinearLaw
 from tests.oracles.checks import REF, WHOLE, says

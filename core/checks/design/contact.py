@@ -1,0 +1,112 @@
+"""Contact of pin and hole under the forces, at the end of its length where the pin slopes."""
+
+import math
+from functools import cached_property
+
+from core.checks.design.pins import DesignPins
+from core.checks.real_forces import RealForces
+from core.hertz import HertzContact, hertz
+from core.output.pin_beam import face_load_factor
+from core.output.pin_strength import PinStrength
+
+
+class DesignContact(DesignPins):
+    """The contact with the largest pressure."""
+
+    @cached_property
+    def contact(self) -> HertzContact | None:
+        """The contact with the largest pressure, where the forces are known: at the end of the
+        length where the pin slopes.
+        """
+        if self.judged_forces is None:
+            return None
+        if self.pin is not None and not isinstance(self.pin_loads, PinStrength):
+            return None
+        return self.contact_at(self.edge_factor(1.0))
+
+    def edge_factor(self, factor: float) -> float:
+        """Largest line load of a contact over the mean one of the largest force: where pins bend,
+        by the worse of equal and stiffness sharing, and by their slope.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the forces and the slopes.
+
+        Returns
+        -------
+        float
+        """
+        return max(self._edges(factor), default=(1.0, 0))[0]
+
+    def _edges(self, factor: float) -> list[tuple[float, int]]:
+        """The same of each satellite, with its number."""
+        loads, judged = self.pin_loads if self.pin else None, self.judged_forces
+        if not isinstance(loads, PinStrength) or loads.deflection is None or judged is None:
+            return []
+        base = self.dynamic_factor * getattr(judged, "peak_force", 0.0)
+        if isinstance(judged, RealForces):
+            base = judged.force
+        edges = []
+        bent = zip(loads.deflection.forces, loads.deflection.slopes, strict=True)
+        for satellite, (force, slope) in enumerate(bent, 1):
+            if not force > 0:
+                continue
+            approach = factor * force * self._compliance(factor * force)
+            even = face_load_factor(
+                slope=factor * slope, contact_length=self.contact_length or 0.0, approach=approach
+            )
+            edges.append((float(even) * force / base, satellite))
+        return edges
+
+    def contact_at(self, factor: float) -> HertzContact:
+        """The contact under so many times its force."""
+        force = self.judged_forces
+        if isinstance(force, RealForces):
+            return force.contact_at(factor)
+        assert force is not None
+        assert self.contact_length is not None and self.pin_radius is not None
+        assert self.hole_radius is not None
+        pin, hole = self.lasting("pin"), self.lasting("hole")
+        assert pin is not None and hole is not None
+        return hertz(
+            force=force.peak_force * factor,
+            contact_length=self.contact_length,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            pin_material=pin,
+            hole_material=hole,
+            dynamic_factor=self.dynamic_factor,
+            distribution_factor=self.distribution_factor,
+        )
+
+    def torque_factor(self, factor: float) -> float:
+        """Factor on the torque under which the largest line load is so many times as large."""
+        force, on_force, edge = self.judged_forces, factor, self.edge_factor(1.0)
+        before = gone = 0.0  # secants of the logarithm of both
+        while self.pin and 0 < on_force < math.inf:
+            left = math.log(factor * edge / self.edge_factor(on_force) / on_force)
+            if abs(left) <= 1e-9:
+                break
+            step = left if left == before or not before else gone * left / (before - left)
+            before, gone = left, step
+            on_force *= math.exp(step)
+        return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
+
+    @cached_property
+    def peak(self) -> dict[str, float]:
+        """Where the largest pressure is reached."""
+        force = self.judged_forces
+        if edges := self._edges(1.0):
+            satellite = max(edges)[1]
+            known = isinstance(force, RealForces) and force.place["satellite"] == satellite
+            return force.place if known else {"satellite": satellite}  # type: ignore[union-attr]
+        if isinstance(force, RealForces):
+            return force.place
+        if force is None:
+            return {}
+        return {
+            "satellite": force.peak_pair.satellite,
+            "pin": force.peak_pair.pin,
+            "crank_angle": force.peak_crank_angle,
+        }

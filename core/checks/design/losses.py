@@ -1,0 +1,102 @@
+"""Friction and wear of the pins under the forces."""
+
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from core.checks.design.contact import DesignContact
+from core.checks.design.refusals import known
+from core.checks.sections import Friction
+from core.errors import ImpossibleMechanism
+from core.output.losses import PinLosses, pin_losses
+from core.output.sampled_turn import WAYS, SampledTurn
+from core.results import Accuracy
+
+
+class DesignLosses(DesignContact):
+    """Losses of ideal forces, or of those of the mechanism as it is made."""
+
+    @cached_property
+    def losses(self) -> PinLosses | ImpossibleMechanism | None:
+        """Friction and wear of the pins under the torque; why they are not known; None where
+        friction, speed or eccentricity is not given.
+        """
+        friction = self.friction
+        if friction is None or not (self.loaded and self.input_speed and self.eccentricity):
+            return None
+        if self.unmade:
+            return None
+        inside = self.pin.diameter if friction.sleeve and self.pin else None
+        life = self.life if friction.life is None else friction.life
+        return known(section="pin", calculation=lambda: self._losses(friction, inside, life))
+
+    def _losses(self, friction: Friction, inside: float | None, life: float) -> PinLosses:
+        """Losses of the ideal forces, or of those of the mechanism as it is made."""
+        assert self.output_torque is not None and self.pin_circle_radius is not None
+        found = pin_losses(
+            mechanism=self.driven,
+            force_exponent=self.force_exponent,
+            output_torque=self.output_torque,
+            pin_circle_radius=self.pin_circle_radius,
+            input_speed=self.input_speed,
+            eccentricity=self.eccentricity,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            contact_length=self.contact_length,
+            friction_coefficient=friction.coefficient,
+            diameter=inside,
+            wear_rate=friction.wear_rate,
+            life=None if friction.wear_rate is None else life,
+        )
+        if self.made is None:
+            return found
+        turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
+        reference = self.output_torque / self.pin_circle_radius
+        return max(
+            (made_losses(losses=found, turn=turn, reference=reference) for turn in turns),
+            key=lambda each: each.mean_loss,
+        )
+
+
+def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
+    """Losses of a mechanism as it is made: all forces of a satellite act along its crank but for
+    its deviations, so that together they are what they do to it.
+
+    Parameters
+    ----------
+    losses : PinLosses
+        Those of the ideal forces.
+    turn : SampledTurn
+        Forces under the torque.
+    reference : float
+        ``F0 = T/R``, N.
+
+    Returns
+    -------
+    PinLosses
+    """
+    total = np.abs(turn.on_satellites).sum(axis=0) / reference
+    mean, least, largest = float(turn.mean(total)), float(total.min()), float(total.max())
+    peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
+    part = mean / float(losses.mean_total_force_ratio)
+    share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
+    pin, hole = (
+        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
+    )
+    error = turn.error + losses.accuracy.relative_error
+    return replace(
+        losses,
+        mean_total_force_ratio=mean,
+        mean_loss=losses.mean_loss * part,
+        efficiency=1 / (1 + share * mean),
+        min_efficiency=1 / (1 + share * largest),
+        max_efficiency=1 / (1 + share * least),
+        peak_force=losses.peak_force * peak,
+        peak_pv=losses.peak_pv * peak,
+        mean_pv=losses.mean_pv * part,
+        friction_couple=losses.friction_couple * part,
+        pin_wear=pin,
+        hole_wear=hole,
+        accuracy=Accuracy("sampling", error, turn.evaluations),
+    )

@@ -1,0 +1,151 @@
+"""Pins of a reducer under its forces: how they share the load, and how strong they are."""
+
+import math
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+from core.checks.design.forces import DesignForces
+from core.checks.design.refusals import known, named
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.contact_force import ContactForce
+from core.output.contact_law import HertzLaw, contact_compliance
+from core.output.pin_beam import PinBeam
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
+from core.results import ROUNDING, Notice
+
+MOST_PIN_PAIRS = 500
+"""Most pairs of which the locus of a pin's moment is looked at."""
+
+ALIKE = 64 * ROUNDING
+"""Difference of stiffnesses that only rounding makes, as a part of them."""
+
+
+class DesignPins(DesignForces):
+    """Forces that bending pins share, and the strength of these."""
+
+    def _compliance(self, force: float) -> float:
+        """Approach of a contact over its force, m/N."""
+        assert self.contact_length is not None and self.pin_radius is not None
+        assert self.hole_radius is not None
+        if not self.hole_radius > self.pin_radius:
+            raise InvalidInput("hole_radius", self.hole_radius, "larger_than", field="pin_radius")
+        return contact_compliance(
+            law=self.law or HertzLaw(),
+            force=force,
+            contact_length=self.contact_length,
+            pin_radius=self.pin_radius,
+            hole_radius=self.hole_radius,
+            pin=self.pin_material,
+            hole=self.hole_material,
+        )
+
+    @cached_property
+    def pair_stiffness(self) -> tuple[float, ...] | None:
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
+        where all are alike.
+        """
+        pin, force = self.pin, self.force
+        if pin is None or self.as_made or not isinstance(force, ContactForce):
+            return None
+        length = self.pin_length
+        far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
+        held = all(length / 2 <= z <= far - length / 2 for z in pin.satellite_positions)
+        if not held or len(pin.satellite_positions) != self.satellites or self.satellites == 1:
+            return None
+        beam = PinBeam.round(
+            support=pin.support,
+            diameter=pin.diameter,
+            contact_length=length,
+            youngs_modulus=pin.material.youngs_modulus,
+            poissons_ratio=pin.material.poissons_ratio,
+            span=pin.span,
+        )
+        found = beam.pair_stiffness(
+            positions=pin.satellite_positions,
+            contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
+        )
+        return None if max(found) - min(found) <= ALIKE * max(found) else found
+
+    @property
+    def _forced(self) -> dict[str, Any]:
+        """What the forces follow from, as arguments."""
+        return {
+            "mechanism": self.mechanism,
+            "force_exponent": self.force_exponent,
+            "output_torque": self.output_torque,
+            "pin_circle_radius": self.pin_circle_radius,
+            "torque_direction": self.torque_direction,
+            "pair_stiffness": self.pair_stiffness,
+            "made": self.made,
+        }
+
+    @property
+    def _turning(self) -> dict[str, Any]:
+        """The same, with what turns."""
+        moving = {"eccentricity": self.eccentricity, "input_speed": self.input_speed}
+        return self._forced | moving
+
+    @cached_property
+    def fatigue_strength(self) -> FatigueStrength | Notice | None:
+        """What the fatigue of the pins is judged by; why it is not known; None without it."""
+        if self.fatigue is None or self.pin is None:
+            return None
+        pin, basis = self.pin, self.fatigue
+        if basis.criterion == "soderberg" and pin.material.yield_strength is None:
+            return Notice("fatigue_no_basis")
+        found = named(section="fatigue", calculation=lambda: basis.strength(pin))
+        if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
+            return found
+        return replace(found, cycles=self.loads_over_life)
+
+    @cached_property
+    def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
+        """Stresses of the pins under the dynamic load; why they are not known; None without pins,
+        or of too many.
+        """
+        if not (self.loaded and self.touching and self.pin) or self.unmade:
+            return None
+        if self.pairs > MOST_PIN_PAIRS:
+            return None
+        pin = self.pin
+        return known(
+            section="pin",
+            calculation=lambda: pin_stresses(
+                **self._forced,
+                application_factor=self.dynamic_factor,
+                peak_torque=self.static_torque,
+                diameter=pin.diameter,
+                contact_length=self.pin_length,
+                satellite_positions=pin.satellite_positions,
+                material=pin.material,
+                support=pin.support,
+                span=pin.span,
+            ),
+        )
+
+    @cached_property
+    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins without their fatigue, with their deflection."""
+        found = self._pin_stresses
+        return found.strength(deflection=True) if isinstance(found, PinStresses) else found
+
+    @cached_property
+    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
+        it is not known; None without pins, or of too many.
+        """
+        judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
+        if pin is None or not isinstance(found, PinStrength):
+            return found
+        if isinstance(judged, FatigueStrength):
+            assert isinstance(self._pin_stresses, PinStresses)
+            found = self._pin_stresses.strength(
+                rotates=pin.rotates, fatigue=judged, input_speed=self.input_speed, deflection=True
+            )
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        valid = pin.valid_diameter
+        if valid is not None and pin.diameter > valid:
+            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return replace(found, notices=notices + found.notices)

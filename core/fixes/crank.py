@@ -1,0 +1,206 @@
+"""Fixes of a crank-planetary reducer."""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from core.checks.check import Check, Verdict
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
+from core.checks.pin_contact import CONTACT, real_reserve
+from core.checks.play import PLAY
+from core.errors import CalculationError
+from core.exploration.solve import Solution
+from core.fixes.changes import count_may_change, value_of, vary
+from core.fixes.fix import RANGE, Cure, Fix, aim, fix_of, in_order
+from core.fixes.inputs import GROWTH, PINS, POWERS, USUAL, VARIED, WHOLE
+
+SEARCHED = 8
+"""Most steps of that search, and of the one for a clearance."""
+
+
+def crank_fixes(
+    *, design: CrankDesign, codes: Iterable[str], current: Verdict | None = None
+) -> list[Fix]:
+    """Fixes of checks of a crank-planetary reducer, the best first.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    codes : iterable of str
+        The checks to be cured.
+    current : Verdict, optional
+        Its checks, where they were made already.
+
+    Returns
+    -------
+    list of Fix
+    """
+    current = current or crank_checks(design)
+    fixes = []
+    for code in codes:
+        for variable in VARIED.get(code, ()):
+            try:
+                fix = _fix(design, code, variable, current)
+            except CalculationError:  # a size that would cure it makes no design
+                continue
+            if fix is not None:
+                fixes.append(fix)
+    return in_order(fixes)
+
+
+def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix of a check by one input."""
+    if code in ("interference", "clearance", "crank_balance"):
+        return _closed(design, code, variable, current)
+    if code in PLAY:
+        return _less_clearance(design, code, current)
+    cure = _cure(design, code, variable, current)
+    if cure is None or (variable == "satellites" and not count_may_change(design)):
+        return None
+
+    def change(value: float) -> Check:
+        return CRANK[code](vary(design=design, variable=variable, value=value))
+
+    strength = code in POWERS or (code in CONTACT and design.pin is not None)
+    if strength and variable not in WHOLE:
+        powers = GROWTH if code in CONTACT else USUAL | POWERS[code]
+        if variable == "pin_radius" and design.sleeved and code in PINS:
+            return None
+        return _by_power(cure, powers.get(variable), lambda value: _met(change(value)))
+    if design.as_made and code in CONTACT:
+        return _as_made(design, cure)
+    if design.as_made and strength:  # each number would be solved over the turn
+        return None
+    return fix_of(cure=cure, change=change)
+
+
+def _cure(design: CrankDesign, code: str, variable: str, current: Verdict) -> Cure | None:
+    """An input and what it does to all checks; None where it is not given, or nothing."""
+    before = value_of(design=design, variable=variable)
+    if not before:
+        return None
+
+    def whole_list(value: float) -> Verdict:
+        return crank_checks(vary(design=design, variable=variable, value=value))
+
+    return Cure(code, variable, float(before), whole_list, current)
+
+
+def _met(check: Check) -> float:
+    """How far a check is met, over what a fix aims at."""
+    if check.torque_reserve is not None:
+        return check.torque_reserve / aim(check)
+    return 1 / check.utilisation if check.utilisation else math.nan
+
+
+def _by_power(cure: Cure, growth: float | None, met: Callable[[float], float]) -> Fix | None:
+    """Fix of what grows or falls about with a power of an input."""
+    exact = None if growth is None else _secant(met, cure.before, growth)
+    return None if exact is None else _checked(cure, exact)
+
+
+def _as_made(design: CrankDesign, cure: Cure) -> Fix | None:
+    """Fix of a pressure of the mechanism as it is made: the torque that brings it to its limit is
+    known without the forces under the torque, and a power of most inputs.
+    """
+    check = cure.current[cure.code]
+    limit = check.limit
+    if limit is None or check.value is None:
+        return None
+
+    def met(value: float) -> float:
+        changed = vary(design=design, variable=cure.variable, value=value)
+        return real_reserve(design=changed, limit=limit) / aim(check)
+
+    return _by_power(cure, GROWTH.get(cure.variable), met)
+
+
+def _secant(met: Callable[[float], float], before: float, growth: float) -> float | None:
+    """Where a measure that is about a power of an input is 1, or a trifle more."""
+    points: list[tuple[float, float]] = []
+    value = before
+    for _ in range(SEARCHED):
+        try:
+            found = met(value)
+        except (CalculationError, AssertionError):
+            return None
+        if not found > 0:
+            return None
+        points.append((math.log(value), math.log(found)))
+        if 0 <= points[-1][1] <= 1e-6:
+            break
+        if len(points) > 1 and points[-1][0] != points[-2][0]:
+            growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
+        if not abs(growth) > 0.1:
+            return None
+        # a trifle beyond, so that it is met from the safe side
+        value = math.exp(points[-1][0] - (points[-1][1] - 5e-7) / growth)
+        if not before / RANGE <= value <= before * RANGE:
+            return None
+    return value
+
+
+def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | None:
+    """Fix of backlash or lost motion, which grow with the clearance almost straight."""
+    check, clearance, hole = current[code], design.clearance, design.hole_radius
+    if check.value is None or check.limit is None or hole is None or not clearance:
+        return None
+    backlash = CRANK["backlash"](design).value
+    if not backlash:
+        return None
+    value, slope = check.value, backlash / clearance
+    place = clearance
+    for _ in range(SEARCHED):
+        if value <= check.limit:
+            break
+        before, former = place, value
+        place = math.floor((place - (value - check.limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
+        if place < 0:
+            return None
+        found = CRANK[code](
+            vary(design=design, variable="hole_radius", value=hole + place - clearance)
+        )
+        if found.value is None or found.value >= former:
+            return None
+        value, slope = found.value, (former - found.value) / (before - place)
+    cure = _cure(design, code, "hole_radius", current)
+    assert cure is not None
+    return _checked(cure, hole + place - clearance)
+
+
+def _checked(cure: Cure, exact: float) -> Fix:
+    """A fix that was found, with all checks made again."""
+    ends = (exact, exact * RANGE) if exact >= cure.before else (exact / RANGE, exact)
+    if cure.variable == "hole_radius":
+        ends = (exact, exact)
+    verdicts: list[Verdict] = []
+
+    def whole_list(value: float) -> Verdict:
+        verdicts.append(cure.whole_list(value))
+        return verdicts[-1]
+
+    found = Solution("solved", exact, None, (ends,), None, True, 1)
+    made = replace(cure, whole_list=whole_list).by(exact, found, "solved")
+    if verdicts[-1][cure.code].status in ("fail", "not_checked"):
+        return replace(made, status="not_enough")
+    return made
+
+
+def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fixes that are no search: the hole that fits, the even spacing."""
+    if code == "crank_balance":
+        if design.crank_spacing is None or design.satellites < 2:
+            return None
+        before, after = design.crank_spacing, 2 * math.pi / design.satellites
+    else:
+        if design.eccentricity is None or design.pin_radius is None or design.hole_radius is None:
+            return None
+        before, after = design.hole_radius, design.pin_radius + design.eccentricity
+    exact = Solution("solved", after, None, ((after, after),), None, True, 1)
+    changed = replace(design, **{variable: after})  # type: ignore[arg-type]
+    if code not in crank_tables(changed) or not before:
+        return None
+    cure = Cure(code, variable, before, lambda _: crank_checks(changed), current)
+    return replace(cure.by(after, exact, "solved"), after=after, standard=False)

@@ -1,0 +1,272 @@
+"""A fix of a check by one input: solved, rounded to the safe side, with what else it changes."""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from core.checks.check import MARGIN, Check, Verdict
+from core.errors import CalculationError
+from core.exploration.solve import Solution, solve_for
+from core.fixes.inputs import WHOLE
+
+FixStatus = Literal["solved", "not_enough", "not_monotone"]
+
+PIN_SIZES = (
+    *(0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0),
+    *(40.0, 50.0),
+)
+"""Diameters of parallel pins in mm that ISO 2338 (DIN 7) has; up to 20 mm ISO 8734 too."""
+
+WALL = 1e-3
+"""Wall that a fix aims at where none is asked, m."""
+
+RANGE = 20.0
+"""How many times larger or smaller than it is an input is looked at."""
+
+SAMPLES = 17
+"""Places at which that range is looked at first."""
+
+COUNTS = 20
+"""Most whole numbers that are tried."""
+
+
+@dataclass(frozen=True, slots=True)
+class SideEffect:
+    """What a fix does to another check.
+
+    Attributes
+    ----------
+    code : str
+        Which.
+    before, after : Check
+        It without and with the fix.
+    """
+
+    code: str
+    before: Check
+    after: Check
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """One input changed so that a check passes.
+
+    Attributes
+    ----------
+    code : str
+        The check.
+    variable : str
+        The input's core name.
+    before, after : float
+        The input without and with the fix, SI.
+    exact : float
+        What it had to be at least, or at most.
+    standard : bool
+        Whether it is a standard size.
+    status : FixStatus
+        `not_enough` where no value in range makes the check pass: then the best; `not_monotone`
+        where there are several stretches that do: then the nearest.
+    verdict : str
+        Of the whole design with the fix.
+    side_effects : tuple of SideEffect
+        Other checks that change.
+    """
+
+    code: str
+    variable: str
+    before: float
+    after: float
+    exact: float
+    standard: bool
+    status: FixStatus
+    verdict: str
+    side_effects: tuple[SideEffect, ...]
+
+    @property
+    def change(self) -> float:
+        """Relative change of the input."""
+        return self.after / self.before - 1 if self.before else math.inf
+
+
+def aim(check: Check) -> float:
+    """Torque reserve that a fix of a check aims at.
+
+    Parameters
+    ----------
+    check : Check
+        The check.
+
+    Returns
+    -------
+    float
+    """
+    return 1.0 if check.warning else MARGIN
+
+
+def beyond(check: Check) -> float:
+    """How far a check is beyond what a fix aims at; NaN where it cannot be made.
+
+    Parameters
+    ----------
+    check : Check
+        The check.
+
+    Returns
+    -------
+    float
+        >= 0 where it is met.
+    """
+    if check.value is None or check.limit is None:
+        return math.nan
+    if check.torque_reserve is not None:
+        return check.torque_reserve - aim(check)
+    if check.keep == "above":
+        if check.limit > 0:
+            return check.value / check.limit - 1
+        return check.value - WALL
+    return check.limit - check.value
+
+
+Change = Callable[[float], Check]
+
+
+@dataclass(frozen=True, slots=True)
+class Cure:
+    """An input that is to cure a check, and how the design is judged with it.
+
+    Attributes
+    ----------
+    code : str
+        The check.
+    variable : str
+        The input's core name.
+    before : float
+        Its value, SI, > 0.
+    whole_list : callable
+        All checks with another value of it.
+    current : Verdict
+        All checks without.
+    """
+
+    code: str
+    variable: str
+    before: float
+    whole_list: Callable[[float], Verdict]
+    current: Verdict
+
+    def by(self, exact: float, found: Solution, status: FixStatus) -> Fix:
+        """The fix by a value, with its rounding and its side effects."""
+        after, standard = exact, False
+        if self.variable not in WHOLE and status != "not_enough":
+            for size, is_standard in _sizes(self.variable, exact, exact >= self.before):
+                if any(start <= size <= end for start, end in found.intervals):
+                    after, standard = size, is_standard
+                    break
+        verdict = self.whole_list(after)
+        effects = tuple(
+            SideEffect(code=each.code, before=old, after=each)
+            for each in verdict.checks
+            if each.code != self.code
+            for old in self.current.checks
+            if old.code == each.code and _changed(old, each)
+        )
+        outcome = verdict.verdict
+        return Fix(
+            self.code, self.variable, self.before, after, exact, standard, status, outcome, effects
+        )
+
+
+def fix_of(*, cure: Cure, change: Change) -> Fix | None:
+    """An input solved so that a check passes.
+
+    Parameters
+    ----------
+    cure : Cure
+        The input and the check.
+    change : callable
+        The check with another value of the input.
+
+    Returns
+    -------
+    Fix or None
+        None where the check cannot be made at any value.
+    """
+    before, whole = cure.before, cure.variable in WHOLE
+
+    def measure(value: float) -> float:
+        try:
+            return beyond(change(value))
+        except CalculationError:
+            return math.nan
+
+    if whole:
+        low = max(1.0, before - COUNTS // 2)
+        high = low + COUNTS - 1
+    else:
+        low, high = before / RANGE, before * RANGE
+    found = solve_for(
+        function=measure,
+        low=low,
+        high=high,
+        target=0.0,
+        integer=whole,
+        log=not whole,
+        samples=SAMPLES,
+    )
+    if not found.intervals:
+        if found.best is None or found.best[0] == before:
+            return None
+        return cure.by(found.best[0], found, "not_enough")
+    ends = [end for interval in found.intervals for end in interval if end not in (low, high)]
+    ends = ends or [end for interval in found.intervals for end in interval]
+    exact = min(ends, key=lambda end: abs(math.log(end / before)))
+    return cure.by(exact, found, "solved" if len(found.intervals) == 1 else "not_monotone")
+
+
+def _changed(before: Check, after: Check) -> bool:
+    if before.status != after.status:
+        return True
+    one, two = before.utilisation, after.utilisation
+    return one is not None and two is not None and abs(two - one) > 1e-3 * abs(one)
+
+
+def _sizes(variable: str, exact: float, up: bool) -> list[tuple[float, bool]]:
+    """Rounded sizes on the safe side of an exact one, the best first, and whether standard ones."""
+    sizes: list[tuple[float, bool]] = []
+    if variable in ("pin_radius", "pin.diameter"):
+        unit = 2000 if variable == "pin_radius" else 1000
+        beyond_it = [
+            size / unit
+            for size in PIN_SIZES
+            if (size / unit >= exact if up else size / unit <= exact)
+        ]
+        if beyond_it:
+            sizes.append((beyond_it[0] if up else beyond_it[-1], True))
+    step = 10.0 ** (2 - math.floor(math.log10(exact)))
+    rounded = (math.ceil if up else math.floor)(exact * step)
+    return [*sizes, (rounded / step, False)]
+
+
+def in_order(fixes: Iterable[Fix]) -> list[Fix]:
+    """Fixes by the verdict that they lead to, then by how little they change.
+
+    Parameters
+    ----------
+    fixes : iterable of Fix
+        The fixes.
+
+    Returns
+    -------
+    list of Fix
+    """
+    verdicts = ("pass", "marginal", "incomplete", "fail")
+    ways = ("solved", "not_monotone", "not_enough")
+    return sorted(
+        fixes,
+        key=lambda each: (
+            ways.index(each.status),
+            verdicts.index(each.verdict),
+            abs(math.log(each.after / each.before)),
+        ),
+    )

@@ -1,0 +1,55 @@
+"""Fixes of designs whose inputs do not hang on each other: rollers, the precessional gear."""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from core.checks.check import Check, Verdict
+from core.fixes.fix import Cure, Fix, fix_of, in_order
+from core.fixes.inputs import VARIED, WHOLE
+
+
+def plain_fixes(
+    *,
+    design: Mapping[str, Any],
+    codes: Iterable[str],
+    current: Verdict,
+    checks: Callable[[dict[str, Any]], Verdict],
+) -> list[Fix]:
+    """Fixes of checks of a design whose inputs do not hang on each other, the best first.
+
+    Parameters
+    ----------
+    design : mapping
+        Inputs by their core names, SI.
+    codes : iterable of str
+        The checks to be cured.
+    current : Verdict
+        Its checks.
+    checks : callable
+        All checks of changed inputs.
+
+    Returns
+    -------
+    list of Fix
+    """
+    fixes = []
+    for code in codes:
+        for variable in VARIED.get(code, ()):
+            before = design.get(variable)
+            if not before or (variable == "rollers" and design.get("gaps") is not None):
+                continue
+
+            def whole_list(value: float, variable: str = variable) -> Verdict:
+                changed = round(value) if variable in WHOLE else value
+                return checks({**design, variable: changed})
+
+            def change(
+                value: float, code: str = code, all_of: Callable[[float], Verdict] = whole_list
+            ) -> Check:
+                return all_of(value)[code]
+
+            cure = Cure(code, variable, float(before), whole_list, current)
+            fix = fix_of(cure=cure, change=change)
+            if fix is not None:
+                fixes.append(fix)
+    return in_order(fixes)
