@@ -111,7 +111,7 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
 async def test_options_of_the_force_run_only_when_named(api, option):
     called = {
         "curves": "force_curves",
-        "equal_sharing": "peak_force",
+        "equal_sharing": "force_peak",
         "approximation": "approximate_peak_ratio",
     }[option]
     import core.output.contact_force as module
