@@ -251,7 +251,7 @@ addEventListener("pagehide", () => bench?.close());
 
 /** What the tools open is loaded after the first figures. */
 async function loadTools() {
-  await bench?.begun;
+  await bench?.begun.catch(() => {});
   try {
     const [{ createShare }, { createKeys }] = await Promise.all([import("./views/share.js"), import("./views/keys.js")]);
     createShare({ button: share, exchange: () => bench?.exchange() ?? null, say });
