@@ -1,6 +1,6 @@
 /**
- * Asking the service for a group that is off until wanted, `about` of the calculator's `wanted`: a `live` one after
- * every answer, another when it is run. Loaded when the first is switched on.
+ * Asking the service for a group that is off until wanted, `about` of the calculator's `wanted`: a `live` one beside
+ * the results, another when it is run. Loaded when the first is switched on.
  *
  * `logic.asked(input, filled)` is what the boxes ask, without the service; `logic.bodyOf(asked, client)` the body of the
  * request, and `logic.ask({ client, body, signal, progressed })` its answer.
@@ -10,7 +10,7 @@ import { besided, refusedBesides, wants } from "./store.js";
 
 export function createBeside({ store, client, id, logic }) {
   const newest = newestOnly();
-  let asked = null; // the state's `shown` after which a live group was asked
+  let asked = null; // the inputs or the results with which a live group was asked
 
   async function ask() {
     const { typed, reading: { input, filled, besides } } = store.state;
@@ -20,7 +20,11 @@ export function createBeside({ store, client, id, logic }) {
       return;
     }
     const request = JSON.stringify(logic.asked(input, filled));
-    const { answer: known, of, phase } = store.state.besides[id] ?? {};
+    const { answer: known, of, phase, request: sent } = store.state.besides[id] ?? {};
+    if (logic.live && sent === request && ["computing", "refused"].includes(phase)) {
+      store.apply(besided, id, { typed });
+      return;
+    }
     if (known && of === request && (logic.live || phase === "fresh")) {
       newest.cancel();
       store.apply(besided, id, { typed, request, phase: "fresh", refusal: null });
@@ -44,14 +48,15 @@ export function createBeside({ store, client, id, logic }) {
       store.apply(besided, id, { phase: "stopped" });
     },
     cancel: () => newest.cancel(),
-    /** Follow what is shown: a live group is of the same inputs. */
+    /** Follow what is asked: a live group is of the same inputs; what was not to be had is asked for again with the results. */
     update(state) {
-      const { shown, phase, typed } = state;
+      const { shown, phase, pending, reading: { filled } } = state;
+      const now = { computing: pending, fresh: shown }[phase];
       if (!wants(state, id)) {
         if (asked) newest.cancel();
         asked = null;
-      } else if (logic.live && shown !== asked && shown?.typed === typed && phase === "fresh") {
-        asked = shown;
+      } else if (logic.live && now && now !== asked && pending === filled) {
+        asked = now;
         ask();
       }
     },

@@ -2,7 +2,8 @@
  * The page: its header, the open calculator, the address, what the browser remembers. Start here.
  *
  * workbench.js   one calculator at work: store.js (its state and transitions, pure), asking.js
- *                (requests to the service), views/ (each shows the state and reports what the user does)
+ *                (requests to the service), views/ (each shows the state and reports what the user does);
+ *                rest.js, what the first figure does not need, is loaded after it
  * calculators/   a folder for each: what the schema cannot say, its drawing, worked steps, sentences
  * service_texts  refusals, warnings and figures of the service in words; messages/, the page's own texts
  * lib/           without DOM: the form as data, units, numbers, links, formulas, parts of drawings
@@ -250,7 +251,7 @@ addEventListener("pagehide", () => bench?.close());
 
 /** What the tools open is loaded after the first figures. */
 async function loadTools() {
-  await bench?.begun;
+  await bench?.begun.catch(() => {});
   try {
     const [{ createShare }, { createKeys }] = await Promise.all([import("./views/share.js"), import("./views/keys.js")]);
     createShare({ button: share, exchange: () => bench?.exchange() ?? null, say });

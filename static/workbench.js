@@ -235,7 +235,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const load = () => loadRest(calculator).then(addRest, () => setTimeout(load, AGAIN_MS));
   const begun = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
   if (rests.has(calculator.id)) addRest();
-  else begun.then(load);
+  else begun.finally(load);
 
   return {
     /** When the first figures are drawn. */

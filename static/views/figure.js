@@ -85,10 +85,10 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   /** Have the chart asked for beside the answer, where its body does not hang on that. */
-  function askAhead({ pending, phase, theme, reading: { input } }) {
+  function askAhead({ pending, phase, theme, reading: { input, filled } }) {
     ahead?.stop.abort();
     ahead = null;
-    if (phase !== "computing" || measure || (tabled && figure.tables) || figure.body.length > 1) return;
+    if (phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
     const stop = new AbortController();
     ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
     ahead.chart.catch(() => {}); // said where it is drawn

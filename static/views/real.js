@@ -73,8 +73,9 @@ export function createView({ id, client, titles, figures, logic, asking }) {
         : { computing: message("state.computing"), refused: refusal?.text, offline: refusal?.text }[typed === state.typed ? phase : state.phase] ?? "";
       part(".state").classList.toggle("bad", phase === "refused" || phase === "offline");
       numbers({ ...now, body: body ?? {} });
-      if (body && drawn.body !== body) drawn = { body, shown: { input: body, filled: body, answer: { real: true } } };
-      figure.update({ ...state, pending: body ?? null, shown: drawn.shown ?? null, kept: NONE, refusal: null });
+      // Its figure, which takes longest, comes behind the results.
+      if (body && drawn.body !== body && state.phase !== "computing") drawn = { body, shown: { input: body, filled: body, answer: { real: true } } };
+      figure.update({ ...state, pending: drawn.body ?? null, shown: drawn.shown ?? null, kept: NONE, refusal: null });
     },
     close() {
       figure.close();

@@ -34,7 +34,9 @@ def reopen(page: Page) -> None:
 
 
 def settled(page: Page, state: str = "fresh") -> None:
+    """Wait for the results, and for what is loaded behind them."""
     expect(page.locator("#panel")).to_have_attribute("data-state", state)
+    expect(page.locator("#panel .outputs > .rest")).to_be_attached()
 
 
 def opened(page: Page, calculator: str) -> None:
