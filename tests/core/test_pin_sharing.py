@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from core.output.mechanism import Mechanism
 from core.output.pin_strength import pin_strength
 from tests.core.test_pin_strength import REFERENCE
 
@@ -58,3 +59,22 @@ def test_the_locus_of_the_root_over_a_turn_of_the_wave() -> None:
     arm = np.where(np.sin(wave) > 0, 0.037, 0.015)
     moment = np.hypot(locus.tangential, locus.radial)
     assert (moment - EQUAL * arm * np.abs(np.sin(wave)))[inside] == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("factor", [0.01, 100.0])
+def test_the_worst_case_is_the_same_at_any_torque(factor: float) -> None:
+    """By Goodman all is linear; here the second case has the smaller moment and the worse cycle."""
+    cranks = tuple(np.radians((0, 180, 60)).tolist())
+    design = REFERENCE | {
+        "mechanism": Mechanism(pins=3, crank_angles=cranks, ratio=20.0),
+        "satellite_positions": (0.015, 0.037, 0.059),
+        "pair_stiffness": (0.5, 1.0, 0.2),
+    }
+    one, other = (
+        pin_strength(**design | {"output_torque": 500.0 * each}) for each in (1.0, factor)
+    )
+    assert one.sharing == other.sharing == "stiffness"
+    assert other.fatigue.safety_factor == pytest.approx(
+        one.fatigue.safety_factor / factor, rel=1e-9
+    )
+    assert other.peak_equivalent_stress == pytest.approx(factor * one.peak_equivalent_stress)
