@@ -5,7 +5,9 @@ import pytest
 
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import pin_strength
+from core.output.real_turn import made
 from tests.core.test_pin_strength import REFERENCE
+from tests.core.test_real_turn import UNLIKE
 
 EQUAL, STIFF = 10000 / 3, 40000 / 9
 """N: T/R over the sum of k_j*cos^2, which is 3/2 a satellite, of k = 1 and 1, 2 and 1."""
@@ -78,3 +80,15 @@ def test_the_worst_case_is_the_same_at_any_torque(factor: float) -> None:
         one.fatigue.safety_factor / factor, rel=1e-9
     )
     assert other.peak_equivalent_stress == pytest.approx(factor * one.peak_equivalent_stress)
+
+
+def test_the_peak_torque_bears_on_the_worst_pin() -> None:
+    """Of pins that are made unlike, as of the same design under the peak torque itself."""
+    real = made(UNLIKE)
+    design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real}
+    found = pin_strength(**design, peak_torque=1000.0)
+    again = pin_strength(**design | {"output_torque": 1000.0})
+    assert found.static_safety_factor == pytest.approx(again.static_safety_factor, rel=1e-14)
+    plain = pin_strength(**design)
+    assert found.static_safety_factor < plain.static_safety_factor
+    assert found.peak_equivalent_stress == plain.peak_equivalent_stress
