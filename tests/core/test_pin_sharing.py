@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from core.output.mechanism import Mechanism
+from core.output.pin_beam import PinBeam
 from core.output.pin_strength import pin_strength
 from core.output.real_turn import made
 from tests.core.test_pin_strength import REFERENCE
@@ -92,3 +93,25 @@ def test_the_peak_torque_bears_on_the_worst_pin() -> None:
     plain = pin_strength(**design)
     assert found.static_safety_factor < plain.static_safety_factor
     assert found.peak_equivalent_stress == plain.peak_equivalent_stress
+
+
+@pytest.mark.parametrize("support", ["supported", "fixed"])
+def test_the_worst_section_of_pins_made_unlike(support: str) -> None:
+    """All samples of all pins at many sections."""
+    real, z = made(UNLIKE), np.array([0.015, 0.037])
+    held = {"support": support, "span": 0.052}
+    design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real} | held
+    found = pin_strength(**design)
+    beam = PinBeam.round(
+        diameter=0.016, contact_length=0.02, youngs_modulus=210e9, poissons_ratio=0.3, **held
+    )
+    x = np.linspace(0, 0.052, 261)[:, None]
+    forces = real(500.0).on_pins.reshape(2, -1)
+    moments = np.abs(beam.moment(x, z) @ forces).max(axis=1)
+    assert moments.max() <= found.peak_moment * (1 + 1e-12)
+    assert found.peak_moment == pytest.approx(moments.max(), rel=1e-4)
+    assert found.peak_moment_position == pytest.approx(x[moments.argmax(), 0], abs=3e-4)
+    shear = np.abs(beam.shear(x, z) @ forces).max()
+    assert found.peak_shear_force == pytest.approx(shear, rel=1e-12)
+    bent = found.peak_moment * 32 / (np.pi * 0.016**3)
+    assert found.peak_equivalent_stress >= bent * (1 - 1e-5)
