@@ -5,6 +5,7 @@ import pytest
 
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
+from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.real_turn import made
 from tests.core.test_pin_strength import REFERENCE
@@ -115,3 +116,22 @@ def test_the_worst_section_of_pins_made_unlike(support: str) -> None:
     assert found.peak_shear_force == pytest.approx(shear, rel=1e-12)
     bent = found.peak_moment * 32 / (np.pi * 0.016**3)
     assert found.peak_equivalent_stress >= bent * (1 - 1e-5)
+
+
+@pytest.mark.parametrize("criterion", ["goodman", "fkm_haigh"])
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: float) -> None:
+    """``M = F*(L/4 - b/8)`` there, under the load; at its ends ``F*(L - b)/4`` only."""
+    strength = FatigueStrength(300e6, 1000e6, criterion=criterion)
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    design |= {"fatigue": strength, "force_exponent": exponent}
+    held = {"satellite_positions": (0.026,), "support": "supported", "span": 0.052}
+    found = pin_strength(**design | held)
+    arm = 0.052 / 4 - 0.02 / 8
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment_position == pytest.approx(0.026, abs=1e-7)
+    single = pin_strength(**design | {"satellite_positions": (0.015,)}).fatigue
+    assert found.fatigue.safety_factor == pytest.approx(
+        single.safety_factor * 0.015 / arm, rel=1e-11
+    )
+    assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
