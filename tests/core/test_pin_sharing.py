@@ -3,8 +3,13 @@
 import numpy as np
 import pytest
 
+from core.output.mechanism import Mechanism
+from core.output.pin_beam import PinBeam
+from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
+from core.output.real_turn import made
 from tests.core.test_pin_strength import REFERENCE
+from tests.core.test_real_turn import UNLIKE
 
 EQUAL, STIFF = 10000 / 3, 40000 / 9
 """N: T/R over the sum of k_j*cos^2, which is 3/2 a satellite, of k = 1 and 1, 2 and 1."""
@@ -58,3 +63,75 @@ def test_the_locus_of_the_root_over_a_turn_of_the_wave() -> None:
     arm = np.where(np.sin(wave) > 0, 0.037, 0.015)
     moment = np.hypot(locus.tangential, locus.radial)
     assert (moment - EQUAL * arm * np.abs(np.sin(wave)))[inside] == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("factor", [0.01, 100.0])
+def test_the_worst_case_is_the_same_at_any_torque(factor: float) -> None:
+    """By Goodman all is linear; here the second case has the smaller moment and the worse cycle."""
+    cranks = tuple(np.radians((0, 180, 60)).tolist())
+    design = REFERENCE | {
+        "mechanism": Mechanism(pins=3, crank_angles=cranks, ratio=20.0),
+        "satellite_positions": (0.015, 0.037, 0.059),
+        "pair_stiffness": (0.5, 1.0, 0.2),
+    }
+    one, other = (
+        pin_strength(**design | {"output_torque": 500.0 * each}) for each in (1.0, factor)
+    )
+    assert one.sharing == other.sharing == "stiffness"
+    assert other.fatigue.safety_factor == pytest.approx(
+        one.fatigue.safety_factor / factor, rel=1e-9
+    )
+    assert other.peak_equivalent_stress == pytest.approx(factor * one.peak_equivalent_stress)
+
+
+def test_the_peak_torque_bears_on_the_worst_pin() -> None:
+    """Of pins that are made unlike, as of the same design under the peak torque itself."""
+    real = made(UNLIKE)
+    design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real}
+    found = pin_strength(**design, peak_torque=1000.0)
+    again = pin_strength(**design | {"output_torque": 1000.0})
+    assert found.static_safety_factor == pytest.approx(again.static_safety_factor, rel=1e-14)
+    plain = pin_strength(**design)
+    assert found.static_safety_factor < plain.static_safety_factor
+    assert found.peak_equivalent_stress == plain.peak_equivalent_stress
+
+
+@pytest.mark.parametrize("support", ["supported", "fixed"])
+def test_the_worst_section_of_pins_made_unlike(support: str) -> None:
+    """All samples of all pins at many sections."""
+    real, z = made(UNLIKE), np.array([0.015, 0.037])
+    held = {"support": support, "span": 0.052}
+    design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real} | held
+    found = pin_strength(**design)
+    beam = PinBeam.round(
+        diameter=0.016, contact_length=0.02, youngs_modulus=210e9, poissons_ratio=0.3, **held
+    )
+    x = np.linspace(0, 0.052, 261)[:, None]
+    forces = real(500.0).on_pins.reshape(2, -1)
+    moments = np.abs(beam.moment(x, z) @ forces).max(axis=1)
+    assert moments.max() <= found.peak_moment * (1 + 1e-12)
+    assert found.peak_moment == pytest.approx(moments.max(), rel=1e-4)
+    assert found.peak_moment_position == pytest.approx(x[moments.argmax(), 0], abs=3e-4)
+    shear = np.abs(beam.shear(x, z) @ forces).max()
+    assert found.peak_shear_force == pytest.approx(shear, rel=1e-12)
+    bent = found.peak_moment * 32 / (np.pi * 0.016**3)
+    assert found.peak_equivalent_stress >= bent * (1 - 1e-5)
+
+
+@pytest.mark.parametrize("criterion", ["goodman", "fkm_haigh"])
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: float) -> None:
+    """``M = F*(L/4 - b/8)`` there, under the load; at its ends ``F*(L - b)/4`` only."""
+    strength = FatigueStrength(300e6, 1000e6, criterion=criterion)
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    design |= {"fatigue": strength, "force_exponent": exponent}
+    held = {"satellite_positions": (0.026,), "support": "supported", "span": 0.052}
+    found = pin_strength(**design | held)
+    arm = 0.052 / 4 - 0.02 / 8
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment_position == pytest.approx(0.026, abs=1e-7)
+    single = pin_strength(**design | {"satellite_positions": (0.015,)}).fatigue
+    assert found.fatigue.safety_factor == pytest.approx(
+        single.safety_factor * 0.015 / arm, rel=1e-11
+    )
+    assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
