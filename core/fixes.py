@@ -19,6 +19,7 @@ from core.checks.pins import PINS as PIN_CHECKS
 from core.checks.play import PLAY
 from core.errors import CalculationError
 from core.exploration.solve import Solution, solve_for
+from core.output.satellite_support import Shares
 
 FixStatus = Literal["solved", "not_enough", "not_monotone"]
 
@@ -568,7 +569,8 @@ def plain_fixes(
 def _even(design: CrankDesign) -> bool:
     """Whether the number of satellites may change: nothing is listed for each of them."""
     listed = (design.crank_angles, design.crank_spacing, design.pin, design.crankshaft)
-    return all(each is None for each in (*listed, design.deviations))
+    shares = isinstance(design.support, Shares)
+    return not shares and all(each is None for each in (*listed, design.deviations))
 
 
 def _by_power(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
