@@ -26,7 +26,12 @@ from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyR
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.real_design import LEFT_OUT
-from app.calculations.real_mechanism import ContactLawFields, DeviationsFields
+from app.calculations.real_mechanism import (
+    IN_ONE_WAY,
+    ContactLawFields,
+    DeviationsFields,
+    GivingFields,
+)
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
@@ -51,7 +56,6 @@ from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.checks.crank_design import MOST_BEARING_PAIRS, CrankDesign
 from core.checks.crank_planetary import crank_checks
-from core.checks.design.forces import MOST_REAL_PAIRS
 from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
@@ -154,15 +158,17 @@ def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
             "then": {"required": ["pin"]},
         },
         {"not": _given(("load/application_factor", "contact/dynamic_factor"))},
+        IN_ONE_WAY,
     ]
 
 
-class CrankPlanetaryRequest(RequestModel):
+class CrankPlanetaryRequest(GivingFields):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
-    Where clearance, deviations or a contact law are given, the forces that are judged are those of
-    the mechanism as it is made, as by `/load-sharing`, and the pins bend in series with the
-    contacts. The section `pin` alone leaves the ideal forces.
+    Where clearance, deviations, a contact law or satellites that give are given, the forces that
+    are judged are those of the mechanism as it is made, as by `/load-sharing`, and the pins bend in
+    series with the contacts; in first order where satellites give. The section `pin` alone leaves
+    the ideal forces.
     """
 
     mechanism: CyclogramRequest
@@ -193,8 +199,8 @@ class CrankPlanetaryRequest(RequestModel):
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: all but geometry, checks and fixes, as far as their input is given; load_sharing "
-        "where clearance, deviations or a contact law are. load_sharing and hertz with these are "
-        "left out then where the forces cannot be solved.",
+        "where clearance, deviations, a contact law or satellites that give are. load_sharing and "
+        "hertz with these are left out then where the forces cannot be solved.",
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -238,11 +244,11 @@ class CrankPlanetaryRequest(RequestModel):
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations or a law of contact are given."""
+        """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and (
             self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
         )
-        sections = (self.contact_law, self.deviations)
+        sections = (self.contact_law, self.deviations, self.support)
         return loose or any(each is not None for each in sections)
 
     @property
@@ -282,6 +288,7 @@ class CrankPlanetaryRequest(RequestModel):
         self.mechanism.refuse_beyond(settings)
         if self.load is not None:
             self.load.refuse_beyond(settings)
+        self.refuse_other_shares(self.mechanism.satellites)
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 
@@ -338,8 +345,9 @@ class CrankPlanetaryRequest(RequestModel):
         """
         if isinstance(forces, ImpossibleMechanism):
             raise forces
-        if forces is None and self.mechanism.pairs > MOST_REAL_PAIRS:
-            limit = self.mechanism.most_pins(MOST_REAL_PAIRS)
+        most = self.design.most_real_pairs
+        if forces is None and self.mechanism.pairs > most:
+            limit = self.mechanism.most_pins(most)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
         if forces is None:
             field = {"field": "pin_circle_radius"}
@@ -367,6 +375,7 @@ class CrankPlanetaryRequest(RequestModel):
             "satellite_teeth": own.satellite_teeth,
             "law": self.contact_law and self.contact_law.law(),
             "deviations": self.deviations and self.deviations.deviations(),
+            "support": self.support,
             "pin": self.pin and self.contact and self.pin.pin(self.contact),
             "fatigue": self.fatigue and self.fatigue.basis(),
             "friction": self.friction and Friction(**self.friction.to_core()),

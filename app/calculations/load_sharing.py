@@ -105,7 +105,7 @@ class LoadSharingRequest(RealDesignFields, CurveFields):
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         pairs = self.mechanism.pairs
-        self.refuse_other_shares()
+        self.refuse_other_shares(self.mechanism.satellites)
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
         for section, limit in (

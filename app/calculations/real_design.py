@@ -8,42 +8,34 @@ from pydantic import ConfigDict, Field, model_validator
 from app import compiled
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
-    COUPLED_BY,
+    GIVING,
+    IN_ONE_WAY,
     BentPinFields,
     ContactLawFields,
-    CrankSupportFields,
+    GivingFields,
     RealContactFields,
     RealLoadFields,
-    SatelliteCouplingFields,
 )
 from app.model import Maybe, RequestModel, field_error, quantity, request_schema
-from app.problems import ErrorItem, invalid_input
 from app.units import to_si
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import SatelliteSupport, Shares
 
-GIVING = 4
+TIMES_AS_LONG = 4
 """How many times as long a position takes whose satellites give."""
 
 
 def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """Satellites give in one way, and in first order only."""
     request_schema(schema, model)
-    kinds: dict[str, Any] = {"properties": {"kind": {"enum": [*COUPLED_BY]}}, "required": ["kind"]}
-    coupled = {
-        "properties": {"satellite_coupling": kinds},
-        "required": ["satellite_coupling"],
-    }
-    supported = {"required": ["crank_support"]}
     first_order = {
         "properties": {"geometry": {"const": "first_order"}},
         "required": ["geometry"],
     }
     schema["allOf"] = [
         *schema.get("allOf", ()),
-        {"if": {"anyOf": [supported, coupled]}, "then": first_order},
-        {"not": {"allOf": [supported, coupled]}},
+        {"if": GIVING, "then": first_order},
+        IN_ONE_WAY,
     ]
 
 
@@ -59,7 +51,7 @@ LEFT_OUT = (
 """What the model leaves out."""
 
 
-class RealDesignFields(RequestModel):
+class RealDesignFields(GivingFields):
     """Mechanism, load, contact, law of contact, pins, and what the satellites give."""
 
     model_config = ConfigDict(json_schema_extra=_design_schema)
@@ -74,8 +66,6 @@ class RealDesignFields(RequestModel):
     contact: RealContactFields
     contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     pin: Maybe[BentPinFields] = None
-    crank_support: Maybe[CrankSupportFields] = None
-    satellite_coupling: Maybe[SatelliteCouplingFields] = None
     geometry: Literal["exact", "first_order"] = quantity(
         "Geometry",
         symbol="",
@@ -96,46 +86,21 @@ class RealDesignFields(RequestModel):
     )
 
     @model_validator(mode="after")
-    def _gives_in_one_way(self) -> Self:
-        coupling = self.satellite_coupling
-        coupled = coupling is not None and coupling.kind != "rigid"
-        if coupled and self.crank_support is not None:
-            raise field_error("satellite_coupling", "only_one", field="crank_support")
-        if self.geometry == "exact" and (coupled or self.crank_support is not None):
-            beside = "satellite_coupling" if coupled else "crank_support"
+    def _first_order(self) -> Self:
+        if self.geometry == "exact" and (self.coupled or self.crank_support is not None):
+            beside = "satellite_coupling" if self.coupled else "crank_support"
             raise field_error("geometry", "first_order_only", field=beside)
         return self
-
-    @cached_property
-    def support(self) -> SatelliteSupport | None:
-        """What the satellites give; none where they are rigid."""
-        if self.crank_support is not None:
-            return self.crank_support.support()
-        return None if self.satellite_coupling is None else self.satellite_coupling.support()
 
     @property
     def times_as_long(self) -> int:
         """How many times as long as of rigid satellites a position takes."""
-        return 1 if self.support is None else GIVING
+        return 1 if self.support is None else TIMES_AS_LONG
 
     @property
     def loops(self) -> compiled.State:
         """Whether the compiled loops are at hand: not for satellites that give."""
         return compiled.state() if self.support is None else "missing"
-
-    def refuse_other_shares(self) -> None:
-        """Refuse shares that are not one for each satellite.
-
-        Raises
-        ------
-        Problem
-            If they are not.
-        """
-        want = self.mechanism.satellites
-        if isinstance(self.support, Shares) and len(self.support.shares) != want:
-            counts = {"expected": want, "actual": len(self.support.shares)}
-            where = "/satellite_coupling/shares"
-            raise invalid_input([ErrorItem(where, "different_length", counts)])
 
     @cached_property
     def built(self) -> Mechanism:

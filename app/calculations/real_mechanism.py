@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from functools import partial
+from functools import cached_property, partial
 from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import ConfigDict, Field, model_validator
@@ -28,7 +28,13 @@ from core.output.contact_law import (
 )
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
-from core.output.satellite_support import SUM_ERROR, CrankSupport, ElasticMesh, Shares
+from core.output.satellite_support import (
+    SUM_ERROR,
+    CrankSupport,
+    ElasticMesh,
+    SatelliteSupport,
+    Shares,
+)
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
 
@@ -344,6 +350,67 @@ class SatelliteCouplingFields(RequestModel):
         if self.stiffness_Nm_per_arcmin is not None:
             return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
         return None if self.shares is None else Shares(tuple(self.shares))
+
+
+class GivingFields(RequestModel):
+    """What the satellites give, in one way."""
+
+    crank_support: Maybe[CrankSupportFields] = None
+    satellite_coupling: Maybe[SatelliteCouplingFields] = None
+
+    @model_validator(mode="after")
+    def _gives_in_one_way(self) -> Self:
+        if self.coupled and self.crank_support is not None:
+            raise field_error("satellite_coupling", "only_one", field="crank_support")
+        return self
+
+    @property
+    def coupled(self) -> bool:
+        """Whether the coupling gives."""
+        return self.satellite_coupling is not None and self.satellite_coupling.kind != "rigid"
+
+    @cached_property
+    def support(self) -> SatelliteSupport | None:
+        """What the satellites give; none where they are rigid."""
+        if self.crank_support is not None:
+            return self.crank_support.support()
+        return None if self.satellite_coupling is None else self.satellite_coupling.support()
+
+    def refuse_other_shares(self, satellites: int) -> None:
+        """Refuse shares that are not one for each satellite.
+
+        Parameters
+        ----------
+        satellites : int
+            Their number.
+
+        Raises
+        ------
+        Problem
+            If they are not.
+        """
+        if isinstance(self.support, Shares) and len(self.support.shares) != satellites:
+            counts = {"expected": satellites, "actual": len(self.support.shares)}
+            where = "/satellite_coupling/shares"
+            raise invalid_input([ErrorItem(where, "different_length", counts)])
+
+
+_COUPLED = {
+    "properties": {
+        "satellite_coupling": {
+            "properties": {"kind": {"enum": [*COUPLED_BY]}},
+            "required": ["kind"],
+        }
+    },
+    "required": ["satellite_coupling"],
+}
+_SUPPORTED = {"required": ["crank_support"]}
+
+GIVING: dict[str, Any] = {"anyOf": [_SUPPORTED, _COUPLED]}
+"""Schema of a body whose satellites give."""
+
+IN_ONE_WAY: dict[str, Any] = {"not": {"allOf": [_SUPPORTED, _COUPLED]}}
+"""Schema of what they may give."""
 
 
 def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:

@@ -154,7 +154,7 @@ class ToleranceStudyRequest(RealDesignFields):
         """
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        self.refuse_other_shares()
+        self.refuse_other_shares(self.mechanism.satellites)
         self.refuse_longer(settings)
         self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
 

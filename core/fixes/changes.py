@@ -5,6 +5,7 @@ from typing import Any
 
 from core.checks.crank_design import CrankDesign
 from core.fixes.inputs import WHOLE
+from core.output.satellite_support import Shares
 
 
 def vary(*, design: CrankDesign, variable: str, value: float) -> CrankDesign:
@@ -89,4 +90,5 @@ def count_may_change(design: CrankDesign) -> bool:
     bool
     """
     listed = (design.crank_angles, design.crank_spacing, design.pin, design.crankshaft)
-    return all(each is None for each in (*listed, design.deviations))
+    shares = isinstance(design.support, Shares)
+    return not shares and all(each is None for each in (*listed, design.deviations))

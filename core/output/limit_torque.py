@@ -66,7 +66,7 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
     def torque(psi: float) -> float:
         if real.held is not None:
             return real.held.limit_torque(psi, less, setup, room)
-        return rigid_limit_torque(psi, less, setup, pairs, room)
+        return rigid_limit_torque(psi=psi, limits=less, setup=setup, pairs=pairs, room=room)
 
     loops = in_place_of(value=lambda kind, psi, *_: (-torque(psi), True))
 

@@ -189,6 +189,8 @@ class PinStresses:
             What its fatigue is judged by.
         input_speed : float, optional
             Speed w_in of the crank, rad/s, > 0, for the life.
+        deflection, locus : bool
+            Whether the deflection, or the locus of the moment, is wanted.
 
         Returns
         -------
@@ -279,8 +281,6 @@ def pin_stresses(
         Held at one end; at both, free to tilt; at both, built in.
     span : float, optional
         Distance L of the two supports, m; for the latter two.
-    deflection, locus : bool
-        Whether the deflection, or the locus of the moment, is wanted.
     application_factor : float
         Factor K_A on the torque, > 0, in all but the static safety.
     peak_torque : float, optional
@@ -377,6 +377,8 @@ def pin_strength(
         What its fatigue is judged by.
     input_speed : float, optional
         Speed w_in of the crank, rad/s, > 0, for the life.
+    deflection, locus : bool
+        Whether the deflection, or the locus of the moment, is wanted.
     **loaded
         What `pin_stresses` takes.
 

@@ -261,7 +261,7 @@ class PinTurn(Turn):
                 [self.reach(arms[i : i + rows]) for i in range(0, len(arms), rows)]
             )
         forces, (t0, t1, t2) = self._quadratics
-        c0, c1, c2 = (combine_real(arms, each.T) for each in forces)
+        c0, c1, c2 = (_real_combined(arms, each.T) for each in forces)
         rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
         root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))
         up = bend > 0  # the root at which the slope falls, without a difference of numbers alike
@@ -486,7 +486,7 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     return found
 
 
-def combine_real(arms: ComplexArray, forces: ComplexArray) -> FloatArray:
+def _real_combined(arms: ComplexArray, forces: ComplexArray) -> FloatArray:
     """Real part of `combine`."""
     real, imaginary = combine(arms=arms.real, forces=forces.real), -arms.imag
     for k in range(arms.shape[1]):

@@ -126,7 +126,7 @@ def check_support(*, support: SatelliteSupport | None, satellites: int, exact: b
 
 
 def rigid_limit_torque(
-    psi: float, limits: Sequence[float], setup: Setup, pairs: Pairs, room: Room
+    *, psi: float, limits: Sequence[float], setup: Setup, pairs: Pairs, room: Room
 ) -> float:
     """Torque under which the first pair of rigid satellites is pressed in by its limit.
 
@@ -288,12 +288,12 @@ class HeldSatellites:
             eccentricity before, the torque that brings it there.
         """
         if isinstance(self.support, Shares):
-            pins, each = setup.pins, enumerate(self._each(setup, room))
-            return min(
-                rigid_limit_torque(psi, limits[j * pins : (j + 1) * pins], *one)
-                / self.support.shares[j]
-                for j, one in each
-            )
+            found = []
+            for j, (one, pairs, own) in enumerate(self._each(setup, room)):
+                some = limits[j * setup.pins : (j + 1) * setup.pins]
+                torque = rigid_limit_torque(psi=psi, limits=some, setup=one, pairs=pairs, room=own)
+                found.append(torque / self.support.shares[j])
+            return min(found)
         at(psi, setup, self.pairs, room)
         count, far = setup.satellites, setup.eccentricity / setup.radius
         zero = min(max(play(setup, room)[1], -far), far)

@@ -94,6 +94,48 @@ async def test_the_section_is_that_of_load_sharing(api):
     assert "clearance" not in answer["not_considered"]
 
 
+GIVES = {
+    "bearings": {"crank_support": {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.02}},
+    "mesh": {"satellite_coupling": {"kind": "elastic", "stiffness_Nm_per_arcmin": 30.0}},
+    "shares": {"satellite_coupling": {"kind": "shares", "shares": [0.55, 0.45]}},
+}
+
+
+@pytest.mark.parametrize("gives", GIVES.values(), ids=GIVES)
+async def test_satellites_that_give_are_those_of_load_sharing(api, gives):
+    """One source of forces: the section, the checks and the pins."""
+    design = changed(load__torque_direction="driving", requirements=None) | gives
+    design["include"] = ["load_sharing", "pin_strength", "checks"]
+    body = {name: design[name] for name in ("mechanism", "load", "contact", "deviations", "pin")}
+    body |= gives | {"geometry": "first_order", "include": ["over_turn"]}
+    expected = (await api.post("load-sharing", json=body)).json()["over_turn"]
+    answer = await answered(api, design)
+    found = answer["load_sharing"]
+    assert {name: found[name] for name in expected} == {
+        name: pytest.approx(value) for name, value in expected.items()
+    }
+    checks = {each["code"]: each for each in answer["checks"]}
+    assert checks["lost_motion"]["value"] == found["lost_motion_arcmin"]
+    peak = answer["pin_strength"]["peak_force_N"]
+    assert peak == pytest.approx(expected["peak_force_N"], rel=2e-5)
+    assert 0 < checks["contact_pressure_hole"]["torque_reserve"] < 1000
+
+
+async def test_satellites_that_give_are_refused_by_name(api):
+    both = GIVES["bearings"] | GIVES["mesh"]
+    assert await refused(api, DESIGN | both) == ("/satellite_coupling", "only_one")
+    other = {"satellite_coupling": {"kind": "shares", "shares": [1.0]}}
+    assert await refused(api, DESIGN | other) == ("/satellite_coupling/shares", "different_length")
+    many = changed(mechanism__pins=13, deviations=None, load__pin_circle_radius_mm=80.0)
+    assert await refused(api, many | GIVES["mesh"]) == ("/mechanism/pins", "too_many_pairs")
+    rigid = {"satellite_coupling": {"kind": "rigid"}}
+    one, other = [
+        (await answered(api, each | {"include": ["load_sharing"]}))["load_sharing"]
+        for each in (DESIGN, DESIGN | rigid)
+    ]
+    assert one | {"accuracy": None} == other | {"accuracy": None}
+
+
 async def test_the_section_is_at_the_torque_the_checks_at_the_dynamic_one(api):
     one = await answered(api, changed(contact__dynamic_factor=1.25))
     more = await answered(api, changed(load__output_torque_Nm=250.0))

@@ -27,6 +27,7 @@ from core.materials import ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength, judged
+from core.output.pin_search import largest
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.pin_turn import pin_turn
 
@@ -330,6 +331,18 @@ def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
     locus = moments(spaced(6, satellites), 1.0, weights)
     heights = [np.ptp((locus * np.exp(-1j * chi)).real) for chi in np.linspace(0, np.pi, 19)]
     assert bool(max(heights) / min(heights) < 1 + 1e-6) is alike
+
+
+@given(mechanism=mechanisms, seed=st.integers(0, 2**32 - 1), uneven=st.booleans())
+def test_the_reach_in_closed_form_is_that_of_the_search(
+    mechanism: Mechanism, seed: int, uneven: bool
+) -> None:
+    random = np.random.default_rng(seed)
+    stiffness = tuple(random.uniform(1, 4, mechanism.satellites)) if uneven else None
+    turn = pin_turn(mechanism, 1.0, stiffness)
+    arms = random.normal(size=(9, mechanism.satellites)) * np.exp(1j * np.arange(9.0)[:, None])
+    searched = largest(turn=turn, arms=(arms,), measure=np.real)
+    assert turn.reach(arms) == pytest.approx(searched, rel=1e-12, abs=1e-13)
 
 
 def test_the_locus_is_closed_but_for_equal_sharing() -> None:

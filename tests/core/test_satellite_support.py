@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw
+from core.output.limit_torque import limit_torque
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import real_curves
@@ -147,6 +148,25 @@ def test_the_stiffness_is_the_slope_of_the_torque(
     slope = 2 * step * torque / (more.rotation - less.rotation)
     unsure = (less.rotation_error + more.rotation_error) / abs(more.rotation - less.rotation)
     assert found.stiffness == pytest.approx(slope, rel=1e-3 + unsure)
+
+
+SUPPORTS = [
+    CrankSupport(stiffness=1e8, radial_clearance=2e-5),
+    ElasticMesh(stiffness=2e4),
+    Shares((0.55, 0.45)),
+]
+
+
+@pytest.mark.parametrize("support", SUPPORTS, ids=lambda each: type(each).__name__)
+def test_the_torque_at_a_limit_is_that_whose_peak_it_is(support: SatelliteSupport) -> None:
+    real = replace(AHEAD, support=support)
+    peak = over_turn(real=real, output_torque=40.0)
+    pair = (peak.peak_pair.satellite - 1) * 6 + peak.peak_pair.pin - 1
+    at = {"real": real, "direction": 1.0, "pair": pair}
+    assert limit_torque(**at, force=peak.peak_force) == pytest.approx(40.0, rel=1e-9)
+    more = limit_torque(**at, force=1.5 * peak.peak_force)
+    found = over_turn(real=real, output_torque=more)
+    assert found.peak_force == pytest.approx(1.5 * peak.peak_force, rel=1e-9)
 
 
 @pytest.mark.parametrize("torque", [30.0, -30.0])
