@@ -23,24 +23,13 @@ from core.fatigue import (
     surface_factor,
     utilisation,
 )
-from core.materials import ElasticMaterial
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_search import largest
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.pin_turn import pin_turn
-
-STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
-STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
-PIN = {
-    "output_torque": 500.0,
-    "pin_circle_radius": 0.05,
-    "diameter": 0.016,
-    "contact_length": 0.02,
-    "material": STEEL,
-    "fatigue": STRENGTH,
-}
+from tests.oracles.real_mechanisms import PIN, REFERENCE, STRENGTH
 
 
 def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanism:
@@ -50,9 +39,6 @@ def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanis
         ratio=20.0,
         crank_spacing=None if degrees is None else math.radians(degrees),
     )
-
-
-REFERENCE = {"mechanism": spaced(6, 2), "satellite_positions": (0.015, 0.037)} | PIN
 
 
 def test_the_reference_design() -> None:

@@ -28,7 +28,7 @@ from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made, real_turn
 from core.output.satellite_support import CrankSupport
-from tests.oracles.real_mechanisms import design, reals
+from tests.oracles.real_mechanisms import UNLIKE, design, reals
 
 STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
 STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
@@ -71,24 +71,6 @@ def as_made(mechanism: Mechanism, **changes: object) -> RealMechanism:
 
 def places(mechanism: Mechanism) -> tuple[float, ...]:
     return tuple(0.015 + 0.022 * j for j in range(mechanism.satellites))
-
-
-UNLIKE = as_made(
-    spaced(4, 2),
-    clearance=1e-5,
-    exact=True,
-    deviations=Deviations(
-        pin_radial=(4e-6, -2e-6, 5e-6, 0.0),
-        pin_tangential=(-6e-6, 3e-6, 0.0, 2e-6),
-        pin_radius=(1e-6, 0.0, -2e-6, 1e-6),
-        hole_radial=((3e-6, 0.0, -4e-6, 2e-6), (-1e-6, 5e-6, 2e-6, 0.0)),
-        hole_tangential=((-5e-6, 1e-6, 0.0, 2e-6), (0.0, -3e-6, 4e-6, 1e-6)),
-        hole_radius=((1e-6, 2e-6, 0.0, -1e-6), (0.0, 1e-6, -2e-6, 1e-6)),
-        eccentricity=(4e-6, -3e-6),
-        crank_phase=(-3e-4, 2e-4),
-        disc_phase=(5e-5, -8e-5),
-    ),
-)
 
 
 @given(real=reals(exact=True), torque=st.sampled_from([200.0, -200.0, 20.0]))

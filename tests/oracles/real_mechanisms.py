@@ -15,6 +15,7 @@ from core.output.contact_law import (
 )
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
+from core.output.pin_fatigue import FatigueStrength
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 
@@ -106,3 +107,45 @@ def design(**changes: object) -> RealMechanism:
         "law": LinearLaw(5e7),
     }
     return RealMechanism(**kept | changes)
+
+
+PIN_STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3, yield_strength=800e6)
+STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
+PIN = {
+    "output_torque": 500.0,
+    "pin_circle_radius": 0.05,
+    "diameter": 0.016,
+    "contact_length": 0.02,
+    "material": PIN_STEEL,
+    "fatigue": STRENGTH,
+}
+REFERENCE = PIN | {
+    "mechanism": Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
+    "satellite_positions": (0.015, 0.037),
+}
+"""Pins of a reference design, as arguments of `pin_strength`."""
+
+UNLIKE = RealMechanism(
+    mechanism=Mechanism.evenly_spaced(pins=4, satellites=2, ratio=20.0),
+    pin_circle_radius=0.05,
+    pin_radius=0.008,
+    eccentricity=2e-3,
+    contact_length=0.02,
+    law=LinearLaw(1e8),
+    pin_material=PIN_STEEL,
+    hole_material=PIN_STEEL,
+    clearance=1e-5,
+    exact=True,
+    deviations=Deviations(
+        pin_radial=(4e-6, -2e-6, 5e-6, 0.0),
+        pin_tangential=(-6e-6, 3e-6, 0.0, 2e-6),
+        pin_radius=(1e-6, 0.0, -2e-6, 1e-6),
+        hole_radial=((3e-6, 0.0, -4e-6, 2e-6), (-1e-6, 5e-6, 2e-6, 0.0)),
+        hole_tangential=((-5e-6, 1e-6, 0.0, 2e-6), (0.0, -3e-6, 4e-6, 1e-6)),
+        hole_radius=((1e-6, 2e-6, 0.0, -1e-6), (0.0, 1e-6, -2e-6, 1e-6)),
+        eccentricity=(4e-6, -3e-6),
+        crank_phase=(-3e-4, 2e-4),
+        disc_phase=(5e-5, -8e-5),
+    ),
+)
+"""Pins and holes, cranks and discs, none as the next."""
