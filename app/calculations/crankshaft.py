@@ -25,6 +25,7 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
 from core.checks.sections import RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
+from core.crank.satellite_bearing import bearing_curves
 from core.output.contact_force import drawing_angles
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
@@ -113,9 +114,9 @@ class CrankshaftRequest(CrankedRequest):
         angles, _ = drawing_angles(mechanism=self.built)
         ratio = self.mesh.radial_force_ratio
         found = self.solve()
-        return found, reaction_curves(
-            **self.design, **self.shaft, radial_force_ratio=ratio, crank_angle=angles
-        )
+        loads = bearing_curves(**self.design, radial_force_ratio=ratio, crank_angle=angles)
+        cranks = self.built.crank_angles
+        return found, reaction_curves(loads=loads, crank_angles=cranks, **self.shaft)
 
 
 class ShaftBearingOut(ResponseModel):

@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, made_parts, mean_power
+from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -395,56 +395,28 @@ class ReactionCurves:
 
 def reaction_curves(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: float,
-    pin_circle_radius: float,
-    eccentricity: float,
-    radial_force_ratio: float,
+    loads: BearingCurves,
+    crank_angles: tuple[float, ...],
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
-    crank_angle: FloatArray,
-    torque_direction: Direction = "driving",
 ) -> ReactionCurves:
-    """Reactions of the crankshaft's bearings under the ideal forces at given crank angles.
+    """Reactions of the crankshaft's bearings to given loads of the satellites' bearings.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    output_torque : float
-        Torque T on the output link, N*m.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
-    eccentricity : float
-        Eccentricity e of the cranks, m.
-    radial_force_ratio : float
-        Ratio rho of the ring's force along the crank to that across it.
+    loads : BearingCurves
+        Of the satellites' bearings, see `core.crank.satellite_bearing.bearing_curves`.
+    crank_angles : tuple of float
+        Angle of each satellite's crank, rad.
     satellite_positions : tuple of float
         Middle planes z of the satellites along the shaft, m.
     bearing_positions : tuple of float
         Places A and B of the bearings, m.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Of an alternating torque the driving one is shown.
 
     Returns
     -------
     ReactionCurves
     """
-    loads = bearing_curves(
-        mechanism=mechanism,
-        force_exponent=force_exponent,
-        output_torque=output_torque,
-        pin_circle_radius=pin_circle_radius,
-        eccentricity=eccentricity,
-        radial_force_ratio=radial_force_ratio,
-        crank_angle=crank_angle,
-        torque_direction=torque_direction,
-    )
-    held = (loads.along + 1j * loads.across) * _cranks(mechanism.crank_angles)
+    held = (loads.along + 1j * loads.across) * _cranks(crank_angles)
     carried = _carried(satellite_positions, bearing_positions)
-    return ReactionCurves(crank_angle, (held[:, None, :] * carried).sum(axis=2))
+    return ReactionCurves(loads.crank_angle, (held[:, None, :] * carried).sum(axis=2))

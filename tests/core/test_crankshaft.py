@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh, involute_mesh
-from core.crank.satellite_bearing import satellite_bearings
+from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from tests.oracles.satellites import exponents, forces, mechanisms
@@ -45,7 +45,10 @@ def test_loads_stand_still_in_the_crank() -> None:
 def test_curves_are_the_reactions() -> None:
     design = LOAD | PLACES | {"mechanism": spaced(3, 2)}
     angles = np.linspace(0, 2 * math.pi, 20_001)
-    curves = reaction_curves(**design, radial_force_ratio=-0.3, crank_angle=angles)
+    loaded = LOAD | {"mechanism": design["mechanism"]}
+    loads = bearing_curves(**loaded, radial_force_ratio=-0.3, crank_angle=angles)
+    cranks = design["mechanism"].crank_angles
+    curves = reaction_curves(loads=loads, crank_angles=cranks, **PLACES)
     found = crankshaft(**design, mesh=RingMesh(-0.3))
     sizes = np.abs(curves.reaction)
     assert sizes.max(axis=0) == pytest.approx(found.peak_reaction, rel=1e-6)
@@ -97,9 +100,8 @@ def test_curves_have_the_direction_of_the_reactions() -> None:
     """Along the first crank's zero and ahead of it, from the law of the forces itself."""
     mechanism = Mechanism(pins=5, crank_angles=(0.4, 1.9), ratio=20.0, initial_crank_angle=0.2)
     angles = np.array([0.1, 1.0, 2.7])
-    curves = reaction_curves(
-        **LOAD | PLACES, mechanism=mechanism, radial_force_ratio=0.7, crank_angle=angles
-    )
+    loads = bearing_curves(**LOAD, mechanism=mechanism, radial_force_ratio=0.7, crank_angle=angles)
+    curves = reaction_curves(loads=loads, crank_angles=mechanism.crank_angles, **PLACES)
     pins, shares = forces(mechanism, 1.0, angles * 21 / 20)
     inwards, back = 12_500 * 0.7 * shares + 10_000 * pins, 12_500 * shares
     for bearing, held in enumerate(((42 / 62, 20 / 62), (20 / 62, 42 / 62))):

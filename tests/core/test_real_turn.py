@@ -340,8 +340,10 @@ def test_curves_in_reverse() -> None:
     order = np.argsort(real.wave % (2 * math.pi))
     own = [np.interp(psi, (real.wave % (2 * math.pi))[order], row[order]) for row in real.couple]
     assert loads.across[1000] * 0.04 == pytest.approx(own, abs=0.02)
-    shaft |= {"satellite_positions": (0.015, 0.037, 0.059), "bearing_positions": (0.0, 0.1)}
-    curves = reaction_curves(**shaft, **ring)
+    places = {"satellite_positions": (0.015, 0.037, 0.059), "bearing_positions": (0.0, 0.1)}
+    cranks = shaft["mechanism"].crank_angles
+    curves = reaction_curves(loads=loads, crank_angles=cranks, **places)
+    shaft |= places
     reactions = crankshaft(**SHAFT | shaft).peak_reaction
     assert np.abs(curves.reaction).max(axis=0) == pytest.approx(reactions, rel=1e-5)
 
