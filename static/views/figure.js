@@ -84,11 +84,11 @@ export function createFigure({ figure: about, client, titles, on }) {
     return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
-  /** Have the chart asked for beside the answer, where its body does not hang on that. */
-  function askAhead({ pending, phase, theme, reading: { input, filled } }) {
+  /** The first chart is asked for beside the answer, where its body does not hang on that; later ones of what is not refused. */
+  function askAhead({ shown, pending, phase, theme, reading: { input, filled } }) {
     ahead?.stop.abort();
     ahead = null;
-    if (phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
+    if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
     const stop = new AbortController();
     ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
     ahead.chart.catch(() => {}); // said where it is drawn

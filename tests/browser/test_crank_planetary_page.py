@@ -49,6 +49,7 @@ def show(
 
 def settled(page: Page, state: str = "fresh") -> None:
     expect(page.locator("#panel")).to_have_attribute("data-state", state)
+    expect(page.locator("#panel .outputs > .rest")).to_be_attached()
 
 
 def box(page: Page, path: str) -> Locator:
