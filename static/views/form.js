@@ -235,7 +235,10 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
     for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
   });
-  const boxes = following(({ typed, refusal, besides, touched, insisted }) => [typed, refusal, besides, touched, insisted], (state) => {
+  const refused = (besides) => Object.values(besides).filter(({ refusal }) => refusal);
+  const boxes = following(({ typed, refusal, besides, touched, insisted }) => [
+    typed, refusal, touched, insisted, refused(besides).length, ...refused(besides),
+  ], (state) => {
     show(state);
     suggest(state.reading.filled, state.typed.texts);
   });
