@@ -137,7 +137,7 @@ NOT_CONSIDERED = {
     "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
-    "contact_life": "how the limits of the contact pressure fall over the life",
+    "contact_life": "life of the contact",
     "crankshaft": "crankshaft and balance of masses",
     "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",

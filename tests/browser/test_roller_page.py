@@ -38,7 +38,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     ]
     others = CALCULATORS - {"rollers"}
     assert not [path for path in watch.paths() for other in others if f"/{other}/" in path]
-    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 17
+    assert page.locator("[data-path]").count() == page.locator("form [data-path]").count() == 18
     expect(page.locator("[data-figure] .js-plotly-plot")).to_have_count(1)
 
     page.locator('[data-figure="rollers"] .show-table').click()

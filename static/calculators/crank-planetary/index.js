@@ -14,8 +14,9 @@ import { factorOf, sentences } from "./sentences.js";
 import { partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
+const MADE = ["contact_law", "deviations", "satellite_coupling"]; // parts by which the real forces are judged
 const DESIGN = [ // parts that are judged beside the contact
-  "contact_law", "deviations", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
+  ...MADE, "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
 ];
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
@@ -46,8 +47,9 @@ async function madeOf({ besides, ...given }, filled, get, sections = wantedSecti
   const input = { ...given, ...partsOf({ ...given, besides }, sections) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
-  const { contact, contact_law: law, deviations } = await bodyOf(asked({ ...given, besides }, filled), { get });
-  return { ...input, load: { ...input.load, ...besides.load }, contact, ...(law && { contact_law: law }), ...(deviations && { deviations }) };
+  const made = await bodyOf(asked({ ...given, besides }, filled), { get });
+  const parts = Object.fromEntries(["contact", ...MADE].filter((part) => made[part]).map((part) => [part, made[part]]));
+  return { ...input, load: { ...input.load, ...besides.load }, ...parts };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -57,7 +59,7 @@ function clearanceOf({ contact }) {
 
 /** Whether the design is stated as it is made, so that its real forces are judged. */
 function asMade(input) {
-  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || ["contact_law", "deviations"].some((part) => input[part]);
+  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || MADE.some((part) => input[part]);
 }
 
 function clearanceNote(input) {

@@ -16,7 +16,8 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 export function designOf({
   mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, peak_torque_Nm, ...load } = {}, contact = {}, besides = {},
 }) {
-  const { contact_law: law, geometry, lost_motion_torque_share: share } = besides;
+  const { contact_law: law, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
+  const geometry = shared ? "first_order" : besides.geometry; // no other is to be had for given shares
   const { pin: { rotates, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]);
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
@@ -29,6 +30,7 @@ export function designOf({
     contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
     ...(law && { contact_law: law }),
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
+    ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
     ...(geometry && { geometry }),
     ...(share !== undefined && { lost_motion_torque_share: share }),
   };

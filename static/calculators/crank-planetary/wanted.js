@@ -44,6 +44,7 @@ const REAL = {
     rows: ({ mechanism: { satellites } }) => counted(satellites, (j) => message("real.satellite", { satellite: j + 1 })),
   },
   "contact_law.reference_depth_mm": { ...rare, when: ["contact_law.kind", "hertz"] },
+  "satellite_coupling.shares": rare,
   geometry: rare,
   lost_motion_torque_share: rare,
 };
