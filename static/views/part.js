@@ -34,12 +34,14 @@ function countedIn({ load_sharing: real, pin_strength: pins }, section) {
   return [...(real ? ["clearance", "deviations"] : []), ...(bends ? ["pin_bending"] : []), ...(real || bends ? ["equal_discs"] : [])];
 }
 
-/** A list of records, each in a column under its name, a row a quantity. */
+/** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
 function listMarkup(name, records, nameOf) {
+  const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, DIGITS).value);
+  const keys = [...new Set(records.flatMap(Object.keys))];
   return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
     <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
-    <tbody>${Object.keys(records[0]).map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
-      ${records.map((record) => html`<td>${quantityParts(record[key], unitOf(key), DIGITS).value}</td>`)}</tr>`)}</tbody></table></div>`;
+    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
+      ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
 }
 
 export function createView({ id, section, client, titles, figures, calculations, logic }) {

@@ -115,7 +115,7 @@ def page(context: sync_api.BrowserContext, service: str, watch: Watch) -> Iterat
     page.set_default_timeout(10_000)
     sync_api.expect.set_options(timeout=10_000)
     page.on("request", lambda request: watch.requests.append(request.url))
-    page.on("pageerror", lambda error: watch.complaints.append(str(error)))
+    page.on("pageerror", lambda error: watch.complaints.append(f"{error} {error.stack}"))
     page.on(
         "console",
         lambda line: (
