@@ -27,7 +27,6 @@ from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.real_mechanism import (
-    IN_ONE_WAY,
     ContactLawFields,
     DeviationsFields,
     GivingFields,
@@ -158,7 +157,6 @@ def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
             "then": {"required": ["pin"]},
         },
         {"not": _given(("load/application_factor", "contact/dynamic_factor"))},
-        IN_ONE_WAY,
     ]
 
 

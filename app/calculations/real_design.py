@@ -8,8 +8,8 @@ from pydantic import ConfigDict, Field, model_validator
 from app import compiled
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
+    BOTH,
     GIVING,
-    IN_ONE_WAY,
     BentPinFields,
     ContactLawFields,
     GivingFields,
@@ -35,7 +35,7 @@ def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     schema["allOf"] = [
         *schema.get("allOf", ()),
         {"if": GIVING, "then": first_order},
-        IN_ONE_WAY,
+        {"not": BOTH},
     ]
 
 

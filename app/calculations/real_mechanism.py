@@ -409,8 +409,8 @@ _SUPPORTED = {"required": ["crank_support"]}
 GIVING: dict[str, Any] = {"anyOf": [_SUPPORTED, _COUPLED]}
 """Schema of a body whose satellites give."""
 
-IN_ONE_WAY: dict[str, Any] = {"not": {"allOf": [_SUPPORTED, _COUPLED]}}
-"""Schema of what they may give."""
+BOTH: dict[str, Any] = {"allOf": [_SUPPORTED, _COUPLED]}
+"""Schema of a body that says in two ways what they give, which is refused."""
 
 
 def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:

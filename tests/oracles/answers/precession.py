@@ -437,8 +437,8 @@ SHAFT_STRENGTH = Calculation(
     strong,
     strong_numbers,
     unbounded={
-        "/strength/position_mm": "a place of the shaft, B or a step",
-        "/strength/fatigue_position_mm": "a place of the shaft, B or a step",
+        "/strength/peak_stress_position_mm": "a place of the shaft, B or a step",
+        "/strength/cycle_position_mm": "a place of the shaft, B or a step",
         "/strength/fatigue/cycles": CYCLES,
     },
     one_in=5,
