@@ -29,7 +29,7 @@ from core.output.sharing_kernel import FORCE
 from core.output.turn import Turn
 from tests.oracles.real_mechanisms import STEEL
 
-DESIGNS, POSITIONS = 200, 60_000
+DESIGNS, POSITIONS = 250, 60_000
 
 REPORT = Path(__file__).parent.parent / "docs" / "accuracy.md"
 TITLE = "\n## Peaks over the turn\n"
