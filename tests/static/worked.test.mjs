@@ -8,7 +8,8 @@ import { mathml, plainText } from "../../static/lib/formula/mathml.js";
 import { parse } from "../../static/lib/formula/notation.js";
 import { definition, fromSI, quantity as q } from "../../static/lib/formula/evaluate.js";
 import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
-import { flattened } from "../../static/lib/checks.js";
+import { ASIDE, flattened } from "../../static/lib/checks.js";
+import { message } from "../../static/messages/index.js";
 import { filled } from "./model.mjs";
 
 // What the service answers to its examples and some more; kept up by a test of the service.
@@ -112,3 +113,16 @@ test("a longer sum shows its first two terms and its last", () => {
   const values = { x_i: q("x_i", [1, 2, 3, 4, 5, 6]) };
   assert.equal(plainText(parse("sum(x_i)"), { values, withNumbers: true }), `1 + 2 + … + ${formatNumber(6)}`);
 });
+
+for (const [i, one] of cases.entries()) {
+  test(`every result has its words: ${one.calculator}, case ${i + 1}`, async () => {
+    const { default: { elsewhere, sections } } = await import(`../../static/calculators/${one.calculator}/index.js`);
+    const aside = [...ASIDE, ...elsewhere];
+    const parts = sections.map((id) => one.answer[id]).filter(Boolean);
+    for (const [name, value] of parts.flatMap(flattened).filter(([name]) => !aside.includes(name))) {
+      assert.ok(message("quantity")[name], name);
+      const records = Array.isArray(value) ? value.filter((each) => typeof each === "object" && !Array.isArray(each)) : [];
+      for (const column of records.flatMap(Object.keys)) assert.ok(aside.includes(column) || message("quantity")[column], `${name} ${column}`);
+    }
+  });
+}

@@ -254,8 +254,8 @@ export default {
     cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],
 
-  /** Values of the answer that the figures and their tables show, or that only place the others. */
-  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code"],
+  /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
+  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
