@@ -13,7 +13,7 @@ export function createNotice({ calculator, on }) {
   let moved = null; // the words of the verdict that was claimed and of that found, while the claim stands
 
   function movedText({ typed, verdict }, shown) {
-    const now = shown?.typed === typed ? wordIn(calculator, shown.answer) : undefined;
+    const now = shown && shown.typed === typed ? wordIn(calculator, shown.answer) : undefined;
     if (!message("verdictWord")[verdict] || !now || now === verdict) return null;
     return message("notice.moved", { was: message(`verdictWord.${verdict}`), now: message(`verdictWord.${now}`) });
   }
