@@ -47,22 +47,27 @@ export function createAsking({ store, client, designs }) {
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
   let failures = 0;
+  let comparison = 0; // how often it was asked for: an earlier one does not come after a later
 
   function answerOf(input) {
     const key = JSON.stringify(input);
     if (!answers.has(key)) {
       const { filled } = readState(model, stateFromInput(model, input));
       answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
-        .then(({ answer }) => answer, () => null));
+        .then(({ answer }) => answer, () => {
+          answers.delete(key); // asked for again with the next answer of the service
+          return undefined;
+        }));
     }
     return answers.get(key);
   }
 
-  /** The designs kept of this calculator, each with its answer (none where it was refused). */
-  async function compare(said) {
+  /** The designs kept of this calculator, each with its answer: null where it was refused, undefined where it was not to be had. */
+  async function compare() {
+    const asked = comparison += 1;
     const kept = await Promise.all(designs.of(calculator.id)
       .map(async (design) => ({ ...design, answer: await answerOf(design.input) })));
-    store.apply(compared, kept, said);
+    if (asked === comparison) store.apply(compared, kept);
   }
 
   function cancel() {
@@ -95,7 +100,8 @@ export function createAsking({ store, client, designs }) {
     failures = 0;
     store.apply(answered, answer);
     if (answer.answer) mend(store.state.shown);
-    if (store.state.shown && !store.state.kept) await compare();
+    const { shown, kept } = store.state;
+    if (shown && (!kept || kept.some((design) => design.answer === undefined))) compare();
   }
 
   return {

@@ -8,12 +8,17 @@
 import { newestOnly } from "./lib/api.js";
 import { besided, refusedBesides, wants } from "./store.js";
 
+const AGAIN_MS = 4000; // until a live group that the service could not answer asks again
+
 export function createBeside({ store, client, id, logic }) {
   const newest = newestOnly();
+  let again = 0; // the timer after a failure of the service
   let asked = null; // the inputs or the results with which a live group was asked
 
   async function ask() {
-    const { typed, reading: { input, filled, besides } } = store.state;
+    clearTimeout(again);
+    const { typed, reading } = store.state;
+    const { input, filled, besides } = reading;
     if (besides[id]?.length > 0) {
       newest.cancel();
       store.apply(besided, id, { typed, phase: "incomplete", refusal: null });
@@ -37,23 +42,32 @@ export function createBeside({ store, client, id, logic }) {
       return logic.ask({ client, body, signal, progressed: (progress) => signal.aborted || store.apply(besided, id, { progress }) });
     });
     if (superseded) return;
-    if (problem) store.apply(refusedBesides, id, problem);
-    else store.apply(besided, id, { answer, of: request, phase: "fresh" });
+    if (!problem) {
+      store.apply(besided, id, { answer, of: request, phase: "fresh" });
+      return;
+    }
+    store.apply(refusedBesides, id, problem);
+    if (logic.live && problem.passing) again = setTimeout(() => store.state.reading === reading && ask(), AGAIN_MS);
+  }
+
+  function cancel() {
+    clearTimeout(again);
+    newest.cancel();
   }
 
   return {
     ask,
     stop() {
-      newest.cancel();
+      cancel();
       store.apply(besided, id, { phase: "stopped" });
     },
-    cancel: () => newest.cancel(),
+    cancel,
     /** Follow what is asked: a live group is of the same inputs; what was not to be had is asked for again with the results. */
     update(state) {
       const { shown, phase, pending, reading: { filled } } = state;
       const now = { computing: pending, fresh: shown }[phase];
       if (!wants(state, id)) {
-        if (asked) newest.cancel();
+        if (asked) cancel();
         asked = null;
       } else if (logic.live && now && now !== asked && pending === filled) {
         asked = now;

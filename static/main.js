@@ -29,6 +29,7 @@ const WRITTEN = "khv-calc.written";
 const ADDRESS_MS = 300; // after the last change of the address
 const WRITING_MS = 1000; // until the browser loads what has been written
 const AGAIN_MS = 4000; // until the page tries again to start
+const TOLD_MS = 5000;
 const client = createClient();
 let service = null;
 
@@ -65,6 +66,8 @@ if (linked.size > 0) kept[asked] = linked.toString();
 const designs = createDesigns(lasting);
 const opening = newestOnly();
 let bench = null; // the calculator at work
+let telling = 0; // the timer of what is told
+let reopening = 0; // the timer after a calculator could not be opened
 let rebuild = () => {}; // it anew, from its address
 let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius"; // how radii are typed
 let quiet = false; // the browser itself has moved in its history
@@ -91,7 +94,16 @@ const addressing = {
 };
 
 function say(text) {
+  live.classList.remove("told");
   live.textContent = text;
+}
+
+/** What a button has done, where nothing else on the screen would say it. */
+function tell(text) {
+  clearTimeout(telling);
+  say(text);
+  live.classList.add("told");
+  telling = setTimeout(() => live.classList.remove("told"), TOLD_MS);
 }
 
 /** What a calculator needs to be at work. */
@@ -127,6 +139,7 @@ function build(id, { modelOf, ...parts }) {
     claim,
     on: {
       say,
+      tell,
       address(query) {
         kept[id] = query;
         session.setItem(KEPT, JSON.stringify(kept));
@@ -160,6 +173,7 @@ function close() {
 }
 
 async function open(id) {
+  clearTimeout(reopening);
   tabs.setOpen(id);
   panel.dataset.state = "computing";
   try {
@@ -173,7 +187,7 @@ async function open(id) {
     close();
     tabs.setOpen(null);
     panel.textContent = message("page.failed", { detail: problemText(error, new Map()) });
-    setTimeout(() => bench || open(id), AGAIN_MS);
+    reopening = setTimeout(() => open(id), AGAIN_MS);
   }
 }
 
@@ -222,7 +236,8 @@ const settings = createSettings({
     language(chosen) {
       lasting.setItem("language", chosen);
       close();
-      location.reload();
+      if (lasting.getItem("language") === chosen) location.reload();
+      else location.search = `${location.search}&lang=${chosen}`; // the browser remembers nothing
     },
   },
 });
@@ -248,6 +263,7 @@ addEventListener("popstate", () => {
 });
 onSystemTheme(() => bench?.retheme());
 addEventListener("pagehide", () => bench?.close());
+addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back from another page, as it was left
 
 /** What the tools open is loaded after the first figures. */
 async function loadTools() {

@@ -5,7 +5,7 @@
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
-import { announcing, following } from "./store.js";
+import { following } from "./store.js";
 import { createAccuracy } from "./views/accuracy.js";
 import { createCompare } from "./views/compare.js";
 import { nameFiles } from "./views/files.js";
@@ -17,8 +17,8 @@ import { createWorked } from "./views/worked.js";
 
 /**
  * `workedSteps` are the calculator's; `figures` those of the report, which the wanted groups join. `on.opened(input, labels,
- * claim)` takes a design over, `on.applied(sets)` values, `on.compared(said)` follows the kept designs, `on.themed(theme)`
- * has the figures drawn anew, with none given as they were.
+ * claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs, `on.told(text)`
+ * says what was done, `on.themed(theme)` has the figures drawn anew, with none given as they were.
  */
 export function createRest({ store, outputs, client, designs, version, calculation, calculations, figures, figureOf, workedSteps, on }) {
   const { calculator, model, titles, catalogues, materialOf } = store.state.about;
@@ -40,7 +40,8 @@ export function createRest({ store, outputs, client, designs, version, calculati
       export: () => compare.save(designs.exported()),
       import(text) {
         const count = designs.imported(text);
-        on.compared(count === null ? message("compare.notOurs") : message("compare.imported", { count }));
+        on.compared();
+        on.told(count === null ? message("compare.notOurs") : message("compare.imported", { count }));
       },
     },
   });
@@ -63,7 +64,7 @@ export function createRest({ store, outputs, client, designs, version, calculati
       return Promise.all(figures.map((figure) => figure.settled()));
     },
     back: () => on.themed(),
-    failed: (problem) => store.apply(announcing, message("report.failed", { detail: problemText(problem, titles) })),
+    failed: (problem) => on.told(message("report.failed", { detail: problemText(problem, titles) })),
   });
   store.show([
     wanted, compare, results, worked, ...measured, accuracy,

@@ -270,8 +270,7 @@ export function failed(state, problem) {
   return { ...state, phase: "offline", line: ["bad", text], said: text };
 }
 
-export const compared = (state, kept, said = state.said) => ({ ...state, kept, said });
-export const announcing = (state, said) => ({ ...state, said });
+export const compared = (state, kept) => ({ ...state, kept });
 export const themed = (state, theme) => ({ ...state, theme });
 export const turned = (state, angle) => ({ ...state, turn: { ...state.turn, angle, own: true } });
 export const returned = (state) => (state.shown ? { ...state, turn: startedAt(state, state.shown.answer) } : state);

@@ -47,8 +47,8 @@ function lightEachOther(form, drawing) {
 
 /**
  * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js). `on.left()` tells
- * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`
- * and `on.say(text)` tell the page around it.
+ * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.say(text)`
+ * and `on.tell(text)`, which all see, tell the page around it.
  */
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
@@ -77,9 +77,10 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   /** What happens outside follows the state too: it is told of the parts that it asks for. */
   const following = (pick, tell) => ({ update: next.following(pick, (state) => tell(...pick(state))) });
   const select = (pair) => store.apply(next.selected, pair);
-  const stateOf = (input, labels = {}) => {
+  const stateOf = (input, labels) => {
     const { texts, chosen } = withLinks(model, stateFromInput(model, input));
-    return { texts: { ...texts, ...labels }, chosen };
+    const named = LABELS.filter((label) => typeof labels?.[label] === "string").map((label) => [label, labels[label]]);
+    return { texts: { ...texts, ...Object.fromEntries(named) }, chosen };
   };
   /** Another design, to which Back leads back. */
   function take(typed, claim) {
@@ -148,13 +149,14 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const keep = () => {
     if (!store.state.shown) return;
     if (designs.of(calculator.id).length >= MOST) {
-      asking.compare(message("compare.full", { most: MOST }));
+      on.tell(message("compare.full", { most: MOST }));
       return;
     }
     const { input, answer, typed: { texts } } = store.state.shown;
     const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
     const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, verdict: wordIn(calculator, answer) });
-    asking.compare(message("compare.kept", { name }));
+    asking.compare();
+    on.tell(message(designs.lasting() ? "compare.kept" : "compare.unsaved", { name }));
   };
   const figureOf = (figure) => createFigure({
     figure,
@@ -227,7 +229,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       on: {
         opened: (input, labels, claim) => take(stateOf(input, labels), claim),
         applied: apply,
-        compared: (said) => asking.compare(said),
+        compared: () => asking.compare(),
+        told: on.tell,
         themed: retheme,
       },
     });

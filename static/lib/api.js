@@ -14,6 +14,11 @@ export class Problem extends Error {
     this.errors = errors;
     this.where = where;
   }
+
+  /** Whether it may be gone when the same is asked again: no service, or one that is busy. */
+  get passing() {
+    return this.status === 0 || this.status >= 500;
+  }
 }
 
 function problemFrom(body, status, title) {

@@ -23,13 +23,17 @@ function newId() {
   return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 10)}`;
 }
 
-/** `storage` is the browser's (lib/storage.js); other tabs use it too, so it is read anew for every change. */
+/**
+ * `storage` is the browser's (lib/storage.js); other tabs use it too, so it is read anew for every change. Where it is full or
+ * forbidden, the designs stay as long as the page does.
+ */
 export function createDesigns(storage) {
   let text = null;
   let designs = [];
+  let stored = true; // whether the browser has taken the last change
 
   function read() {
-    const found = storage.getItem(KEY) ?? text;
+    const found = stored ? storage.getItem(KEY) ?? text : text;
     if (found === text) return designs;
     text = found;
     const all = parsed(text, []);
@@ -41,6 +45,7 @@ export function createDesigns(storage) {
     designs = changed;
     text = JSON.stringify(designs);
     storage.setItem(KEY, text);
+    stored = storage.getItem(KEY) === text;
   }
 
   const of = (calculator) => read().filter((design) => design.calculator === calculator);
@@ -57,6 +62,8 @@ export function createDesigns(storage) {
   return {
     of,
     add,
+    /** Whether they will be there on the next visit. */
+    lasting: () => stored,
     rename({ id, calculator }, name) {
       const wanted = name.trim();
       if (wanted !== "" && !taken(calculator, wanted, id)) keep(read().map((one) => (one.id === id ? { ...one, name: wanted } : one)));

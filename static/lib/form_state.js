@@ -38,7 +38,7 @@ export function textOfCells(rows) {
 export function textIn(field, value) {
   if (value === undefined || value === null) return "";
   if (field.kind === "records" && Array.isArray(value)) {
-    return textOfCells(value.map((record) => field.columns.map((column) => textIn(column, record[column.name]))));
+    return textOfCells(value.map((record) => field.columns.map((column) => textIn(column, record?.[column.name]))));
   }
   if (Array.isArray(value)) return value.map((one) => typedText(spell(one, field.unit))).join("; ");
   return typeof value === "number" ? typedText(spell(value, field.unit)) : String(value);

@@ -8,6 +8,8 @@ import { following } from "../store.js";
 import { tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
+const NONE = [];
+const AGAIN_MS = 4000; // until a figure that the service could not give is asked for again
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
 /** What a calculator says of a figure, completed; one that `measures` a calculation is drawn on demand only. */
@@ -59,6 +61,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   let latest = null; // { input, filled, answer, theme, others } of what is drawn or to be drawn
   let chart = null; // of `latest`, in the language of the page
   let drawing = Promise.resolve(); // until the latest is drawn
+  let again = 0; // the timer after a failure of the service
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
   const heightOf = (input) => (typeof figure.height === "function" ? figure.height(input) : figure.height);
@@ -98,7 +101,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     if (!ahead || ahead.filled !== design.filled || ahead.theme !== theme) return post(design, theme, signal);
     const { chart } = ahead;
     ahead = null;
-    return chart;
+    return chart.catch(() => post(design, theme, signal)); // the service may be back with the answer
   }
 
   /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */
@@ -120,7 +123,9 @@ export function createFigure({ figure: about, client, titles, on }) {
     return { own, all: overlaid(shaped(own, theme), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one, theme) })), theme) };
   }
 
+  /** Draw the latest; the problem where it has none. */
   async function draw() {
+    clearTimeout(again);
     const asked = latest;
     const loading = loadPlotly().catch(() => null);
     const { answer, problem, superseded } = await newest.ask(ask);
@@ -134,6 +139,8 @@ export function createFigure({ figure: about, client, titles, on }) {
     complain(problem || !Plotly
       ? message("figure.failed", { detail: problem ? problemText(problem, titles) : message("figure.noPlotly") }) : "");
     if (answer && Plotly) await show(answer.all);
+    if (problem?.passing && !measure) again = setTimeout(() => latest === asked && (drawing = draw()), AGAIN_MS);
+    return problem;
   }
 
   async function show(all = chart) {
@@ -163,8 +170,13 @@ export function createFigure({ figure: about, client, titles, on }) {
     button.textContent = message("figure.measuring");
     const asked = latest;
     reserve(heightOf(asked.filled));
-    await draw();
+    const problem = await draw();
     if (latest !== asked) return;
+    if (problem) {
+      button.textContent = message(button === measure ? "figure.measure" : "figure.measureExample");
+      for (const one of measures) one.disabled = false;
+      return;
+    }
     for (const one of measures) one.hidden = true;
     tools.hidden = false;
   });
@@ -216,9 +228,9 @@ export function createFigure({ figure: about, client, titles, on }) {
       return fold();
     }),
     /** Draw the results, over them those of the designs that are kept. */
-    following(({ shown, kept, theme }) => [shown, kept, theme], ({ shown, kept, theme }) => {
-      if (!shown?.answer[figure.section] || !kept) return;
-      take({ ...shown, theme, others: kept.filter(({ answer }) => answer?.[figure.section]) });
+    following(({ shown, kept, theme }) => [shown, kept?.length > 0 ? kept : NONE, theme], ({ shown, kept, theme }) => {
+      if (!shown?.answer[figure.section]) return;
+      take({ ...shown, theme, others: (kept ?? NONE).filter(({ answer }) => answer?.[figure.section]) });
       chart = null;
       if (tabled && figure.tables) fill(table, html`${figure.tables(shown.answer).map(tableMarkup)}`);
       if (measure) fold();
@@ -259,6 +271,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     },
     /** Give up the place on the page and what Plotly listens to for it. */
     close() {
+      clearTimeout(again);
       newest.cancel();
       ahead?.stop.abort();
       plot.purge();

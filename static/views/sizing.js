@@ -27,6 +27,7 @@ export function createSizing({ calculator, client, titles, on }) {
     const apply = part("apply");
     apply.disabled = true;
     if (unreadable) {
+      newest.cancel(); // an answer for the number before would be taken for one for this
       result.textContent = message(`problem.${unreadable}`);
       return;
     }
@@ -46,6 +47,8 @@ export function createSizing({ calculator, client, titles, on }) {
 
   function soon() {
     clearTimeout(timer);
+    newest.cancel();
+    part("apply").disabled = true;
     timer = setTimeout(solve, DEBOUNCE_MS);
   }
 
@@ -65,6 +68,7 @@ export function createSizing({ calculator, client, titles, on }) {
   return {
     /** Open it for a field and the results on the screen. */
     open(field, shown) {
+      clearTimeout(timer);
       about = { field, shown, targets: targetsOf(calculator, shown.answer, field.path) };
       solution = null;
       const load = field.name.endsWith("_Nm");

@@ -628,4 +628,16 @@ def test_without_the_service_everything_typed_stays(page: Page, service: str, wa
     page.unroute("**/api/v1/**")
     settled(page)  # the page asks again by itself
     assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
+
+    page.route("**/api/v1/*/chart*", lambda route: route.abort())  # gone with the first figures
+    page.route("**/api/v1/crank-planetary", lambda route: route.abort())
+    page.reload()
+    settled(page, "offline")
+    page.unroute("**/api/v1/crank-planetary")
+    settled(page)
+    missing = page.locator('[data-figure="force"] .figure-message')
+    expect(missing).to_contain_text("asks again by itself")
+    page.unroute("**/api/v1/*/chart*")
+    expect(missing).to_be_hidden()
+    expect(page.locator('[data-figure="force"] .scatterlayer .js-line').first).to_be_attached()
     watch.complaints = [line for line in watch.complaints if "ERR_FAILED" not in line]

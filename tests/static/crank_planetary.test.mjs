@@ -116,3 +116,12 @@ test("the pressure's figure is of the force that the pressure is judged under: t
   const real = body({ contact }, { ...ideal, load_sharing: { judged_force_N: 2370 } });
   assert.deepEqual(real, { contact_length_mm: 10, dynamic_factor: 1, distribution_factor: 1, force_N: 2370 });
 });
+
+test("in words the most loaded pair carries its force as made, and the ideal one is said to be ideal", () => {
+  const section = { min_driving: 3, max_driving: 3, mean_driving: 3, dead_centres_deg: [], pairs: [] };
+  const force = { peak_force_N: 2963, equal_sharing_peak_N: 2577 };
+  const words = (real) => calculator.sentences({ cyclogram: section, contact_force: force, ...(real && { load_sharing: { peak_force_N: real } }) })
+    .filter(Boolean).map(([, text]) => text).slice(1);
+  assert.deepEqual(words(), ["The most loaded pair carries 2963\u00a0N, 1.15 times the peak with equal sharing among the driving pairs."]);
+  assert.match(words(7683)[0], /^As made, the most loaded pair carries 7683.N\. .* ideal forces, .* at most 2963.N\.$/);
+});

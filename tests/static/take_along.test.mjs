@@ -105,6 +105,17 @@ test("a storage with something else in it, or none, does no harm", () => {
   assert.equal(designs.of("job").length, 1);
 });
 
+test("where the browser's storage is full, what is kept stays until the page is closed", () => {
+  const first = '[{"id":"1","name":"A","calculator":"job","input":{"pins":3}}]';
+  const designs = createDesigns({ ...memory({ "khv-calc.designs": first }), setItem() {} });
+  assert.equal(designs.lasting(), true);
+  assert.equal(designs.add("job", { pins: 4 }).name, "B");
+  assert.equal(designs.lasting(), false);
+  assert.deepEqual(designs.of("job").map(({ input }) => input.pins), [3, 4]);
+  designs.remove(designs.of("job")[0]);
+  assert.deepEqual(designs.of("job").map(({ name }) => name), ["B"]);
+});
+
 test("undo and redo step over whole changes; typing in one box is one change", () => {
   let history = recorded(begun("a"), "b", "pins", 0);
   history = recorded(history, "bc", "pins", 100);

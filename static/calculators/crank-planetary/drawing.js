@@ -145,7 +145,7 @@ function placeMain(parts, { m, angle, directions, pins, driving, force }) {
 }
 
 /** Show one pair enlarged. */
-function placeDetail(parts, { m, directions, pins, driving, force }, i) {
+function placeDetail(parts, { m, directions, pins, driving, force, ideal }, i) {
   const { close, detail, one } = parts;
   const satellite = Math.floor(i / m.pins);
   const direction = directions[satellite];
@@ -179,7 +179,8 @@ function placeDetail(parts, { m, directions, pins, driving, force }, i) {
     ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
     ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { value: mm(m.pinRadius), field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
     ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { value: mm(m.holeRadius), field: FIELD.hole, lead: 10 })}`);
-  one.title.textContent = message(driving[i] ? "drawing.drives" : "drawing.idle", {
+  const drives = ideal ? "drawing.drivesIdeal" : "drawing.drives";
+  one.title.textContent = message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
   });
 }
@@ -252,7 +253,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
       ${mainStill(view, [main.x, main.y], main.half, m)}${close && detailStill(m, detail)}${scales}`, {
       "px-per-mm": view.scale, "mm-per-n": arrowScale,
     }),
-    caption: caption(m),
+    caption: [caption(m), answer.load_sharing && message("drawing.idealForces")].filter(Boolean).join(" "),
     pairs: names,
     end: m.end,
     attach(host) {
@@ -266,6 +267,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
             pins: pinCentres(m, angle),
             driving: drivingAt(m, angle),
             force: forcesOf(angle),
+            ideal: Boolean(answer.load_sharing),
           };
           if (pair !== shown) {
             shown = pair;

@@ -17,6 +17,11 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
   return ["", say("even", { peak: formatQuantity(peak, "N", 4), share: formatNumber(peak / equal, 3) })];
 }
 
+/** The peak of the mechanism as it is made, beside the ideal one that figures and drawing show. */
+function made({ peak_force_N: peak }, { peak_force_N: real }) {
+  return ["", say("made", { real: formatQuantity(real, "N", 4), peak: formatQuantity(peak, "N", 4) })];
+}
+
 /** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
 export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
 
@@ -25,7 +30,7 @@ export function sentences({ cyclogram, contact_force: force, load_sharing: real,
   const factor = factorOf(input?.contact);
   return [
     cyclogram && transmission(cyclogram),
-    force?.equal_sharing_peak_N !== undefined && evenness(force),
+    force && real ? made(force, real) : force?.equal_sharing_peak_N !== undefined && evenness(force),
     force && hertz && !real && factor !== 1 && ["", say("factors", {
       force: formatQuantity(force.peak_force_N * factor, "N", 4), factor: formatNumber(factor, 4),
     })],

@@ -1,0 +1,101 @@
+/** The service asked for results and for the designs that are kept, as it comes and goes. */
+import assert from "node:assert/strict";
+import { mock, test } from "node:test";
+
+import { createAsking } from "../../static/asking.js";
+import { createBeside } from "../../static/besides.js";
+import { Problem } from "../../static/lib/api.js";
+import { stateFromInput } from "../../static/lib/form_state.js";
+import { createStore, opened } from "../../static/store.js";
+import { INPUT, MODEL } from "./model.mjs";
+
+const GONE = new Problem({ title: "unreachable" });
+const tick = () => new Promise((resolve) => { setImmediate(resolve); });
+
+/** A calculator at work with a service that answers as `post` says, and these designs kept. */
+function working(post, kept = [], texts = {}) {
+  const calculator = {
+    id: "job", sections: ["force"], seeds: {}, drawing: { section: "force" }, figures: [], verdict: () => [],
+    ask: ({ post: send, input }) => send("/job", input),
+  };
+  const titles = new Map();
+  const { texts: all, chosen } = stateFromInput(MODEL, INPUT);
+  const about = { model: MODEL, calculator, catalogues: {}, titles, materialOf: (path, given) => given };
+  const store = createStore(opened(about, { texts: { ...all, ...texts }, chosen }, "light"));
+  const client = { base: "", post: (path, body) => Promise.resolve().then(() => post(body)) };
+  return { store, client, asking: createAsking({ store, client, designs: { of: () => kept } }) };
+}
+
+const answerTo = ({ mechanism }) => ({ force: { value: mechanism.pins, accuracy: { relative_error: 0 } } });
+const design = (name, pins) => ({ name, calculator: "job", input: { ...INPUT, mechanism: { ...INPUT.mechanism, pins } } });
+
+test("a kept design that the service did not answer is asked for again with the next answer", async () => {
+  let gone = true;
+  const { store, asking } = working((body) => {
+    if (gone && body.mechanism.pins === 9) throw GONE;
+    return answerTo(body);
+  }, [design("A", 9)]);
+  await asking.now();
+  await tick();
+  assert.equal(store.state.kept[0].answer, undefined);
+  gone = false;
+  await asking.now();
+  await tick();
+  assert.equal(store.state.kept[0].answer.force.value, 9);
+});
+
+test("a kept design that is refused is not asked for again", async () => {
+  let asked = 0;
+  const { store, asking } = working((body) => {
+    if (body.mechanism.pins === 9) {
+      asked += 1;
+      throw new Problem({ status: 422, detail: "no" });
+    }
+    return answerTo(body);
+  }, [design("A", 9)]);
+  await asking.now();
+  await tick();
+  await asking.now();
+  await tick();
+  assert.deepEqual([store.state.kept[0].answer, asked], [null, 1]);
+});
+
+test("a slow comparison does not come after a later one", async () => {
+  const kept = [design("A", 9)];
+  let release = null;
+  const { store, asking } = working((body) =>
+    (body.mechanism.pins === 9 ? new Promise((resolve) => { release = () => resolve(answerTo(body)); }) : answerTo(body)), kept);
+  await asking.now();
+  await tick();
+  assert.equal(store.state.phase, "fresh", "results do not wait for kept designs");
+  kept.pop();
+  await asking.compare();
+  release();
+  await tick();
+  assert.deepEqual(store.state.kept, []);
+});
+
+test("a live group that the service could not answer asks again by itself, unless its inputs have changed", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  let asked = 0;
+  let gone = true;
+  const { store, client } = working(answerTo);
+  const logic = {
+    live: true,
+    asked: ({ mechanism }) => mechanism,
+    bodyOf: async (body) => body,
+    async ask() {
+      asked += 1;
+      if (gone) throw GONE;
+      return { value: 1 };
+    },
+  };
+  const beside = createBeside({ store, client, id: "real", logic });
+  await beside.ask();
+  assert.deepEqual([store.state.besides.real.phase, asked], ["offline", 1]);
+  gone = false;
+  mock.timers.tick(5000);
+  await tick();
+  assert.deepEqual([store.state.besides.real.phase, asked], ["fresh", 2]);
+  mock.timers.reset();
+});
