@@ -25,6 +25,9 @@ export function judgedOf({ judgedIn }, answer) {
   return part?.verdict ? part : null;
 }
 
+/** The checks that a value may be looked for by: those that say how much of their limit is used. */
+export const sizedBy = (judged) => (judged?.checks ?? []).filter(({ utilisation }) => utilisation !== undefined);
+
 /** The verdict's word: what cannot exist is not merely unfit. */
 export function wordOf({ verdict, checks = [] }) {
   return checks.some(({ impossible }) => impossible) ? "impossible" : verdict;

@@ -1,6 +1,6 @@
 /** "Size for ...": what is asked of the solver at a field, and what its answer says. No DOM. */
 import { formatNumber, formatQuantity, tidy } from "./format.js";
-import { judgedOf, pathOf, percent, titleOf } from "./checks.js";
+import { judgedOf, pathOf, percent, sizedBy, titleOf } from "./checks.js";
 import { message } from "../messages/index.js";
 
 const WIDEST = 20; // times the value at hand, up and down
@@ -9,8 +9,7 @@ const MOST_COUNTED = 60;
 /** What a value may be looked for: `[{ id, title, pointer, sense, value, percent? }]`, those of the calculator first. */
 export function targetsOf(calculator, answer, path) {
   const judged = judgedOf(calculator, answer);
-  const checks = (judged?.checks ?? []).filter(({ utilisation, inputs = [] }) =>
-    utilisation !== undefined && inputs.some((pointer) => pathOf(pointer) === path));
+  const checks = sizedBy(judged).filter(({ inputs = [] }) => inputs.some((pointer) => pathOf(pointer) === path));
   const own = (calculator.targets ?? []).map(({ pointer, quantity, value }) =>
     ({ title: message(`quantity.${quantity}`)[0], pointer, sense: "at_least", value }));
   const reserve = judged?.torque_reserve === undefined ? []

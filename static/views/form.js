@@ -1,6 +1,6 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
 import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
-import { judgedOf, pathOf } from "../lib/checks.js";
+import { judgedOf, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { shownFields, textIn } from "../lib/form_state.js";
@@ -231,8 +231,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
 
   /** A value may be looked for where a check hangs on the field. */
   const sizes = following(({ shown }) => [shown], ({ shown }) => {
-    const checks = judgedOf(calculator, shown?.answer)?.checks ?? [];
-    const inputs = new Set(checks.flatMap((check) => check.inputs ?? []).map(pathOf));
+    const inputs = new Set(sizedBy(judgedOf(calculator, shown?.answer)).flatMap((check) => check.inputs ?? []).map(pathOf));
     for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
   });
   const refused = (besides) => Object.values(besides).filter(({ refusal }) => refusal);

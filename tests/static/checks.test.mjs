@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, notConsidered, verdictSentence, wordOf } from "../../static/lib/checks.js";
+import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, verdictSentence, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -68,6 +68,9 @@ test("a field is sized for the checks that hang on it, about its value", () => {
     ["/hertz/safety_factor", 1.5], ["/torque_reserve", 1.1], ["/checks/new_pressure/utilisation", 100],
   ]);
   assert.deepEqual(targetsOf(calculator, JUDGED, "mechanism.pins"), []);
+  const unjudged = { ...JUDGED, checks: [UNKNOWN] };
+  assert.deepEqual([sizedBy(unjudged), targetsOf(calculator, unjudged, FIELD.path)], [[], []], "no size is offered for what is not judged");
+  assert.deepEqual(sizedBy(JUDGED), [PRESSURE]);
   assert.deepEqual(solveBody(calculator, FIELD, shown, targets[2], 90, "smallest"), {
     calculation: "job", input: shown.input, variable: { pointer: "/contact/pin_radius_mm", from: 0.4, to: 160, log: true },
     target: { pointer: "/checks/new_pressure/utilisation", at_most: 0.9 }, want: "smallest",
