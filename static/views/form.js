@@ -230,7 +230,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   }
 
   /** A value may be looked for where a check hangs on the field. */
-  const sizes = following(({ shown }) => [shown], ({ shown }) => {
+  const sizes = following(({ shown }) => [shown, fields.size], ({ shown }) => {
     const inputs = new Set(sizedBy(judgedOf(calculator, shown?.answer)).flatMap((check) => check.inputs ?? []).map(pathOf));
     for (const [path, view] of fields) view.setSizable?.(inputs.has(path));
   });
