@@ -6,7 +6,7 @@ import { createAsking } from "../../static/asking.js";
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
 import { stateFromInput } from "../../static/lib/form_state.js";
-import { createStore, opened } from "../../static/store.js";
+import { createStore, opened, typedIn } from "../../static/store.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 const GONE = new Problem({ title: "unreachable" });
@@ -97,5 +97,12 @@ test("a live group that the service could not answer asks again by itself, unles
   mock.timers.tick(5000);
   await tick();
   assert.deepEqual([store.state.besides.real.phase, asked], ["fresh", 2]);
+  gone = true;
+  store.apply(typedIn, "mechanism.pins", "5", 0);
+  await beside.ask();
+  store.apply(typedIn, "mechanism.pins", "x", 1);
+  mock.timers.tick(5000);
+  await tick();
+  assert.equal(asked, 3);
   mock.timers.reset();
 });
