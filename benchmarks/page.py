@@ -83,6 +83,7 @@ def first_figure(browser: Browser, service: str, rounds: int) -> float:
         with browser.new_context() as context:
             context.add_init_script(f"({FIRST})()")
             page = context.new_page()
+            page.wait_for_timeout(1000)  # to open a tab keeps the browser busy
             page.goto(service)
             times.append(page.wait_for_function("() => globalThis.first").json_value())
     return statistics.median(times)
