@@ -279,9 +279,8 @@ class LoadedPin:
             if rounds == 0:
                 stress = combine(arms=weights, forces=parts)
                 return sampled(turn, stress), -sampled(turn, -stress)
-            both = arms * (cosine - 1j * sine)
-            both = np.concatenate((both, -both))
-            found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
+            both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
+            found = largest(turn=turn, arms=tuple(both), measure=_ahead, rounds=rounds)
             top, bottom = np.split(found, 2)
             return top, -bottom
 
@@ -301,9 +300,10 @@ class LoadedPin:
             if isinstance(turn, PinSamples) or closed is not None:
                 return 0.0, float(points.section[0]), float(points.direction[0])
             own = self.moments(points.section, loads.unit)
-            own = own * np.exp(-1j * points.direction)[:, None]
+            ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]
             tops, bottoms = (
-                summits(turn=turn, arms=(sign * own,), measure=np.real)[1] for sign in (1, -1)
+                summits(turn=turn, arms=tuple(sign * each for each in ahead), measure=_ahead)[1]
+                for sign in (1, -1)
             )
             upper, lower = np.nonzero(tops.row[:, None] == bottoms.row)
             start = points.of(tops.row[upper])
@@ -398,3 +398,8 @@ def _picked(values: FloatArray, axes: Sequence[int]) -> tuple[FloatArray, list[I
 def _equivalent(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
     found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
     return found
+
+
+def _ahead(cosine: ComplexArray, sine: ComplexArray) -> FloatArray:
+    """What sums with the cosines and the sines of a direction are along it."""
+    return np.asarray(cosine.real + sine.imag)

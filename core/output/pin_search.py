@@ -23,7 +23,7 @@ from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.pin_turn import BLOCK, Turn, combine
 from core.output.sampled_turn import PinSamples
 
-ROUGH, ROUGHLY = 1, 1 - 1e-4
+ROUGH, ROUGHLY = 2, 1 - 1e-6
 """Rounds over the turn while points are still dropped, and what part of the largest they find at
 least."""
 
@@ -112,7 +112,7 @@ class Summits:
 
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, flat: bool = True
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -124,6 +124,8 @@ def summits(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
+    flat : bool
+        Whether samples like both their neighbours are summits.
 
     Returns
     -------
@@ -135,6 +137,8 @@ def summits(
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
     chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
+    if not flat:
+        chosen &= drop > 0
     row, arc, node = np.nonzero(chosen)
     gaps = np.concatenate(([0.0], np.diff(turn.nodes), [0.0]))
     width = np.maximum(gaps[node], gaps[node + 1])
@@ -179,7 +183,7 @@ def largest(
     if isinstance(turn, PinSamples):
         sums = (combine(arms=each, forces=turn.forces) for each in arms)
         return np.asarray(measure(*sums).max(axis=1))
-    result, tops = summits(turn=turn, arms=arms, measure=measure)
+    result, tops = summits(turn=turn, arms=arms, measure=measure, flat=False)
     own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)
 
     def measured(forces: NDArray[Any]) -> FloatArray:
