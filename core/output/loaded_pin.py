@@ -179,7 +179,7 @@ class LoadedPin:
                 found = largest(turn=turn, arms=arms(at.section), measure=measure, rounds=rounds)
             else:
                 sums = (combine(arms=each, forces=samples) for each in arms(at.section))
-                found = sampled(turn, measure(*sums))
+                found = sampled(turn=turn, values=measure(*sums))
             return found, curvature * at.length**2 / 8
 
         def climb(points: Points) -> Found:
@@ -278,7 +278,7 @@ class LoadedPin:
                 return closed.extremes(weights)
             if rounds == 0:
                 stress = combine(arms=weights, forces=parts)
-                return sampled(turn, stress), -sampled(turn, -stress)
+                return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
             both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
             found = largest(turn=turn, arms=tuple(both), measure=_ahead, rounds=rounds)
             top, bottom = np.split(found, 2)

@@ -199,7 +199,7 @@ def largest(
     return result
 
 
-def sampled(turn: Turn | PinSamples, values: FloatArray) -> FloatArray:
+def sampled(*, turn: Turn | PinSamples, values: FloatArray) -> FloatArray:
     """About the largest value over the turn by its samples: that of the parabola through the
     highest one and its neighbours.
 
