@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel
@@ -50,9 +51,16 @@ def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:
     """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
     it has none.
     """
-    head, *rest = re.findall(r"[^.\[\]]+", parameter)
+    head, *rest = _parts(parameter)
     path = body.core_paths.get(head)
-    return None if path is None else (*path, *_deeper(body, path, rest))
+    if path is None or not rest:
+        return path
+    return (*path, *_deeper(body, path, rest))
+
+
+@cache
+def _parts(parameter: str) -> list[str]:
+    return re.findall(r"[^.\[\]]+", parameter)
 
 
 def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator[str | int]:
@@ -67,9 +75,9 @@ def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator
             continue
         name = part
         if value is not None and not isinstance(value, list):
-            names = _model(value).model_fields
-            name = next((each for each in names if core_name(each) == part), part)
-            value = _within(value, name) if name in names else None
+            model = _model(value)
+            name = _field(model, part)
+            value = _within(value, name) if name in model.model_fields else None
         yield name
 
 
@@ -77,16 +85,27 @@ def _model(value: Any) -> type[BaseModel]:
     return value if isinstance(value, type) else type(value)
 
 
+@cache
+def _field(model: type[BaseModel], parameter: str) -> str:
+    """The field of a core parameter; its own name where there is none."""
+    return next((name for name in model.model_fields if core_name(name) == parameter), parameter)
+
+
 def _within(value: Any, name: str) -> Any:
     """The model or list that a field of a model holds, else the model that it could hold."""
     model = _model(value)
     found = None if value is model else getattr(value, name)
-    inner = isinstance(found, BaseModel | list)
-    return found if inner else _model_in(model.model_fields[name].annotation)
+    return found if isinstance(found, BaseModel | list) else _held(model, name)
+
+
+@cache
+def _held(model: type[BaseModel], name: str) -> type[BaseModel] | None:
+    """The model that a field may hold, if any."""
+    return _model_in(model.model_fields[name].annotation)
 
 
 def _model_in(annotation: Any) -> type[BaseModel] | None:
-    """The model that a field may hold, if any."""
+    """The model that an annotation allows, if any."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return annotation
     return next(filter(None, map(_model_in, get_args(annotation))), None)

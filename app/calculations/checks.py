@@ -1,7 +1,8 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from typing import Any, Literal
 
 from pydantic import Field
@@ -323,7 +324,12 @@ class JudgedResponse(ResponseModel):
     )
 
 
-def check_values(check: Check, body: RequestModel) -> Values:
+Places = Callable[[str], tuple[str, bool] | None]
+"""Of a core parameter: the JSON pointer to its field in a request, and whether that is given; None
+where there is no such field."""
+
+
+def check_values(check: Check, places: Places) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
     kind, unit = check.kind, f"value_{check.kind.unit}"
     source = check.limit_source or kind.source
@@ -355,25 +361,31 @@ def check_values(check: Check, body: RequestModel) -> Values:
         "verified": check.verified or None,
         "life_factor": check.life_factor,
         "at": at or None,
-        "inputs": pointers(body, kind.inputs, given=True),
-        "missing": pointers(body, check.missing) or None,
+        "inputs": [place for place, given in _known(places, kind.inputs) if given],
+        "missing": [place for place, _ in _known(places, check.missing)] or None,
     }
     return {name: value for name, value in values.items() if value is not None}
 
 
-def pointers(body: RequestModel, names: Iterable[str], *, given: bool = False) -> list[str]:
-    """JSON pointers to the fields of core names, or only to those that are given."""
-    found = []
-    for name in names:
+def _known(places: Places, names: Iterable[str]) -> Iterator[tuple[str, bool]]:
+    return filter(None, map(places, names))
+
+
+def places_in(body: RequestModel) -> Places:
+    """Where core parameters are in a request, each looked for once."""
+
+    @cache
+    def place(name: str) -> tuple[str, bool] | None:
         path = path_of(body, name)
-        if path is None or (given and _value(body, path) is None):
-            continue
-        found.append(pointer(path))
-    return found
+        return None if path is None else (pointer(path), _value(body, path) is not None)
+
+    return place
 
 
 def _value(body: Any, path: tuple[str | int, ...]) -> Any:
     for part in path:
+        if body is None:
+            break
         body = body[part] if isinstance(part, int) else getattr(body, part, None)
     return body
 
@@ -454,6 +466,7 @@ def judgement(
     """The fields of `JudgedResponse`, None for what there is not."""
     reserve = verdict.torque_reserve
     known = verdict.largest_torque_known and reserve is not None and torque is not None
+    places = places_in(body)
     return {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
@@ -461,7 +474,7 @@ def judgement(
         "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
-        "checks": [check_values(each, body) for each in verdict.checks] if checks else None,
+        "checks": [check_values(each, places) for each in verdict.checks] if checks else None,
         "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
     }
 

@@ -4,12 +4,11 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
@@ -17,14 +16,19 @@ from core.output.pin_search import (
     ENOUGH,
     JOINT_ROUNDS,
     JOINT_SMOOTH,
+    NARROWER,
     NEAR,
-    ROUGH,
+    NEAR_AROUND,
+    ROUNDS,
     Found,
     Measure,
+    OfArcs,
     Points,
+    climbed,
     highest,
     largest,
     narrowed,
+    sampled,
     summits,
 )
 from core.output.pin_turn import ComplexArray, PinTurn, combine
@@ -153,29 +157,7 @@ class LoadedPin:
 
     def bending(self, loads: PinLoads) -> tuple[float, float]:
         """Largest bending stress of any section, Pa, and the section, m."""
-        turn, curvature = loads.closed, self._curvature(loads)
-        if turn is None:
-            return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs, 0.0)
-
-        def value(at: Points, _: int) -> tuple[FloatArray, FloatArray]:
-            top = turn.reach(self._turned(loads, at))
-            return top, (curvature * at.length**2 + top * at.angle**2) / 8
-
-        found = highest(
-            value=value,
-            stretches=self.stretches(),
-            around=True,
-            enough=ENOUGH,
-            climb=lambda points: (float(value(points, 0)[0][0]), float(points.section[0]), 0.0),
-            closed=True,
-        )
-        assert found is not None
-        return found[:2]
-
-    def _turned(self, loads: PinLoads, at: Points) -> ComplexArray:
-        """What unit forces do in the direction of each point."""
-        turned: ComplexArray = np.exp(-1j * at.direction)[:, None]
-        return self.moments(at.section, loads.unit) * turned
+        return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs, 0.0)
 
     def equivalent(self, loads: PinLoads, beyond: float) -> float:
         """Largest equivalent stress of any section, Pa; 0 where it is not beyond one, Pa."""
@@ -190,31 +172,34 @@ class LoadedPin:
     ) -> tuple[float, float]:
         """Largest measure of any section, and the section; 0 where it is not beyond a value."""
         turn, curvature = loads.turn, self._curvature(loads)
+        samples = turn.forces.reshape(len(self.positions), -1)
 
-        def value(at: Points, rounds: int | None) -> tuple[FloatArray, FloatArray]:
-            values = largest(turn=turn, arms=arms(at.section), measure=measure, rounds=rounds)
-            return values, curvature * at.length**2 / 8
+        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
+            if rounds:
+                found = largest(turn=turn, arms=arms(at.section), measure=measure, rounds=rounds)
+            else:
+                sums = (combine(arms=each, forces=samples) for each in arms(at.section))
+                found = sampled(turn=turn, values=measure(*sums))
+            return found, curvature * at.length**2 / 8
 
         def climb(points: Points) -> Found:
             if isinstance(turn, PinSamples):
-                return float(value(points.of(FIRST), None)[0][0]), float(points.section[0]), 0.0
+                return float(value(points.of(FIRST), 0)[0][0]), float(points.section[0]), 0.0
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
-            own, at = points.of(tops.row), turn.at(tops.arc)
+            own, summit = points.of(tops.row), OfArcs(turn, tops)
             arms_at = _quadratics(arms, own)
 
-            def grid_value(way: FloatArray, x: FloatArray) -> tuple[FloatArray, list[IntArray]]:
-                forces = at(way)
-                sums = (_summed(each, forces) for each in arms_at(x))
-                return _picked(measure(*sums), (1, 0))
+            def near(x: FloatArray) -> tuple[FloatArray, BoolArray]:
+                along = arms_at(x)
 
-            values, (_, x) = narrowed(
-                value=grid_value,
-                places=(tops.place, own.section),
-                widths=(tops.width, own.length),
-                limits=((0.0, 1.0), (own.low, own.high)),
-                cells=(CELLS, CELLS // 2),
-                rounds=JOINT_SMOOTH if turn.smooth else JOINT_ROUNDS,
-            )
+                def measured(forces: ComplexArray) -> FloatArray:
+                    return measure(*(combine(arms=each, forces=forces) for each in along))
+
+                _, above, settled = summit.narrow(measured, NARROWER, seen=1)
+                return above, settled
+
+            x = climbed(value=near, points=own)
+            values = largest(turn=turn, arms=arms(x), measure=measure)
             top = int(values.argmax())
             return float(values[top]), float(x[top]), 0.0
 
@@ -225,27 +210,26 @@ class LoadedPin:
             stretches=self.stretches(),
             enough=loads.error,
             climb=climb,
+            size=turn.forces[0].size,
             beyond=beyond,
         )
         return (0.0, 0.0) if found is None else found[:2]
 
     def direction(self, loads: PinLoads, section: float) -> float:
         """Direction of the largest moment of a section, rad."""
-        arms = self.moments(np.array([section]), loads.unit)
         turn = loads.turn
         assert isinstance(turn, PinTurn)
+        arms = self.moments(np.array([section]), loads.unit)
         _, tops = summits(turn=turn, arms=(arms,), measure=np.abs)
-        at = turn.at(tops.arc)
-        values, (way,) = narrowed(
-            value=lambda way: _picked(np.abs(_summed(arms[None], at(way))), (1,)),
-            places=(tops.place,),
-            widths=(tops.width,),
-            limits=((0.0, 1.0),),
-            cells=(CELLS,),
-            rounds=JOINT_ROUNDS,
-        )
-        top = int(values.argmax())
-        moment = _summed(arms[None], at(way[:, None]))[top, 0, 0]
+        summit, each = OfArcs(turn, tops), arms[tops.row]
+        for _ in range(ROUNDS):
+            values, _, settled = summit.narrow(
+                lambda forces: np.abs(combine(arms=each, forces=forces))[:, None], CELLS
+            )
+            if settled.all():
+                break
+        moments = combine(arms=each, forces=summit.at(summit.place[:, None]))
+        moment = moments[values[:, 0].argmax(), 0]
         return math.atan2(moment.imag, moment.real)
 
     def cycle(
@@ -277,24 +261,31 @@ class LoadedPin:
         corners = strength.criterion == "fkm_haigh" and bool(
             np.abs(turn.forces).sum(axis=0).min() > 0
         )
-        ends = np.zeros(2)
+        samples = turn.forces.reshape(len(self.positions), -1)
+        parts = np.concatenate((samples.real, samples.imag))
 
         def used(top: FloatArray, bottom: FloatArray) -> FloatArray:
             found: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
             return found
 
+        def cycles(
+            arms: FloatArray, direction: FloatArray, rounds: int | None = None
+        ) -> tuple[FloatArray, FloatArray]:
+            """Largest and least stress."""
+            cosine, sine = np.cos(direction)[:, None], np.sin(direction)[:, None]
+            weights = np.concatenate((arms * cosine, arms * sine), axis=1)
+            if closed is not None:
+                return closed.extremes(weights)
+            if rounds == 0:
+                stress = combine(arms=weights, forces=parts)
+                return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
+            both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
+            found = largest(turn=turn, arms=tuple(both), measure=_ahead, rounds=rounds)
+            top, bottom = np.split(found, 2)
+            return top, -bottom
+
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
-            if rounds == 0 and closed is None:
-                top, bottom = self._sampled_cycles(loads, at)
-            else:
-                both = self._turned(loads, at)
-                both = np.concatenate((both, -both))
-                if closed is None:
-                    found = largest(turn=turn, arms=(both,), measure=np.real, rounds=rounds)
-                else:
-                    found = closed.reach(both)
-                top, bottom = found[: len(found) // 2], -found[len(found) // 2 :]
-            ends[:] = top[0], bottom[0]
+            top, bottom = cycles(self.moments(at.section, loads.unit), at.direction, rounds)
             use = used(top, bottom)
             room = (steep * at.length**2 + use * at.angle**2) / 8
             if corners:
@@ -307,11 +298,12 @@ class LoadedPin:
 
         def climb(points: Points) -> Found:
             if isinstance(turn, PinSamples) or closed is not None:
-                best = float(value(points.of(FIRST), ROUGH)[0][0])
-                return best, float(points.section[0]), float(points.direction[0])
-            own = self._turned(loads, points)
+                return 0.0, float(points.section[0]), float(points.direction[0])
+            own = self.moments(points.section, loads.unit)
+            ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]
             tops, bottoms = (
-                summits(turn=turn, arms=(sign * own,), measure=np.real)[1] for sign in (1, -1)
+                summits(turn=turn, arms=tuple(sign * each for each in ahead), measure=_ahead)[1]
+                for sign in (1, -1)
             )
             upper, lower = np.nonzero(tops.row[:, None] == bottoms.row)
             start = points.of(tops.row[upper])
@@ -327,7 +319,9 @@ class LoadedPin:
                 cosine, sine = (f(chi)[:, None, None, :] for f in (np.cos, np.sin))
                 (weights,) = arms_at(x)
                 both = forces[: len(high)], forces[len(high) :]
-                sums = (_summed(weights, each).swapaxes(1, 2)[..., None] for each in both)
+                sums = (
+                    combine(arms=weights, forces=each).swapaxes(1, 2)[..., None] for each in both
+                )
                 return [each.real * cosine + each.imag * sine for each in sums]
 
             def grid_value(
@@ -354,34 +348,24 @@ class LoadedPin:
                 rounds=JOINT_SMOOTH if turn.smooth and not corners else JOINT_ROUNDS,
             )
             best = int(values.argmax())
-            ends[:] = [
-                float(each[best, 0, 0, 0]) for each in stresses(*(each[:, None] for each in places))
-            ]
             return float(values[best]), float(places[2][best]), float(places[3][best])
 
         found = highest(
             value=value,
             stretches=self.stretches(strength.criterion != "fkm_haigh"),
             around=True,
-            enough=loads.error if closed is None else ENOUGH,
-            climb=climb,
+            enough=ENOUGH if closed is not None else min(loads.error, NEAR_AROUND),
             closed=closed is not None,
+            climb=climb,
+            size=turn.forces[0].size,
             beyond=beyond,
         )
-        return None if found is None else (float(ends[0]), float(ends[1]), *found[1:])
-
-    def _sampled_cycles(self, loads: PinLoads, at: Points) -> tuple[FloatArray, FloatArray]:
-        """Largest and least sample of the stress, for all sections in few directions."""
-        sections, section = np.unique(at.section, return_inverse=True)
-        directions, direction = np.unique(at.direction, return_inverse=True)
-        samples = loads.turn.forces.reshape(len(self.positions), -1)
-        stress = combine(arms=self.moments(sections, loads.unit), forces=samples)
-        along = [
-            stress.real * math.cos(chi) + stress.imag * math.sin(chi) for chi in directions.tolist()
-        ]
-        place = direction, section
-        tops, bottoms = (np.array([f(each, axis=1) for each in along]) for f in (np.max, np.min))
-        return tops[place], bottoms[place]
+        if found is None:
+            return None
+        _, section, direction = found
+        arms = self.moments(np.array([section]), loads.unit)
+        (top,), (bottom,) = cycles(arms, np.array([direction]))
+        return float(top), float(bottom), section, direction
 
 
 def _quadratics(arms: Arms, points: Points) -> Arms:
@@ -403,14 +387,6 @@ def _quadratics(arms: Arms, points: Points) -> Arms:
     return within
 
 
-def _summed(arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
-    """Sums of forces (rows, K, m) times arms (rows, s, K), shape (rows, s, m)."""
-    found: NDArray[Any] = arms[..., :1] * forces[:, :1]
-    for k in range(1, arms.shape[-1]):
-        found = found + arms[..., k : k + 1] * forces[:, k : k + 1]
-    return found
-
-
 def _picked(values: FloatArray, axes: Sequence[int]) -> tuple[FloatArray, list[IntArray]]:
     """Largest value of each row of (rows, a, b), and where; of values alike the first."""
     flat = values.reshape(len(values), -1)
@@ -422,3 +398,8 @@ def _picked(values: FloatArray, axes: Sequence[int]) -> tuple[FloatArray, list[I
 def _equivalent(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
     found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
     return found
+
+
+def _ahead(cosine: ComplexArray, sine: ComplexArray) -> FloatArray:
+    """What sums with the cosines and the sines of a direction are along it."""
+    return np.asarray(cosine.real + sine.imag)

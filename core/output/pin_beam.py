@@ -97,20 +97,20 @@ class PinBeam:
         shear = SHEAR_COEFFICIENT * (1 + poissons_ratio) * diameter**2 / 8
         return cls(support, contact_length, youngs_modulus * inertia, shear, span)
 
-    def _integrals(self, x: Number, z: Number) -> tuple[Number, Number, Number, Number]:
-        """Integrals of the load from 0 to x, once to four times."""
-        half = self.contact_length / 2
+    def _integral(self, times: Literal[1, 2, 3, 4], x: Number, z: Number) -> Number:
+        """Integral of the load from 0 to x, so many times."""
+        b, half = self.contact_length, self.contact_length / 2
         y = x - z
-        into = smaller(larger(y + half, 0.0), 2 * half)
-        beyond = y >= half
-        b = self.contact_length
-        third = y * y / 2 + half * half / 6
-        return (
-            into / b,
-            where(beyond, y, into * into / (2 * b)),
-            where(beyond, third, into**3 / (6 * b)),
-            where(beyond, y * (y * y + half * half) / 6, into**4 / (24 * b)),
-        )
+        into = smaller(larger(y + half, 0.0), b)
+        if times == 1:
+            return into / b
+        if times == 2:
+            after, inside = y, into * into / (2 * b)
+        elif times == 3:
+            after, inside = y * y / 2 + half * half / 6, into**3 / (6 * b)
+        else:
+            after, inside = y * (y * y + half * half) / 6, into**4 / (24 * b)
+        return where(y >= half, after, inside)
 
     def reactions(self, z: Number) -> tuple[Number, Number]:
         """Shear force and moment at x = 0 under a unit force.
@@ -153,8 +153,7 @@ class PinBeam:
             m, positive as a cantilever's.
         """
         shear, moment = self.reactions(z)
-        _, second, _, _ = self._integrals(x, z)
-        return moment - shear * x + second
+        return moment - shear * x + self._integral(2, x, z)
 
     def shear(self, x: Number, z: Number) -> Number:
         """Shear force at x under a unit force at z.
@@ -169,7 +168,7 @@ class PinBeam:
         float or array
             Dimensionless.
         """
-        return self.reactions(z)[0] - self._integrals(x, z)[0]
+        return self.reactions(z)[0] - self._integral(1, x, z)
 
     def slope(self, x: Number, z: Number) -> Number:
         """Rotation of the section at x under a unit force at z.
@@ -185,8 +184,7 @@ class PinBeam:
             rad/N.
         """
         shear, moment = self.reactions(z)
-        _, _, third, _ = self._integrals(x, z)
-        bent = moment * x - shear * x * x / 2 + third
+        bent = moment * x - shear * x * x / 2 + self._integral(3, x, z)
         return (bent + self._start(z)) / self.rigidity
 
     def deflection(self, x: Number, z: Number) -> Number:
@@ -203,8 +201,7 @@ class PinBeam:
             m/N.
         """
         shear, _ = self.reactions(z)
-        _, second, _, _ = self._integrals(x, z)
-        sheared = self.shear_area * (shear * x - second)
+        sheared = self.shear_area * (shear * x - self._integral(2, x, z))
         return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity
 
     def pair_stiffness(
@@ -244,8 +241,7 @@ class PinBeam:
     def _bent(self, x: Number, z: Number) -> Number:
         """E*I times the deflection at x by bending, without the rotation at 0."""
         shear, moment = self.reactions(z)
-        _, _, _, fourth = self._integrals(x, z)
-        return moment * x * x / 2 - shear * x**3 / 6 + fourth
+        return moment * x * x / 2 - shear * x**3 / 6 + self._integral(4, x, z)
 
     def _start(self, z: Number) -> Number:
         """E*I times the rotation at 0; shear does not turn a pin that is free to tilt."""

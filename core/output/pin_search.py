@@ -27,6 +27,9 @@ ROUGH, ROUGHLY = 2, 1 - 1e-6
 """Rounds over the turn while points are still dropped, and what part of the largest they find at
 least."""
 
+SAMPLED = 0.99
+"""What part of it samples find at least, with parabolas through the highest."""
+
 SMOOTH, ROUNDS = 5, 14
 """Rounds over the turn that are always enough, where the forces are smooth and where not: there a
 summit may be much narrower than a cell."""
@@ -47,21 +50,21 @@ neighbours lie no lower than `SETTLED`, the top of the parabola through all thre
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
 
+NARROWER = 8
+"""By how much smaller steps are after one that went well."""
+
 AROUND = 24
 """Directions looked at first."""
 
-ALONG, ALONG_ONLY = 4, 24
-"""Parts of each stretch of the pin that are looked at first, where directions count and where
-not."""
+ALONG = 4
+"""Parts of each stretch of the pin that are looked at first."""
 
 ENOUGH = 2e-13
 """What a largest value may be missed by, as a part of it."""
 
-NEAR = 1e-5
-"""What may be left, as a part of it, when the search goes on in all variables at once."""
-
-SAMPLED = 0.95
-"""Least share of the largest sample that may belong to what turns out largest."""
+NEAR, NEAR_AROUND = 1e-3, 1e-5
+"""What may be left, as a part of it, when the search goes on in all variables at once: along the
+pin, where all summits over the turn are followed, and where directions count too."""
 
 KEPT = 64
 """Most points about which is looked further: more are only where the measure is flat."""
@@ -103,9 +106,13 @@ class Summits:
     place: FloatArray
     width: FloatArray
 
+    def of(self, index: IntArray) -> "Summits":
+        """Some of them, or some several times."""
+        return Summits(self.row[index], self.arc[index], self.place[index], self.width[index])
+
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, flat: bool = True
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -117,6 +124,8 @@ def summits(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
+    flat : bool
+        Whether samples like both their neighbours are summits.
 
     Returns
     -------
@@ -128,6 +137,8 @@ def summits(
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
     chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
+    if not flat:
+        chosen &= drop > 0
     row, arc, node = np.nonzero(chosen)
     gaps = np.concatenate(([0.0], np.diff(turn.nodes), [0.0]))
     width = np.maximum(gaps[node], gaps[node + 1])
@@ -165,54 +176,132 @@ def largest(
     rows = max(1, BLOCK // most)
     if len(arms[0]) > rows:
         parts = [slice(i, i + rows) for i in range(0, len(arms[0]), rows)]
+        some = (tuple(each[part] for each in arms) for part in parts)
         return np.concatenate(
-            [
-                largest(
-                    turn=turn,
-                    arms=tuple(each[part] for each in arms),
-                    measure=measure,
-                    rounds=rounds,
-                )
-                for part in parts
-            ]
+            [largest(turn=turn, arms=each, measure=measure, rounds=rounds) for each in some]
         )
     if isinstance(turn, PinSamples):
         sums = (combine(arms=each, forces=turn.forces) for each in arms)
         return np.asarray(measure(*sums).max(axis=1))
-    if rounds == 0:
-        samples = turn.forces.reshape(len(turn.forces), -1)
-        return np.asarray(measure(*(combine(arms=a, forces=samples) for a in arms)).max(axis=1))
-    result, tops = summits(turn=turn, arms=arms, measure=measure)
-    own, at = tuple(each[tops.row] for each in arms), turn.at(tops.arc)
-    every, place, width = np.arange(len(tops.row)), tops.place, tops.width
-    best = np.full(len(every), -np.inf)
-    closer = 1 / CELLS**2 if turn.smooth else 1 / CELLS
-    for done in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
+    result, tops = summits(turn=turn, arms=arms, measure=measure, flat=False)
+    own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)
+
+    def measured(forces: NDArray[Any]) -> FloatArray:
+        return measure(*(combine(arms=each, forces=forces) for each in own))[:, None]
+
+    best = np.full(len(tops.row), -np.inf)
+    for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
+        top, above, settled = summit.narrow(measured, CELLS**2)
+        best = np.maximum(best, (above if rounds else top)[:, 0])
+        if settled.all():
+            break
+    np.maximum.at(result, tops.row, best)
+    return result
+
+
+def sampled(*, turn: Turn | PinSamples, values: FloatArray) -> FloatArray:
+    """About the largest value over the turn by its samples: that of the parabola through the
+    highest one and its neighbours.
+
+    Parameters
+    ----------
+    turn : Turn or PinSamples
+        Forces over the turn; of samples the largest is taken as it is.
+    values : array, shape (rows, m)
+        At its samples.
+
+    Returns
+    -------
+    array, shape (rows,)
+    """
+    every, index = np.arange(len(values)), values.argmax(axis=1)
+    top: FloatArray = values[every, index]
+    if isinstance(turn, PinSamples):
+        return top
+    node = index % len(turn.nodes)
+    middle = np.minimum(np.maximum(node, 1), len(turn.nodes) - 2)
+    at = index - node + middle
+    places = (turn.nodes[middle - 1], turn.nodes[middle], turn.nodes[middle + 1])
+    beside = (values[every, at - 1], values[every, at], values[every, at + 1])
+    return np.maximum(top, _vertex(places, beside)[1])
+
+
+class OfArcs:
+    """Summits of a measure on arcs of the turn, while they are narrowed.
+
+    Parameters
+    ----------
+    turn : Turn
+        Forces over the turn.
+    tops : Summits
+        Where they are about.
+
+    Attributes
+    ----------
+    at : callable
+        The forces at parts of the way along each arc.
+    place, width : array, shape (n,)
+        Where they are by now, and how far about that is to be looked.
+    """
+
+    def __init__(self, turn: Turn, tops: Summits) -> None:
+        self.at, self.smooth, self.near = turn.at(tops.arc), turn.smooth, False
+        self.place, self.width = tops.place, tops.width
+
+    def narrow(
+        self,
+        measured: Callable[[NDArray[Any]], FloatArray],
+        closer: int,
+        *,
+        seen: int = 0,
+    ) -> tuple[FloatArray, FloatArray, BoolArray]:
+        """Look about each summit, and go on to it.
+
+        Parameters
+        ----------
+        measured : callable
+            Of forces, shape (n, K, m): values of one or more sections, shape (n, s, m).
+        closer : int
+            How much closer is looked next; no more than `CELLS` beside an end of an arc at which
+            the forces are not smooth.
+        seen : int
+            By which of the sections the place goes on.
+
+        Returns
+        -------
+        highest, above : array, shape (n, s)
+            Largest values, and where they are more those of the parabolas through their neighbours.
+        settled : array of bool, shape (n,)
+            Whether nothing is left.
+        """
+        place, width = self.place, self.width
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
         grid = place[:, None] + (after[:, None] * AFTER - before[:, None] * BEFORE)
         grid = np.minimum(grid, 1.0)
-        forces = at(grid)
-        found = measure(*(combine(arms=each, forces=forces) for each in own))
-        index = found.argmax(axis=1)
-        index = np.where(found[every, index] > found[:, CELLS], index, CELLS)
-        top, place = found[every, index], grid[every, index]
-        best = np.maximum(best, top)
-        middle = np.maximum(index, np.where(before > 0, 1, CELLS + 1))  # three places apart
-        middle = np.minimum(middle, np.where(after > 0, 2 * CELLS - 1, CELLS - 1))
-        values = found[every, middle - 1], found[every, middle], found[every, middle + 1]
-        lowest = np.minimum(np.minimum(*values[:2]), values[2])
-        places = grid[every, middle - 1], grid[every, middle], grid[every, middle + 1]
-        stuck = ((index == 0) | (index == 2 * CELLS)) & (place > 0) & (place < 1)
+        found = measured(self.at(grid))
+        top, index = found.max(axis=2), found.argmax(axis=2)
+        index = np.where(top > found[:, :, CELLS], index, CELLS)
+        low = np.where(before > 0, 1, CELLS + 1)[:, None]  # three places apart
+        high = np.where(after > 0, 2 * CELLS - 1, CELLS - 1)[:, None]
+        middle = np.minimum(np.maximum(index, low), high)
+        row, section = np.arange(len(grid))[:, None], np.arange(top.shape[1])
+        values = tuple(found[row, section, middle + k] for k in (-1, 0, 1))
+        places = tuple(grid[row, middle + k] for k in (-1, 0, 1))
         vertex, above = _vertex(places, values)
-        settled = top - lowest <= SETTLED * np.abs(top)
-        if done and turn.smooth:  # the parabola of so near places is right
-            settled |= (above - top <= MISSED * np.abs(top)) & ~stuck
-        if settled.all():
-            break
-        place = np.where(stuck, place, vertex)
-        width = width * np.where(stuck, 2.0, closer)
-    np.maximum.at(result, tops.row, best)
-    return result
+        best, own = index[:, seen], (slice(None), seen)
+        at = grid[row[:, 0], best]
+        stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
+        lowest = np.minimum(np.minimum(*values[:2]), values[2])[own]
+        size = np.abs(top[own])
+        settled = top[own] - lowest <= SETTLED * size
+        parabolic = self.smooth | (width <= np.minimum(place, 1 - place) / 2)
+        if self.near:  # the parabola of so near places is right
+            settled |= (above[own] - top[own] <= MISSED * size) & ~stuck & parabolic
+        self.near = True
+        self.place = np.where(stuck, at, vertex[own])
+        narrower = np.where(parabolic, 1 / closer, 1 / min(closer, CELLS))
+        self.width = width * np.where(stuck, 2.0, narrower)
+        return top, np.maximum(top, above), settled
 
 
 def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
@@ -319,7 +408,7 @@ class Points:
     low: FloatArray
     high: FloatArray
 
-    def of(self, index: IntArray) -> "Points":
+    def of(self, index: IntArray | slice) -> "Points":
         """Some of them, or some several times."""
         rows = (self.section, self.direction, self.length, self.low, self.high)
         section, direction, length, low, high = (each[index] for each in rows)
@@ -337,6 +426,7 @@ def highest(
     around: bool = False,
     enough: float,
     climb: Callable[[Points], Found],
+    size: int,
     closed: bool = False,
     beyond: float = -np.inf,
 ) -> Found | None:
@@ -356,6 +446,8 @@ def highest(
         What may be left above the best point, as a part of the value, for this search to end.
     climb : callable
         The largest value about the points that are left, the best first.
+    size : int
+        How many numbers the values of a point are made of.
     closed : bool
         Whether values are exact.
     beyond : float
@@ -367,7 +459,7 @@ def highest(
         None where there is nothing beyond.
     """
     long = stretches[1] > stretches[0]
-    parts = np.where(long, ALONG if around else ALONG_ONLY, 0)
+    parts = np.where(long, ALONG, 0)
     row = np.repeat(np.arange(len(parts)), parts + 1)
     part = np.maximum(parts, 1)[row]
     way = (np.arange(len(row)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)) / part
@@ -377,12 +469,13 @@ def highest(
     x, low, high, length = np.repeat(points, len(directions), axis=1)
     angle = float(directions[1]) if around else 0.0
     at = Points(x, np.tile(directions, points.shape[1]), length, angle, low, high)
-    best = beyond
-    level = 0
+    best, rows, rounds = beyond, max(1, BLOCK // size), 0
     while True:
-        values, room = value(at, ROUGH * (level > 0))
+        blocks = [np.s_[i : i + rows] for i in range(0, len(at.section), rows)]
+        found = [value(at.of(each), rounds) for each in blocks]
+        values, room = map(np.concatenate, zip(*found, strict=True))
         best = max(best, float(values.max()))
-        share = CLOSED if closed else ROUGHLY if level else SAMPLED
+        share = CLOSED if closed else ROUGHLY if rounds else SAMPLED
         least = max(min(best * share, float(values.max())), beyond * share)
         kept = np.flatnonzero(values + room >= least)
         if not len(kept):
@@ -403,7 +496,42 @@ def highest(
             (x >= near.low) & (x <= near.high) & ((near.length > 0) | (moved == 0))
         )
         at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
-        level += 1
+        rounds = ROUGH
+
+
+def climbed(
+    *, value: Callable[[FloatArray], tuple[FloatArray, BoolArray]], points: Points
+) -> FloatArray:
+    """Sections about points where a value is largest, by Newton's method with differences.
+
+    Parameters
+    ----------
+    value : callable
+        Of three sections, shape (rows, 3), which may lie a little beyond the points' stretches:
+        values there, and for each row whether they are as good as they get.
+    points : Points
+        Where to start.
+
+    Returns
+    -------
+    array, shape (rows,)
+    """
+    x, length, moves = points.section, points.length, np.arange(-1.0, 2.0)
+    for _ in range(JOINT_ROUNDS):
+        f, settled = value(x[:, None] + length[:, None] * moves)
+        here, slope = f[:, 1], (f[:, 2] - f[:, 0]) / 2
+        bent = f[:, 2] + f[:, 0] - 2 * here
+        held = (length == 0) | np.where(slope > 0, x >= points.high, x <= points.low)
+        known = (bent < 0) & (np.abs(slope) <= -bent)
+        step = np.where(known, -slope / np.where(known, bent, 1.0), np.sign(slope))
+        step = np.where(held, 0.0, step)
+        gain = slope * step  # twice what is left to the top of a parabola
+        done = settled & (gain <= SETTLED * np.abs(here))
+        if (done | ((known | held) & (here + 2 * gain < here.max()))).all():
+            break
+        x = np.minimum(np.maximum(x + length * step, points.low), points.high)
+        length = length * np.where(known | held, 1 / NARROWER, 2.0)
+    return x
 
 
 def _apart(points: Points) -> IntArray:

@@ -226,55 +226,36 @@ class PinTurn(Turn):
         return own
 
     @cached_property
-    def _quadratics(self) -> tuple[ComplexArray, FloatArray]:
-        """T times the forces, and T, along each arc for v = 1, where both are quadratic: their
-        coefficients ``c0*(1 - w)^2 + 2*c1*w*(1 - w) + c2*w^2``, shapes (3, arcs, K), (3, arcs).
+    def _polygons(self) -> tuple[FloatArray, FloatArray]:
+        """The forces along each arc for v = 1, where they are rational, of degree two, with weights
+        t_i of their three control points: the control points, tangential then radial, shape
+        (2*K, 3*arcs), and the weights, shape (3, arcs).
         """
         low, high = self.own[:, self.arcs]
         first, last = self.cosines[:, self.part[self.arcs]]
-        forces = low * low.real, (low * high.real + high * low.real) / 2, high * high.real
         weights = self.weights[self.part[self.arcs]]
-        total = (first * first, first * last, last * last)
-        return (
-            np.stack(forces) * self.drives[self.arcs],
-            np.stack([(weights * each).sum(axis=1) for each in total]),
-        )
+        ends = (first, first), (first, last), (last, last)
+        total = [(weights * x * y).sum(axis=1) for x, y in ends]
+        mixed = (low * high.real + high * low.real) / 2
+        forces = np.stack((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
+        points = (forces / np.stack(total)[..., None]).reshape(-1, forces.shape[2]).T
+        return np.concatenate((points.real, points.imag)), np.stack(total)
 
-    def reach(self, arms: ComplexArray) -> FloatArray:
-        """Largest real part over the turn of sums of the forces, in closed form for v = 1.
-
-        With the coefficients of `_quadratics` the slope of a quotient has the coefficients
-        ``c1*t0 - c0*t1, (c2*t0 - c0*t2)/2, c2*t1 - c1*t2``.
+    def extremes(self, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Largest and least sums of the forces' parts over the turn, in closed form for v = 1.
 
         Parameters
         ----------
-        arms : array, shape (rows, K)
-            What unit forces of the satellites do.
+        weights : array, shape (rows, 2*K)
+            What unit forces of the satellites do, tangential ones and then radial ones.
 
         Returns
         -------
-        array, shape (rows,)
+        largest, least : array, shape (rows,)
         """
-        rows = max(1, BLOCK // len(self.arcs))
-        if len(arms) > rows:
-            return np.concatenate(
-                [self.reach(arms[i : i + rows]) for i in range(0, len(arms), rows)]
-            )
-        forces, (t0, t1, t2) = self._quadratics
-        c0, c1, c2 = (_real_combined(arms, each.T) for each in forces)
-        rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
-        root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))
-        up = bend > 0  # the root at which the slope falls, without a difference of numbers alike
-        root += np.abs(bend)
-        after = np.maximum(np.where(up, root, 2 * rise), 0.0)
-        before = np.maximum(np.where(up, -2 * fall, root), 0.0)
-        summed = after + before
-        way = np.where(before > 0, after, 0.0) / np.where(summed > 0, summed, 1.0)
-        left = 1 - way
-        b0, b1, b2 = left * left, 2 * way * left, way * way
-        inside = (c0 * b0 + c1 * b1 + c2 * b2) / (t0 * b0 + t1 * b1 + t2 * b2)
-        found: FloatArray = np.maximum(np.maximum(c0 / t0, c2 / t2), inside).max(axis=1)
-        return found
+        points, total = self._polygons
+        sums = combine(arms=weights, forces=points).reshape(len(weights), 3, -1)
+        return _highest(sums, total), -_highest(-sums, total)
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
         """Forces over the turn, both sides of every switching angle.
@@ -465,33 +446,54 @@ def _nodes(exponent: float, pairs: int) -> FloatArray:
     return np.concatenate((half, 1 - half[-2::-1]))
 
 
+def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
+    """Largest value of curves of degree two with weighted control points, shape (rows, 3, arcs).
+
+    A curve lies within its control points, so that only an arc whose middle one lies beyond the
+    ends of all arcs is looked at within. With ``c_i = t_i*p_i`` the slope of the quotient has the
+    coefficients ``c1*t0 - c0*t1, (c2*t0 - c0*t2)/2, c2*t1 - c1*t2``.
+    """
+    found: FloatArray = np.maximum(points[:, 0], points[:, 2]).max(axis=1)
+    row, arc = np.nonzero(points[:, 1] > found[:, None])
+    t0, t1, t2 = weights[:, arc]
+    p0, p1, p2 = points[row, :, arc].T
+    c0, c1, c2 = p0 * t0, p1 * t1, p2 * t2
+    rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
+    root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))
+    up = bend > 0  # the root at which the slope falls, without a difference of numbers alike
+    root += np.abs(bend)
+    after, before = np.where(up, root, 2 * rise), np.where(up, -2 * fall, root)
+    way = after / (after + before)  # the middle point is the highest: both are positive
+    left = 1 - way
+    b0, b1, b2 = left * left, 2 * way * left, way * way
+    inside = (c0 * b0 + c1 * b1 + c2 * b2) / (t0 * b0 + t1 * b1 + t2 * b2)
+    np.maximum.at(found, row, inside)
+    return found
+
+
 def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     """Sums of the satellites' forces times what each does.
 
     Parameters
     ----------
-    arms : array, shape (rows, K)
+    arms : array, shape (rows, K) or (rows, s, K)
         What unit forces do.
     forces : array, shape (K, m) or (rows, K, m)
         Forces.
 
     Returns
     -------
-    array, shape (rows, m)
-        Summed here, as a library of linear algebra would wake its threads for products this small.
+    array, shape (rows, m) or (rows, s, m)
+        Summed by `einsum`, as a library of linear algebra would wake its threads for products this
+        small.
     """
-    found: NDArray[Any] = arms[:, :1] * forces[..., 0, :]
-    for k in range(1, arms.shape[1]):
-        found = found + arms[:, k : k + 1] * forces[..., k, :]
-    return found
-
-
-def _real_combined(arms: ComplexArray, forces: ComplexArray) -> FloatArray:
-    """Real part of `combine`."""
-    real, imaginary = combine(arms=arms.real, forces=forces.real), -arms.imag
-    for k in range(arms.shape[1]):
-        real += imaginary[:, k : k + 1] * forces[k].imag
-    return real
+    of = ("rsk" if arms.ndim == 3 else "rk", "rkm" if forces.ndim == 3 else "km")
+    what = f"{of[0]},{of[1]}->{of[0][:-1]}m"
+    if np.iscomplexobj(forces) and not np.iscomplexobj(arms):  # as twice as many real numbers
+        parts = np.ascontiguousarray(forces).view(np.float64)
+        found: NDArray[Any] = np.einsum(what, arms, parts, order="C").view(np.complex128)
+        return found
+    return np.asarray(np.einsum(what, arms, forces, order="C"))
 
 
 @lru_cache(maxsize=256)

@@ -4,9 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.output.pin_search import _tops, narrowed
+from core.output.pin_search import Points, _tops, climbed, narrowed
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
 
@@ -68,3 +69,21 @@ def test_tops_of_samples() -> None:
     chosen, drop = _tops(values)
     assert chosen.tolist() == [True, False, True, True, False, True]
     assert drop[chosen].tolist() == [2.0, 3.0, 2.0, 3.0]
+
+
+def test_climbed_finds_the_top_of_a_stretch() -> None:
+    """Within, at either end, on a section alone, far beyond the first step."""
+    tops = np.array([0.3, -1.0, 2.0, 0.3, 0.9])
+    low, high = np.array([0.0, 0, 0, 0.5, 0]), np.array([1.0, 1, 1, 0.5, 1])
+    length = np.array([0.2, 0.2, 0.2, 0.0, 0.01])
+    start = Points(np.full(5, 0.5), np.zeros(5), length, 0.0, low, high)
+
+    def hill(x: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        away = x - tops[:, None]
+        return 7 - away**2 + away**3 / 20, np.full(5, True)
+
+    rounds = []
+    x = climbed(value=lambda x: (rounds.append(x), hill(x))[1], points=start)
+    assert x[1:4] == pytest.approx([0, 1, 0.5], abs=0)
+    assert x[[0, 4]] == pytest.approx(tops[[0, 4]], abs=1e-7)
+    assert len(rounds) <= 14

@@ -320,15 +320,17 @@ def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
 
 
 @given(mechanism=mechanisms, seed=st.integers(0, 2**32 - 1), uneven=st.booleans())
-def test_the_reach_in_closed_form_is_that_of_the_search(
+def test_the_extremes_in_closed_form_are_those_of_the_search(
     mechanism: Mechanism, seed: int, uneven: bool
 ) -> None:
     random = np.random.default_rng(seed)
     stiffness = tuple(random.uniform(1, 4, mechanism.satellites)) if uneven else None
     turn = pin_turn(mechanism, 1.0, stiffness)
     arms = random.normal(size=(9, mechanism.satellites)) * np.exp(1j * np.arange(9.0)[:, None])
-    searched = largest(turn=turn, arms=(arms,), measure=np.real)
-    assert turn.reach(arms) == pytest.approx(searched, rel=1e-12, abs=1e-13)
+    top, bottom = turn.extremes(np.concatenate((arms.real, -arms.imag), axis=1))
+    for found, sign in ((top, 1), (-bottom, -1)):
+        searched = largest(turn=turn, arms=(sign * arms,), measure=np.real)
+        assert found == pytest.approx(searched, rel=1e-12, abs=1e-13)
 
 
 def test_the_locus_is_closed_but_for_equal_sharing() -> None:
