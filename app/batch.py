@@ -151,18 +151,17 @@ async def batch(request: Request) -> Response:
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
     refuse_if_busy(jobs, record)
-    content = await received(request, record.settings.max_batch_bytes)
-    record.received = time.perf_counter()
+    content = await received(record, record.settings.max_batch_bytes)
     calculation, requests, ids = await in_process(
         jobs, split, content, record.settings, record=record
     )
     done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
     done = _from(await anext(done), done)  # without which there is nothing to answer
-    lines_asked = by_lines(request)
+    lines_asked = by_lines(record)
     done = _named(done, ids, numbered=lines_asked)
     written = _as_lines(done) if lines_asked else _as_object(done)
     headers = {"vary": "accept-encoding"}
-    if takes_gzip(request.scope):
+    if takes_gzip(record.headers):
         headers["content-encoding"] = "gzip"
         written = _zipped(written)
     return StreamingResponse(written, headers=headers, media_type=LINES if lines_asked else JSON)

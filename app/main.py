@@ -16,7 +16,6 @@ import orjson
 from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
-from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
@@ -34,7 +33,7 @@ from app.endpoint import (
 )
 from app.examples import REQUESTS
 from app.jobs import Jobs
-from app.middleware import CompressGet, Requests
+from app.middleware import Requests
 from app.model import Calculation
 from app.problems import REFUSED, refused, unavailable
 from app.registry import CALCULATIONS
@@ -94,8 +93,9 @@ class Packed:
 
     def response(self, scope: Scope) -> Response:
         """The answer to a request, or that nothing has changed since."""
-        response = self.zipped if takes_gzip(scope) else self.plain
-        known = Headers(scope=scope).get("if-none-match", "")
+        headers = dict(scope["headers"])
+        response = self.zipped if takes_gzip(headers) else self.plain
+        known = headers.get(b"if-none-match", b"").decode("latin-1")
         if known.strip() == "*" or self.etag in [
             each.strip().removeprefix("W/") for each in known.split(",")
         ]:
@@ -193,7 +193,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)
-    app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     if settings.cors_origins:
         app.add_middleware(
             CORSMiddleware,
@@ -223,8 +222,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         return PlainTextResponse("ready")
 
     @app.get("/metrics", include_in_schema=False)
-    async def metrics() -> Response:
-        return observability.metrics()
+    async def metrics(request: Request) -> Response:
+        return Packed(*observability.metrics()).response(request.scope)
 
     @cache
     def description() -> Packed:

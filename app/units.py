@@ -4,6 +4,7 @@ A physical quantity's name in the API ends in its unit; the name without it is t
 """
 
 import math
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -77,26 +78,36 @@ def to_si(field: str, value: Any) -> Any:
 
 def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; lists and arrays element by element."""
-    size = unit_size(field)
-    return value if size is None or value is None else in_units(size, value)
+    convert = converter(field)
+    return value if convert is None or value is None else convert(value)
 
 
 TRIFLE = 2.0**-51
 """Relative change by which a number is made a short one: 60, not 59.99999999999999."""
 
 
-def in_units(size: float, value: Any) -> Any:
-    """Value in SI units in units of a size; lists and arrays element by element."""
-    if size == 1:
-        return value
-    if isinstance(value, (list, tuple)):
-        return [in_units(size, each) for each in value]
-    exact = value / size if size > 1 else value * (1 / size)
-    if isinstance(exact, np.ndarray):
-        rounded_off = np.rint(exact * 1e9) / 1e9
-        return np.where(np.abs(exact - rounded_off) <= TRIFLE * np.abs(exact), rounded_off, exact)
-    short = round(exact, 9)
-    return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+@cache
+def converter(field: str) -> Callable[[Any], Any] | None:
+    """What takes values in SI units to the unit of an API field; None where it is the same."""
+    size = unit_size(field)
+    if size is None or size == 1:
+        return None
+    times, over = (1.0, size) if size > 1 else (1 / size, 1.0)
+
+    def convert(value: Any) -> Any:
+        if isinstance(value, (list, tuple)):
+            return [*map(convert, value)]
+        exact = value * times / over
+        if isinstance(exact, np.ndarray):
+            short = np.rint(exact * 1e9) / 1e9
+            return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
+        billionths = exact * 1e9
+        if -1e13 < billionths < 1e13 and 0.01 < billionths % 1 < 0.99:
+            return exact  # far from a short one: to see that costs a tenth of rounding
+        short = round(exact, 9)
+        return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+
+    return convert
 
 
 def rounded(values: np.ndarray, digits: int) -> np.ndarray:
