@@ -172,42 +172,41 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     its figure.
     """
     stated = _stated(body)
-    asked = stated.get("include", ())
+    asked = stated.get("include") or ()
     if body.long or "fixes" in asked:
         return math.inf
     size = DRAWN_POINTS if drawn else ELEMENT_POINTS
     if not stated:
-        return size
+        return float(size)
     if "curves" in asked or "points" in asked:
         size = max(size, stated["samples"])
     for name, power in COUNTS.items():
         if count := stated.get(name):
             size *= max(1, len(count) if isinstance(count, list) else count) ** power
-    if "rollers" in stated or "rollers_total" in stated:
+    if stated.get("rollers") or stated.get("rollers_total"):
         size *= ELEMENT_POINTS  # nodes of its contact line
-    teeth = stated.get("ring_teeth", 1) / stated.get("satellite_teeth", 1)
-    return float(size * max(1, 1 / stated.get("ratio", 1), teeth))  # turns of the output link
+    teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
+    turns = max(1, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
+    return float(size * turns)
 
 
 def _stated(body: BaseModel) -> dict[str, Any]:
-    """What is given of `SIZES` in a request and in the models within it."""
-    sizes, models = _sizing(type(body))
-    values = vars(body)
-    stated = {name: value for name in sizes if (value := values[name]) is not None}
+    """Fields of a request and of the models within it, where `SIZES` are among them."""
+    has_sizes, models = _sizing(type(body))
+    stated = vars(body) if has_sizes else {}
     for name in models:
-        if isinstance(value := values[name], BaseModel):
-            stated |= _stated(value)
+        inner = getattr(body, name)
+        if isinstance(inner, BaseModel):
+            stated = stated | {n: v for n, v in _stated(inner).items() if v is not None}
     return stated
 
 
 @cache
-def _sizing(model: type[BaseModel]) -> tuple[list[str], list[str]]:
-    """Fields of a model that are among `SIZES`, and those that hold a model which has some."""
-    fields = model.model_fields.items()
-    return (
-        [name for name, _ in fields if name in SIZES],
-        [name for name, each in fields if _holds_sizes(each.annotation)],
-    )
+def _sizing(model: type[BaseModel]) -> tuple[bool, list[str]]:
+    """Whether a model has some of `SIZES`, and its fields that hold models which have."""
+    fields = model.model_fields
+    holding = [name for name, each in fields.items() if _holds_sizes(each.annotation)]
+    return not SIZES.isdisjoint(fields), holding
 
 
 def _holds_sizes(annotation: Any) -> bool:

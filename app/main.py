@@ -16,6 +16,7 @@ import orjson
 from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
+from fastapi.telemetry import TelemetryConfig
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
@@ -47,6 +48,9 @@ PRELOAD = ("app.batch", "app.loaded", "uvicorn")
 
 DESCRIBED_S = 1.0
 """How long after its start the service makes its description."""
+
+NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False}
+"""What is seen from outside is in `app.observability`."""
 
 LICENSE = {"name": "MIT", "identifier": "MIT"}
 
@@ -158,8 +162,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         redirect_slashes=False,  # whose address would be made from the Host header
         lifespan=lifespan,
-        # What is seen from outside is in app.observability.
-        telemetry={"tracing": False, "metrics": False, "logs": False},
+        telemetry=NO_TELEMETRY,
     )
     app.state.settings = settings
     app.state.jobs = Jobs(

@@ -16,7 +16,14 @@ from pydantic import (
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
-from app.units import api_value, converter, core_name, shown_unit, to_si
+from app.units import (
+    Convert,
+    api_value,
+    core_name,
+    from_si_converter,
+    shown_unit,
+    to_si_converter,
+)
 from core.results import METHODS, NOTICES, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -168,6 +175,8 @@ class RequestModel(BaseModel):
         absent = {name for name, value in vars(self).items() if value is None}
         for forms in alternatives:
             given = [form for form in forms if not absent.issuperset(form)]
+            if len(given) == 1 and absent.isdisjoint(given[0]):
+                continue
             if len(given) > 1:
                 first, second = ([n for n in form if n not in absent] for form in given[:2])
                 raise field_error(second[0], "only_one", field=first[0])
@@ -182,10 +191,11 @@ class RequestModel(BaseModel):
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
+        own = vars(self)
         return {
-            core_name(name): to_si(name, value)
-            for name in type(self).model_fields
-            if (value := getattr(self, name)) is not None
+            core: value if convert is None else convert(value)
+            for name, core, convert in _core_plan(type(self))
+            if (value := own[name]) is not None
         }
 
     @property
@@ -201,6 +211,12 @@ class RequestModel(BaseModel):
         InvalidInput
             If it does.
         """
+
+
+@cache
+def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None]]:
+    """How a request is told to the core: name, core's name, what takes a value to SI units."""
+    return [(name, core_name(name), to_si_converter(name)) for name in model.model_fields]
 
 
 def quantity(
@@ -381,7 +397,7 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Callable[[Any], Any] | None]]
+    read: list[tuple[str, str, Convert | None]]
     """What is read from it: name, core's name, and what makes a value of it that is sent."""
     warns: bool
     states_accuracy: bool
@@ -392,7 +408,7 @@ def _plan(model: type[ResponseModel]) -> _Plan:
     fields = model.model_fields
     return _Plan(
         [
-            (name, core_name(name), _inner_values(field.annotation) or converter(name))
+            (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
             if name not in ("accuracy", "warnings")
         ],
@@ -401,7 +417,7 @@ def _plan(model: type[ResponseModel]) -> _Plan:
     )
 
 
-def _inner_values(annotation: Any) -> Callable[[Any], Any] | None:
+def _inner_values(annotation: Any) -> Convert | None:
     """Values of the answer that a field holds, alone or in a list, if it holds one."""
     for each in (annotation, *get_args(annotation)):
         for inner in (each, *get_args(each)):

@@ -12,6 +12,8 @@ import numpy as np
 
 DEGREE = math.pi / 180
 
+Convert = Callable[[Any], Any]
+
 UNITS: dict[str, tuple[str, float]] = {
     "MPa_m_per_s": ("MPa·m/s", 1e6),
     "m_per_s": ("m/s", 1.0),
@@ -64,21 +66,33 @@ def shown_unit(field: str) -> str:
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units; lists element by element.
+    """Value of an API field in SI units; lists element by element."""
+    convert = to_si_converter(field)
+    return value if convert is None or value is None else convert(value)
+
+
+@cache
+def to_si_converter(field: str) -> Convert | None:
+    """What takes values of an API field to SI units; None for a plain name.
 
     Dividing by the inverse keeps decimal inputs at the nearest double: 8 mm is 0.008 m.
     """
     size = unit_size(field)
-    if size is None or value is None:
-        return value
-    if isinstance(value, (list, tuple)):
-        return [to_si(field, each) for each in value]
-    return value * size if size >= 1 or size == DEGREE else value / (1 / size)
+    if size is None:
+        return None
+    times, over = (size, 1.0) if size >= 1 or size == DEGREE else (1.0, 1 / size)
+
+    def convert(value: Any) -> Any:
+        if isinstance(value, (list, tuple)):
+            return [*map(convert, value)]
+        return value * times / over
+
+    return convert
 
 
 def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; lists and arrays element by element."""
-    convert = converter(field)
+    convert = from_si_converter(field)
     return value if convert is None or value is None else convert(value)
 
 
@@ -87,7 +101,7 @@ TRIFLE = 2.0**-51
 
 
 @cache
-def converter(field: str) -> Callable[[Any], Any] | None:
+def from_si_converter(field: str) -> Convert | None:
     """What takes values in SI units to the unit of an API field; None where it is the same."""
     size = unit_size(field)
     if size is None or size == 1:
