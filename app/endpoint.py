@@ -416,9 +416,9 @@ class Answer(Response):
 
     waiting_bytes = 0
 
-    def __init__(self, content: bytes) -> None:
-        self.body, self.raw_headers = content, [CONTENT_TYPE]
-        self.raw_headers.append((b"content-length", b"%d" % len(content)))
+    def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
+        self.status_code, self.background, self.body = 200, None, content
+        self.raw_headers = [CONTENT_TYPE, (b"content-length", b"%d" % len(content))]
         if len(content) >= COMPRESS_BYTES or content.startswith(GZIP):
             self.raw_headers.append((b"vary", b"accept-encoding"))
         if content.startswith(GZIP):

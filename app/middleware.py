@@ -56,7 +56,7 @@ class Requests:
         client = scope.get("client") or ("",)
         record = Record(self.settings, _request_id(headers), headers, receive, client[0])
         at_hand.set(record)
-        observability.begin()
+        observability.IN_FLIGHT.inc()
         failed: Exception | None = None
 
         async def with_headers(message: Message) -> None:

@@ -130,13 +130,8 @@ class JsonLines(logging.Formatter):
         return orjson.dumps(line, option=orjson.OPT_UTC_Z).decode()
 
 
-def begin() -> None:
-    """Count a request that has come."""
-    IN_FLIGHT.inc()
-
-
 def end(record: Record, method: str, route: str, error: Exception | None) -> None:
-    """Log and count a request that has been answered; what it said is in neither.
+    """Log and count a request that has been answered and was in flight; what it said is in neither.
 
     Parameters
     ----------
