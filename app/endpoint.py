@@ -30,7 +30,6 @@ from app.problems import (
     MEDIA_TYPE,
     ErrorItem,
     Problem,
-    impossible,
     invalid_input,
     not_json,
     too_large,
@@ -263,16 +262,11 @@ def _progress(name: str, sent: bytes, settings: Settings) -> Iterator[bytes]:
     body, reporting = read_body(calculation, sent, settings), calculation.reporting
     assert reporting is not None
     yield b""
-    try:
-        for told in _reported(lambda report: encoded(reporting(body, report))):
-            if isinstance(told, bytes):
-                yield b'{"result":' + told + b"}\n"
-            else:
-                yield _line({"progress": told})
-    except ImpossibleMechanism as error:
-        yield _line({"problem": impossible(error).body()})
-    except Problem as problem:
-        yield _line({"problem": problem.body()})
+    for told in _reported(lambda report: encoded(reporting(body, report))):
+        if isinstance(told, bytes):
+            yield b'{"result":' + told + b"}\n"
+        else:
+            yield _line({"progress": told})
 
 
 def _line(values: dict[str, Any]) -> bytes:

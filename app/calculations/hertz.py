@@ -312,8 +312,12 @@ class SafetyOut(ResponseModel):
         cls, result: BodySafety, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's judgement."""
-        factor = {"safety_factor": result.safety_factor}
-        return {"body": result.body} | _limit_values(result.limit) | factor | given
+        return {
+            "body": result.body,
+            **_limit_values(result.limit),
+            "safety_factor": result.safety_factor,
+            **given,
+        }
 
 
 @lru_cache(maxsize=256)
