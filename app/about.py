@@ -3,10 +3,13 @@
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, HTTPException, Query
+from fastapi.responses import JSONResponse
 from pydantic import Field
+from starlette.middleware.gzip import GZipMiddleware
+from starlette.types import Receive, Scope, Send
 
 from app import VERSION
-from app.endpoint import RESPONSES
+from app.endpoint import COMPRESS_BYTES, RESPONSES
 from app.examples import EXAMPLES
 from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
 from app.problems import KINDS
@@ -215,7 +218,15 @@ class ClassList(ResponseModel):
     tolerances: list[ClassOut]
 
 
-router = APIRouter(prefix=API, tags=["service"])
+class Compressed(JSONResponse):
+    """An answer that is compressed for those who take that."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send it."""
+        await GZipMiddleware(super().__call__, COMPRESS_BYTES)(scope, receive, send)
+
+
+router = APIRouter(prefix=API, tags=["service"], default_response_class=Compressed)
 
 
 @router.get("/health", operation_id="health")

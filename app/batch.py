@@ -36,7 +36,7 @@ from app.problems import (
     wrong_fields,
     wrong_json,
 )
-from app.processes import in_parts, in_process, refuse_if_busy, why
+from app.processes import in_parts, in_process, refused_if_busy, why
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
 from app.running import refusals_named
@@ -150,19 +150,18 @@ async def batch(request: Request) -> Response:
     Both are sent as they are done. What `ids` name comes back with its `id`.
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
-    refuse_if_busy(jobs, record)
-    content = await received(request, record.settings.max_batch_bytes)
-    record.received = time.perf_counter()
+    with refused_if_busy():
+        jobs.admit(record.client)
+    content = await received(record, record.settings.max_batch_bytes)
     calculation, requests, ids = await in_process(
         jobs, split, content, record.settings, record=record
     )
     done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
     done = _from(await anext(done), done)  # without which there is nothing to answer
-    lines_asked = by_lines(request)
-    done = _named(done, ids, numbered=lines_asked)
-    written = _as_lines(done) if lines_asked else _as_object(done)
+    lines_asked = by_lines(record)
+    written = _written(done, ids, lines=lines_asked)
     headers = {"vary": "accept-encoding"}
-    if takes_gzip(request.scope):
+    if takes_gzip(record.headers):
         headers["content-encoding"] = "gzip"
         written = _zipped(written)
     return StreamingResponse(written, headers=headers, media_type=LINES if lines_asked else JSON)
@@ -277,32 +276,21 @@ async def _from(
         yield some
 
 
-async def _named(
-    answers: AsyncIterator[list[bytes]], ids: list[str] | None, *, numbered: bool
-) -> AsyncIterator[list[bytes]]:
-    """The answers with their places and names."""
-    place = 0
+async def _written(
+    answers: AsyncIterator[list[bytes]], ids: list[str] | None, *, lines: bool
+) -> AsyncIterator[bytes]:
+    """The answers with their names: lines with their places too, or one object."""
+    place, before = 0, b'{"results":['
     async for some in answers:
-        named = []
-        for line in some:
+        for index, answer in enumerate(some):
             if ids is not None:
-                line = b'{"id":%b,%b' % (orjson.dumps(ids[place]), line[1:])
-            named.append(b'{"index":%d,%b' % (place, line[1:]) if numbered else line)
+                answer = b'{"id":%b,%b' % (orjson.dumps(ids[place]), answer[1:])
+            some[index] = b'{"index":%d,%b\n' % (place, answer[1:]) if lines else answer
             place += 1
-        yield named
-
-
-async def _as_lines(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:
-    async for some in answers:
-        yield b"\n".join([*some, b""])
-
-
-async def _as_object(answers: AsyncIterator[list[bytes]]) -> AsyncIterator[bytes]:
-    before = b'{"results":['
-    async for some in answers:
-        yield before + b",".join(some)
+        yield b"".join(some) if lines else before + b",".join(some)
         before = b","
-    yield b"]}"
+    if not lines:
+        yield b"]}"
 
 
 async def _zipped(written: AsyncIterator[bytes]) -> AsyncIterator[bytes]:

@@ -16,7 +16,7 @@ import orjson
 from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
-from starlette.datastructures import Headers
+from fastapi.telemetry import TelemetryConfig
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
@@ -34,7 +34,7 @@ from app.endpoint import (
 )
 from app.examples import REQUESTS
 from app.jobs import Jobs
-from app.middleware import CompressGet, Requests
+from app.middleware import Requests
 from app.model import Calculation
 from app.problems import REFUSED, refused, unavailable
 from app.registry import CALCULATIONS
@@ -48,6 +48,9 @@ PRELOAD = ("app.batch", "app.loaded", "uvicorn")
 
 DESCRIBED_S = 1.0
 """How long after its start the service makes its description."""
+
+NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False}
+"""What is seen from outside is in `app.observability`."""
 
 LICENSE = {"name": "MIT", "identifier": "MIT"}
 
@@ -94,8 +97,9 @@ class Packed:
 
     def response(self, scope: Scope) -> Response:
         """The answer to a request, or that nothing has changed since."""
-        response = self.zipped if takes_gzip(scope) else self.plain
-        known = Headers(scope=scope).get("if-none-match", "")
+        headers = dict(scope["headers"])
+        response = self.zipped if takes_gzip(headers) else self.plain
+        known = headers.get(b"if-none-match", b"").decode("latin-1")
         if known.strip() == "*" or self.etag in [
             each.strip().removeprefix("W/") for each in known.split(",")
         ]:
@@ -158,8 +162,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         redirect_slashes=False,  # whose address would be made from the Host header
         lifespan=lifespan,
-        # What is seen from outside is in app.observability.
-        telemetry={"tracing": False, "metrics": False, "logs": False},
+        telemetry=NO_TELEMETRY,
     )
     app.state.settings = settings
     app.state.jobs = Jobs(
@@ -193,7 +196,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)
-    app.add_middleware(CompressGet, minimum_size=2048, compresslevel=6)
     if settings.cors_origins:
         app.add_middleware(
             CORSMiddleware,
@@ -223,8 +225,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         return PlainTextResponse("ready")
 
     @app.get("/metrics", include_in_schema=False)
-    async def metrics() -> Response:
-        return observability.metrics()
+    async def metrics(request: Request) -> Response:
+        return Packed(*observability.metrics()).response(request.scope)
 
     @cache
     def description() -> Packed:

@@ -4,9 +4,7 @@ import asyncio
 import random
 import re
 import time
-from collections.abc import Iterator
 
-from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -49,25 +47,29 @@ class Requests:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        asked, scope = scope, _below_root(scope, self.settings.root_path)
+        method, path, headers = scope["method"], scope["path"], dict(scope["headers"])
+        if (root := self.settings.root_path) and path.startswith(root + "/"):
+            path = path[len(root) :]  # a proxy may leave the prefix or take it away
+        head = method == "HEAD"  # what asks for the head is answered like what asks for all
+        if head or root:
+            scope = {**scope, "path": path, "method": "GET" if head else method}
         client = scope.get("client") or ("",)
-        record = Record(self.settings, _request_id(scope), receive, client[0])
+        record = Record(self.settings, _request_id(headers), headers, receive, client[0])
         at_hand.set(record)
-        observability.begin()
-        status, answered = 0, 0.0
+        observability.IN_FLIGHT.inc()
         failed: Exception | None = None
 
         async def with_headers(message: Message) -> None:
-            nonlocal status, answered
             if message["type"] == "http.response.start":
-                status, answered = message["status"], time.perf_counter()
+                record.status, record.answered = message["status"], time.perf_counter()
                 message["headers"] = [
                     *message.get("headers", ()),
                     *self.headers,
                     (b"x-request-id", record.request_id.encode()),
-                    *_timing(scope, record, answered),
                 ]
-            elif asked["method"] == "HEAD":
+                if path.startswith("/api/"):
+                    message["headers"].append((b"server-timing", _timing(record)))
+            elif head:
                 message["body"] = b""
             await send(message)
 
@@ -76,48 +78,28 @@ class Requests:
         except ClientDisconnect:
             pass  # before its body was whole: there is nobody to answer
         except asyncio.CancelledError:  # the service stops, and has waited long enough
-            if not status:
+            if not record.status:
                 stopping = unavailable("The service is stopping").response()
                 await stopping(scope, receive, with_headers)
         except Exception as error:
             failed = error
-            if not status:
+            if not record.status:
                 await failure(record.request_id).response()(scope, receive, with_headers)
         finally:
-            scope["method"] = asked["method"]
-            observability.end(record, scope, status, answered, failed)
+            route = path if "route" in scope else "unknown"
+            observability.end(record, method, route, failed)
 
 
-class CompressGet(GZipMiddleware):
-    """Compresses pages and descriptions; calculations compress their own answers."""
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer one request."""
-        reads = scope["type"] == "http" and scope["method"] == "GET"
-        await (super().__call__ if reads else self.app)(scope, receive, send)
-
-
-def _below_root(scope: Scope, root: str) -> Scope:
-    """A request as the routes know it: without the prefix, which a proxy may leave or take away;
-    what asks for the head of an answer is answered like what asks for all of it.
-    """
-    path = scope["path"]
-    if root and path.startswith(root + "/"):
-        path = path[len(root) :]
-    return {**scope, "path": path, "method": {"HEAD": "GET"}.get(scope["method"], scope["method"])}
-
-
-def _request_id(scope: Scope) -> str:
-    for name, value in scope["headers"]:
-        if name == b"x-request-id" and REQUEST_ID.fullmatch(value):
-            return str(value, "ascii")
+def _request_id(headers: dict[bytes, bytes]) -> str:
+    own = headers.get(b"x-request-id")
+    if own is not None and REQUEST_ID.fullmatch(own):
+        return str(own, "ascii")
     return f"{random.getrandbits(96):024x}"
 
 
-def _timing(scope: Scope, record: Record, now: float) -> Iterator[tuple[bytes, bytes]]:
-    """Header of where the time of a request went."""
-    if scope["path"].startswith("/api/"):
-        timing = b"total;dur=%.3f" % ((now - record.started) * 1e3)
-        if record.calculations_us:
-            timing = b"calculation;dur=%.3f, %b" % (sum(record.calculations_us) / 1e3, timing)
-        yield b"server-timing", timing
+def _timing(record: Record) -> bytes:
+    """Where the time of a request went."""
+    timing = f"total;dur={(record.answered - record.started) * 1e3:.3f}"
+    if record.calculations_us:
+        timing = f"calculation;dur={sum(record.calculations_us) / 1e3:.3f}, {timing}"
+    return timing.encode()

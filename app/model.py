@@ -16,7 +16,14 @@ from pydantic import (
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
-from app.units import api_value, core_name, in_units, shown_unit, to_si, unit_size
+from app.units import (
+    Convert,
+    api_value,
+    core_name,
+    from_si_converter,
+    shown_unit,
+    to_si_converter,
+)
 from core.results import METHODS, NOTICES, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
@@ -168,6 +175,8 @@ class RequestModel(BaseModel):
         absent = {name for name, value in vars(self).items() if value is None}
         for forms in alternatives:
             given = [form for form in forms if not absent.issuperset(form)]
+            if len(given) == 1 and absent.isdisjoint(given[0]):
+                continue
             if len(given) > 1:
                 first, second = ([n for n in form if n not in absent] for form in given[:2])
                 raise field_error(second[0], "only_one", field=first[0])
@@ -182,10 +191,11 @@ class RequestModel(BaseModel):
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
+        own = vars(self)
         return {
-            core_name(name): to_si(name, value)
-            for name in type(self).model_fields
-            if (value := getattr(self, name)) is not None
+            core: value if convert is None else convert(value)
+            for name, core, convert in _core_plan(type(self))
+            if (value := own[name]) is not None
         }
 
     @property
@@ -201,6 +211,12 @@ class RequestModel(BaseModel):
         InvalidInput
             If it does.
         """
+
+
+@cache
+def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None]]:
+    """How a request is told to the core: name, core's name, what takes a value to SI units."""
+    return [(name, core_name(name), to_si_converter(name)) for name in model.model_fields]
 
 
 def quantity(
@@ -299,13 +315,9 @@ class ResponseModel(BaseModel):
         """
         values = {name: value for name, value in given.items() if value is not None}
         plan = _plan(cls)
-        for name, attribute, size, inner in plan.read:
-            if name in given or (value := getattr(result, attribute)) is None:
-                continue
-            if inner is not None:
-                several = isinstance(value, (list, tuple))
-                value = [*map(inner.values, value)] if several else inner.values(value)
-            values[name] = value if size is None else in_units(size, value)
+        for name, attribute, convert in plan.read:
+            if name not in given and (value := getattr(result, attribute)) is not None:
+                values[name] = value if convert is None else convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
         if plan.states_accuracy:
@@ -385,8 +397,8 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, float | None, type[ResponseModel] | None]]
-    """What is read from it: name, core's name, size of the unit, the answer that it holds."""
+    read: list[tuple[str, str, Convert | None]]
+    """What is read from it: name, core's name, and what makes a value of it that is sent."""
     warns: bool
     states_accuracy: bool
 
@@ -396,7 +408,7 @@ def _plan(model: type[ResponseModel]) -> _Plan:
     fields = model.model_fields
     return _Plan(
         [
-            (name, core_name(name), unit_size(name), _inner_model(field.annotation))
+            (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
             if name not in ("accuracy", "warnings")
         ],
@@ -405,13 +417,18 @@ def _plan(model: type[ResponseModel]) -> _Plan:
     )
 
 
-def _inner_model(annotation: Any) -> type[ResponseModel] | None:
-    """Answer that a field holds, alone or in a list, if it holds one."""
+def _inner_values(annotation: Any) -> Convert | None:
+    """Values of the answer that a field holds, alone or in a list, if it holds one."""
     for each in (annotation, *get_args(annotation)):
         for inner in (each, *get_args(each)):
             if isinstance(inner, type) and issubclass(inner, ResponseModel):
-                return inner
+                one = inner.values
+                return lambda value: [*map(one, value)] if _is_list(value) else one(value)
     return None
+
+
+def _is_list(value: Any) -> bool:
+    return isinstance(value, (list, tuple))
 
 
 class AccuracyOut(BaseModel):

@@ -30,8 +30,6 @@ from prometheus_client import (
     generate_latest,
 )
 from prometheus_client.multiprocess import MultiProcessCollector, mark_process_dead
-from starlette.responses import Response
-from starlette.types import Scope
 
 from app import VERSION
 from app.record import Record
@@ -132,35 +130,25 @@ class JsonLines(logging.Formatter):
         return orjson.dumps(line, option=orjson.OPT_UTC_Z).decode()
 
 
-def begin() -> None:
-    """Count a request that has come."""
-    IN_FLIGHT.inc()
-
-
-def end(
-    record: Record, scope: Scope, status: int, answered: float, error: Exception | None
-) -> None:
-    """Log and count a request that has been answered; what it said is in neither.
+def end(record: Record, method: str, route: str, error: Exception | None) -> None:
+    """Log and count a request that has been answered and was in flight; what it said is in neither.
 
     Parameters
     ----------
     record : Record
-        The request.
-    scope : Scope
-        Its ASGI scope, after routing.
-    status : int
-        HTTP status of the answer; 499 is logged where there is none, as its client has gone.
-    answered : float
-        When the answer started, seconds of `time.perf_counter`; 0 where there is none.
+        The request; where it has no status, its client has gone, which is logged as 499.
+    method, route : str
+        Its method, and its path where there is such a route.
     error : Exception or None
         What failed, for the log alone.
     """
     IN_FLIGHT.dec()
-    method, route = scope["method"], _template(scope)
     if method not in METHODS:
         method = "other"
-    status = status or 499
-    total_s = (answered or time.perf_counter()) - record.started
+    if route.startswith("/static/"):
+        route = "/static"
+    status = record.status or 499
+    total_s = (record.answered or time.perf_counter()) - record.started
     calculation_s = sum(record.calculations_us) / 1e6
     requests, duration, calculation = _meters(method, route, status)
     requests.inc()
@@ -182,8 +170,8 @@ def end(
         line["read_ms"] = round((record.received - record.started) * 1e3, 3)
     if record.calculated:
         line["calculation_ms"] = round(calculation_s * 1e3, 3)
-    if 0 < record.calculated <= answered:  # not so of batches that are sent as they are done
-        line["encode_ms"] = round((answered - record.calculated) * 1e3, 3)
+    if 0 < record.calculated <= record.answered:  # not so of batches that are sent as they are done
+        line["encode_ms"] = round((record.answered - record.calculated) * 1e3, 3)
     raised = (type(error), error, error.__traceback__) if error else None
     # Made here: to find out where in the code it is made costs more than the rest.
     LOG.handle(logging.LogRecord(LOG.name, level, __file__, 0, line, (), raised))
@@ -202,14 +190,6 @@ def _meters(method: str, route: str, status: int) -> tuple[Counter, Histogram, H
     )
 
 
-def _template(scope: Scope) -> str:
-    """Path of a request, but none that a client made up: of our routes files alone are many."""
-    path = str(scope["path"])
-    if path.startswith("/static/"):
-        return "/static"
-    return path if "route" in scope else "unknown"
-
-
 def _forget_the_dead(shared: Path) -> None:
     """Drop what killed workers had in flight; what they had answered stays counted."""
     for file in shared.glob("gauge_live*_*.db"):
@@ -220,11 +200,11 @@ def _forget_the_dead(shared: Path) -> None:
             mark_process_dead(pid)  # type: ignore[no-untyped-call]
 
 
-def metrics() -> Response:
-    """All metrics in the text form of Prometheus, those of the other workers included."""
+def metrics() -> tuple[bytes, str]:
+    """All metrics as Prometheus reads them, those of the other workers included; their type."""
     registry = REGISTRY
     if DIRECTORY in os.environ:
         _forget_the_dead(Path(os.environ[DIRECTORY]))
         registry = CollectorRegistry()
         MultiProcessCollector(registry)  # type: ignore[no-untyped-call]
-    return Response(generate_latest(registry), media_type=CONTENT_TYPE_LATEST)
+    return generate_latest(registry), CONTENT_TYPE_LATEST

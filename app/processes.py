@@ -9,6 +9,7 @@ import asyncio
 import logging
 import traceback
 from collections.abc import AsyncGenerator, Callable, Coroutine, Iterator
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from starlette.requests import ClientDisconnect
@@ -27,22 +28,15 @@ class CalculationFailed(Exception):
     """An error of our own in a process; its text is the traceback from there."""
 
 
-def refuse_if_busy(jobs: Jobs, record: Record) -> None:
-    """Refuse a request for a process at once where too many of its client's are waiting.
-
-    Raises
-    ------
-    Problem
-        503, and when there may be room.
-    """
+@contextmanager
+def refused_if_busy() -> Iterator[None]:
+    """Say that there is no room for a job, and when there may be, as a problem."""
     try:
-        jobs.admit(record.client)
+        yield
     except Busy as busy:
-        raise _too_many(busy) from None
-
-
-def _too_many(busy: Busy) -> Problem:
-    return unavailable("Too many calculations are waiting", busy.retry_after_s)
+        raise unavailable("Too many calculations are waiting", busy.retry_after_s) from None
+    except CannotRun:
+        raise unavailable("No process for calculations can be started") from None
 
 
 async def in_process(
@@ -91,11 +85,8 @@ async def in_parts(
     """
     running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted, client=record.client)
     try:
-        return [_noted(part, record) for part in await _while_wanted(running, record)]
-    except Busy as busy:
-        raise _too_many(busy) from None
-    except CannotRun:
-        raise unavailable("No process for calculations can be started") from None
+        with refused_if_busy():
+            return [_noted(part, record) for part in await _while_wanted(running, record)]
     except Unfinished as unfinished:
         if isinstance(unfinished, Stopped):
             LOG.warning("a process for calculations was stopped")
@@ -115,22 +106,15 @@ async def as_it_comes(
     """
     parts = jobs.stream(_told, job, args, limit_s=limit_s, client=record.client)
     try:
-        while some := await _while_wanted(_next(parts), record):
-            for part in some:
-                yield _noted(part, record)
-    except Busy as busy:
-        raise _too_many(busy) from None
-    except CannotRun:
-        raise unavailable("No process for calculations can be started") from None
+        with refused_if_busy():
+            while some := await _while_wanted(anext(parts, []), record):
+                for part in some:
+                    yield _noted(part, record)
     except Unfinished as unfinished:
         raise why(unfinished, limit_s) from None
     finally:
         if not getattr(parts, "ag_running", False):  # else it is cancelled already
             await parts.aclose()
-
-
-async def _next(parts: AsyncGenerator[list[Any]]) -> list[Any]:
-    return await anext(parts, [])
 
 
 def why(unfinished: Unfinished, limit_s: float) -> Problem:

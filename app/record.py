@@ -24,24 +24,31 @@ class Record:
         Limits of the service that answers.
     request_id : str
         The client's own, or one made.
+    headers : dict of bytes to bytes
+        What it sent with its body, by names in lower case.
     receive : callable
         The client: what it sends next, which after its body is that it has gone.
     client : str
         Its address, as the service or a trusted proxy sees it; empty over a Unix socket.
-    started, received, calculated : float
-        When the request came, its body was whole, its last calculation was done; seconds of
-        `time.perf_counter`, 0 where it has not happened.
+    started, received, calculated, answered : float
+        When the request came, its body was whole, its last calculation was done, its answer
+        started; seconds of `time.perf_counter`, 0 where it has not happened.
+    status : int
+        HTTP status of the answer; 0 where there is none yet.
     calculations_us : list of float
         Run times of its calculations, microseconds.
     """
 
     settings: Settings = field(default_factory=current)
     request_id: str = ""
+    headers: dict[bytes, bytes] = field(default_factory=dict)
     receive: Callable[[], Awaitable[Any]] = _nothing_more
     client: str = ""
     started: float = field(default_factory=time.perf_counter)
     received: float = 0.0
     calculated: float = 0.0
+    answered: float = 0.0
+    status: int = 0
     calculations_us: list[float] = field(default_factory=list)
 
     def calculation_took(self, run_time_us: float) -> None:

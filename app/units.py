@@ -4,12 +4,15 @@ A physical quantity's name in the API ends in its unit; the name without it is t
 """
 
 import math
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 DEGREE = math.pi / 180
+
+Convert = Callable[[Any], Any]
 
 UNITS: dict[str, tuple[str, float]] = {
     "MPa_m_per_s": ("MPa·m/s", 1e6),
@@ -63,40 +66,62 @@ def shown_unit(field: str) -> str:
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units; lists element by element.
+    """Value of an API field in SI units; lists element by element."""
+    convert = to_si_converter(field)
+    return value if convert is None or value is None else convert(value)
+
+
+@cache
+def to_si_converter(field: str) -> Convert | None:
+    """What takes values of an API field to SI units; None for a plain name.
 
     Dividing by the inverse keeps decimal inputs at the nearest double: 8 mm is 0.008 m.
     """
     size = unit_size(field)
-    if size is None or value is None:
-        return value
-    if isinstance(value, (list, tuple)):
-        return [to_si(field, each) for each in value]
-    return value * size if size >= 1 or size == DEGREE else value / (1 / size)
+    if size is None:
+        return None
+    times, over = (size, 1.0) if size >= 1 or size == DEGREE else (1.0, 1 / size)
+
+    def convert(value: Any) -> Any:
+        if isinstance(value, (list, tuple)):
+            return [*map(convert, value)]
+        return value * times / over
+
+    return convert
 
 
 def from_si(field: str, value: Any) -> Any:
     """Value in SI units as an API field carries it; lists and arrays element by element."""
-    size = unit_size(field)
-    return value if size is None or value is None else in_units(size, value)
+    convert = from_si_converter(field)
+    return value if convert is None or value is None else convert(value)
 
 
 TRIFLE = 2.0**-51
 """Relative change by which a number is made a short one: 60, not 59.99999999999999."""
 
 
-def in_units(size: float, value: Any) -> Any:
-    """Value in SI units in units of a size; lists and arrays element by element."""
-    if size == 1:
-        return value
-    if isinstance(value, (list, tuple)):
-        return [in_units(size, each) for each in value]
-    exact = value / size if size > 1 else value * (1 / size)
-    if isinstance(exact, np.ndarray):
-        rounded_off = np.rint(exact * 1e9) / 1e9
-        return np.where(np.abs(exact - rounded_off) <= TRIFLE * np.abs(exact), rounded_off, exact)
-    short = round(exact, 9)
-    return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+@cache
+def from_si_converter(field: str) -> Convert | None:
+    """What takes values in SI units to the unit of an API field; None where it is the same."""
+    size = unit_size(field)
+    if size is None or size == 1:
+        return None
+    times, over = (1.0, size) if size > 1 else (1 / size, 1.0)
+
+    def convert(value: Any) -> Any:
+        if isinstance(value, (list, tuple)):
+            return [*map(convert, value)]
+        exact = value * times / over
+        if isinstance(exact, np.ndarray):
+            short = np.rint(exact * 1e9) / 1e9
+            return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
+        billionths = exact * 1e9
+        if -1e13 < billionths < 1e13 and 0.01 < billionths % 1 < 0.99:
+            return exact  # far from a short one: to see that costs a tenth of rounding
+        short = round(exact, 9)
+        return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+
+    return convert
 
 
 def rounded(values: np.ndarray, digits: int) -> np.ndarray:

@@ -4,6 +4,9 @@ Each request is sent to the service and to an empty FastAPI endpoint with the sa
 answers the same values without calculating them, one after the other in rounds. What counts is the
 processor time: of the applications alone in this process, neither with its line of a log, and of
 the servers over a connection, where the service writes its line and both pay for HTTP.
+
+In process there are two empty ones: FastAPI as it comes, whose pages of documentation and telemetry
+each request passes, and one as lean as the service, without these and with its order of routes.
 """
 
 import gc
@@ -17,6 +20,7 @@ import time
 import timeit
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from operator import truediv
 from pathlib import Path
 from typing import Any
 
@@ -36,7 +40,7 @@ from app.calculations.hertz import HertzRequest, HertzResponse
 from app.calculations.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 from app.endpoint import encoded
 from app.examples import REQUESTS
-from app.main import create_app
+from app.main import NO_TELEMETRY, create_app
 from app.model import RequestModel, ResponseModel
 from app.registry import CALCULATIONS
 from benchmarks.options import options
@@ -49,8 +53,8 @@ CLIENT, SERVERS = min(os.sched_getaffinity(0)), max(os.sched_getaffinity(0))
 
 MODELS: dict[str, tuple[type[RequestModel], type[ResponseModel]]] = {
     "hertz": (HertzRequest, HertzResponse),
-    "roller-strength": (RollerStrengthRequest, RollerStrengthResponse),
     "contact-force": (ContactForceRequest, ContactForceResponse),
+    "roller-strength": (RollerStrengthRequest, RollerStrengthResponse),
     "cyclogram": (CyclogramRequest, CyclogramResponse),
 }
 FORCE = REQUESTS["contact-force"] | {"include": []}
@@ -61,9 +65,26 @@ CURVES = FORCE | {"include": ["curves"]}
 QUIET = ("--no-access-log", "--log-level", "warning")
 
 
+def lean() -> FastAPI:
+    """An empty application as lean as the service, files first."""
+    application = FastAPI(openapi_url=None, telemetry=NO_TELEMETRY)
+
+    @application.get("/static/{name:path}")
+    async def static(name: str) -> None:
+        pass
+
+    return with_endpoints(application)
+
+
 def empty() -> FastAPI:
-    """An application with an empty endpoint for each calculation, and curves ready to encode."""
-    application = FastAPI()
+    """An empty application as FastAPI makes it."""
+    return with_endpoints(FastAPI())
+
+
+def with_endpoints(application: FastAPI) -> FastAPI:
+    """An application with an empty endpoint for each calculation, in the service's order, and
+    curves ready to encode.
+    """
 
     def add(name: str, given: Any, answered: Any) -> None:
         answer = CALCULATIONS[name].solve(given(**BODIES[name]))
@@ -177,15 +198,16 @@ async def asked(application: ASGIApp, path: str, content: bytes) -> None:
 
 async def in_process(rounds: int) -> None:
     """Print the table of the applications alone."""
-    applications = empty(), create_app()
+    applications = empty(), lean(), create_app()
     gc.freeze()  # as the service does
-    print(f"{'in process':16s} {'empty us':>9s} {'service us':>10s} {'ratio':>10s}")
+    print(f"{'in process':16s} {'empty us':>9s} {'lean us':>9s} {'service us':>10s}  ratios")
     for name in MODELS:
         content = json.dumps(BODIES[name]).encode()
         costs: list[list[float]] = []
         for _ in range(rounds + 1):
             costs.append([])
-            for application, path in zip(applications, (f"/{name}", f"{API}/{name}"), strict=True):
+            paths = f"/{name}", f"/{name}", f"{API}/{name}"
+            for application, path in zip(applications, paths, strict=True):
                 started = time.thread_time()
                 for _ in range(REPEATS):
                     await asked(application, path, content)
@@ -194,12 +216,14 @@ async def in_process(rounds: int) -> None:
 
 
 def print_compared(name: str, costs: Sequence[Sequence[float]]) -> None:
-    """Print processor times of rounds, microseconds, and their ratio, second over first: each the
-    median of the rounds.
+    """Print processor times of rounds, microseconds, and the ratios of the last to each of the
+    others: each the median of the rounds.
     """
-    first, second = (statistics.median(each) for each in zip(*costs, strict=True))
-    ratio = statistics.median(second / first for first, second in costs)
-    print(f"{name:16s} {first:9.0f} {second:10.0f} {ratio:10.2f}")
+    *others, own = zip(*costs, strict=True)
+    ratios = [statistics.median(map(truediv, own, each)) for each in others]
+    times = " ".join(f"{statistics.median(each):9.0f}" for each in others)
+    told = " ".join(f"{ratio:9.2f}" for ratio in ratios)
+    print(f"{name:16s} {times} {statistics.median(own):10.0f} {told}")
 
 
 @contextmanager

@@ -266,12 +266,8 @@ def hertz(
 
 def _mismatch_error(first: ElasticMaterial, second: ElasticMaterial) -> Any:
     """Bound of the error of Persson's pressure by the difference of two materials."""
-    return sum(
-        share * abs(constant)
-        for share, constant in zip(
-            MISMATCH_SHARES, mismatch(first=first, second=second), strict=True
-        )
-    )
+    alpha, beta = mismatch(first=first, second=second)
+    return MISMATCH_SHARES[0] * abs(alpha) + MISMATCH_SHARES[1] * abs(beta)
 
 
 def _safety(

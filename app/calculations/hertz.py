@@ -1,7 +1,7 @@
 """Hertz contact of pin and hole: request, answer, figure."""
 
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
@@ -312,18 +312,25 @@ class SafetyOut(ResponseModel):
         cls, result: BodySafety, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's judgement."""
-        limit = result.limit
-        return super().values(
-            result,
-            run_time_us,
-            body=result.body,
-            limit_MPa=from_si("limit_MPa", limit.pressure),
-            criterion=limit.criterion,
-            source=LIMIT_SOURCES.get(limit.source),
-            source_code=limit.source or None,
-            life=LifeOut.of(limit),
+        return {
+            "body": result.body,
+            **_limit_values(result.limit),
+            "safety_factor": result.safety_factor,
             **given,
-        )
+        }
+
+
+@lru_cache(maxsize=256)
+def _limit_values(limit: ContactLimit) -> Values:
+    """What is said of a limit, whatever the pressure."""
+    values = {
+        "limit_MPa": from_si("limit_MPa", limit.pressure),
+        "criterion": limit.criterion,
+        "source": LIMIT_SOURCES.get(limit.source),
+        "source_code": limit.source or None,
+        "life": LifeOut.of(limit),
+    }
+    return {name: value for name, value in values.items() if value is not None}
 
 
 class HertzResponse(ResponseModel):

@@ -284,10 +284,13 @@ class RollerStrengthRequest(JudgedFields):
 
     def judge(self, result: RollerStrength) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        design, given = self.design(), self.to_core()
-        limits: dict[str, Any] = {name: given.get(name) for name in _JUDGED_BY}
-        limits["bending_safety"] = self.requirements.bending_safety
-        limits["fatigue_safety"] = self.requirements.fatigue_safety
+        design = self.design()
+        limits: dict[str, Any] = {
+            "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
+            "bending_safety": self.requirements.bending_safety,
+            "fatigue_safety": self.requirements.fatigue_safety,
+        }
 
         def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
             shared: dict[str, Any] = {name: changed.get(name) for name in _CHECKED}

@@ -27,7 +27,7 @@ from app.running import run
 from app.settings import Settings
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
-from app.units import from_si, in_units, to_si, unit_size
+from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import (
@@ -237,7 +237,7 @@ class SatelliteBearingResponse(ResponseModel):
     ) -> Values:
         """Values of the core's arrays, a row for each satellite."""
         columns = {
-            name: in_units(unit_size(name) or 1.0, values).tolist()
+            name: from_si(name, values).tolist()
             for name, field in COLUMNS.items()
             if (values := getattr(result, field)) is not None
         }

@@ -1,7 +1,7 @@
 """The load of the pins as one job: reference force, exact peak, and what is asked besides."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -188,7 +188,8 @@ def contact_force(
         else None
     )
     # T, u, eta and R as given, their products, and the units they came in
-    accuracy = replace(peak.accuracy, relative_error=max(errors) + 5 * ROUNDING)
+    known = peak.accuracy
+    accuracy = Accuracy(known.method, max(errors) + 5 * ROUNDING, known.evaluations)
     return ContactForce(
         reference_force=reference,
         peak_force=reference * peak.peak_force_ratio,

@@ -315,6 +315,13 @@ async def test_large_answers_travel_compressed(api):
     assert plotly.headers["content-encoding"] == "gzip" and plotly.headers["etag"]
     small = await api.get("health")
     assert "content-encoding" not in small.headers
+    for path in ("materials", "examples", "calculations", "http://service/metrics"):
+        plain = await api.get(path, headers={"accept-encoding": "identity"})
+        packed = await api.get(path, headers={"accept-encoding": "gzip"})
+        assert packed.headers["content-encoding"] == "gzip"
+        assert "content-encoding" not in plain.headers
+        assert {each.headers["vary"].lower() for each in (plain, packed)} == {"accept-encoding"}
+        assert int(packed.headers["content-length"]) < len(plain.content) / 1.5
 
 
 async def test_the_line_of_a_request_suits_every_formatter(api):

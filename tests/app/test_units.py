@@ -61,6 +61,22 @@ def test_no_conversion_loses_more_than_the_last_digits(unit, value):
     assert from_si(field, to_si(field, value)) == pytest.approx(value, rel=1e-15, abs=0)
 
 
+@given(
+    st.sampled_from(sorted(UNITS)),
+    DECIMALS | st.floats(-1e16, 1e16),
+    st.integers(-4, 4),
+)
+def test_a_number_is_a_short_one_wherever_one_is_as_near_as_rounding(unit, value, ulps):
+    size = UNITS[unit][1]
+    si = to_si(f"quantity_{unit}", value)
+    for _ in range(abs(ulps)):
+        si = math.nextafter(si, math.copysign(math.inf, ulps))
+    exact = si / size if size > 1 else si * (1 / size)
+    short = round(exact, 9)
+    near = abs(exact - short) <= 2.0**-51 * abs(exact)
+    assert from_si(f"quantity_{unit}", si) == (short if near and size != 1 else exact)
+
+
 def test_arrays_are_converted_without_the_noise_of_pi():
     degrees = [[0.0, 60.0, 120.0], [180.0, 240.0, 360.0]]
     assert from_si("angle_deg", np.radians(degrees)).tolist() == degrees
