@@ -348,7 +348,7 @@ def check_values(check: Check, places: Places) -> Values:
         "value": from_si(unit, check.value),
         "limit": from_si(unit, check.limit),
         "unit": shown_unit(unit),
-        "keep": check.keep,
+        "keep": check.kind.keep,
         "utilisation": check.utilisation,
         "margin": from_si(unit, check.margin),
         "torque_reserve": check.torque_reserve,

@@ -30,8 +30,6 @@ class Check:
         How it went.
     value, limit : float or None
         What is compared, in SI units; the limit with the required safety in it.
-    keep : {"below", "above"}
-        On which side of the limit the value has to stay.
     utilisation : float or None
         How much of the limit is used, 1 at the limit; None where the limit is 0 or the value not
         positive.
@@ -60,7 +58,6 @@ class Check:
     status: Status
     value: float | None = None
     limit: float | None = None
-    keep: Literal["below", "above"] = "below"
     utilisation: float | None = None
     torque_reserve: float | None = None
     rough: bool = False
@@ -84,7 +81,8 @@ class Check:
         """What is left to the limit, below 0 beyond it, in SI units."""
         if self.value is None or self.limit is None:
             return None
-        return self.limit - self.value if self.keep == "below" else self.value - self.limit
+        over = self.value - self.limit
+        return -over if self.kind.keep == "below" else over
 
 
 def judged(
@@ -92,7 +90,6 @@ def judged(
     value: float,
     limit: float,
     *,
-    keep: Literal["below", "above"] = "below",
     reserve: float | None = None,
     error: float = 4 * ROUNDING,
     warning: str = "",
@@ -106,8 +103,6 @@ def judged(
         Which.
     value, limit : float
         What is compared.
-    keep : {"below", "above"}
-        On which side of the limit the value has to stay.
     reserve : float, optional
         Factor on the torque at which it is at its limit.
     error : float
@@ -128,10 +123,10 @@ def judged(
     'pass'
     >>> judged("contact_pressure_pin", 99.0, 100.0, reserve=1.02).status
     'marginal'
-    >>> judged("wall_holes", 1.0, 2.0, keep="above").utilisation
+    >>> judged("wall_holes", 1.0, 2.0).utilisation
     2.0
     """
-    part, whole = (value, limit) if keep == "below" else (limit, value)
+    part, whole = (value, limit) if CHECKS[code].keep == "below" else (limit, value)
     utilisation = part / whole if whole > 0 and part >= 0 else None
     doubtful = abs(value - limit) <= error * abs(value)
     status: Status = "pass"
@@ -149,7 +144,6 @@ def judged(
         status=status,
         value=value,
         limit=limit,
-        keep=keep,
         utilisation=utilisation,
         torque_reserve=reserve,
         warning=bool(warning),
@@ -218,7 +212,7 @@ def wall(code: str, *, width: float, size: float, least: float | None = None) ->
     Check
     """
     there = width > FIT_TOLERANCE * size
-    found = judged(code, width if there else min(width, 0.0), least or 0.0, keep="above")
+    found = judged(code, width if there else min(width, 0.0), least or 0.0)
     return found if there else replace(found, status="fail", impossible=True)
 
 

@@ -56,7 +56,6 @@ def _life(design: CrankDesign) -> Check:
         code,
         value,
         limit,
-        keep="above",
         reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error),
         rough=design.as_made,
@@ -80,7 +79,6 @@ def _static(design: CrankDesign) -> Check:
         code,
         value,
         limit,
-        keep="above",
         reserve=value / limit,
         error=4 * error,
         rough=design.as_made,
@@ -103,9 +101,7 @@ def _system(design: CrankDesign) -> Check:
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
-    return judged(
-        code, value, limit, keep="above", reserve=reserve, error=error, rough=design.as_made
-    )
+    return judged(code, value, limit, reserve=reserve, error=error, rough=design.as_made)
 
 
 def _pressure_angle(design: CrankDesign) -> Check:
@@ -154,7 +150,6 @@ def _shaft_life(design: CrankDesign) -> Check:
         code,
         value,
         limit,
-        keep="above",
         reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error),
         rough=design.as_made,

@@ -46,7 +46,7 @@ def _interference(design: CrankDesign) -> Check:
         reason = "pressed_without_load"
         return Check(code=code, status="fail", value=design.hole_radius, reason=reason)
     needed = design.hole_radius - clearance
-    return judged(code, design.hole_radius, needed, keep="above", impossible=clearance < 0)
+    return judged(code, design.hole_radius, needed, impossible=clearance < 0)
 
 
 def _clearance(design: CrankDesign) -> Check:

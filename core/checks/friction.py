@@ -46,7 +46,7 @@ def _asked(
 
 
 def _efficiency(design: CrankDesign) -> Check:
-    found = _asked(design, "efficiency", lambda losses: float(losses.efficiency), keep="above")
+    found = _asked(design, "efficiency", lambda losses: float(losses.efficiency))
     if found.value is None or found.limit is None:
         return found
     return replace(found, utilisation=(1 - found.value) / (1 - found.limit))  # by the losses

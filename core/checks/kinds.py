@@ -1,6 +1,7 @@
 """What is checked, why and by which formula; reasons, sources and what is left out, by code."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +24,8 @@ class Kind:
         Core names of the inputs that it depends on.
     source : str
         Where the formula comes from, a key of `CHECK_SOURCES`.
+    keep : {"below", "above"}
+        On which side of the limit the value has to stay.
     """
 
     title: str
@@ -32,6 +35,7 @@ class Kind:
     why: str
     inputs: tuple[str, ...]
     source: str = "geometry"
+    keep: Literal["below", "above"] = "below"
 
 
 GROUPS = {
@@ -259,7 +263,7 @@ CHECKS = {
     "interference": Kind(
         "Interference of pin and hole", "geometry", "mm", "r_out ≥ r_in + e",
         "Otherwise pin and satellite cannot be assembled.",
-        (*_HOLE, "eccentricity"), "yanchevskiy_2021",
+        (*_HOLE, "eccentricity"), "yanchevskiy_2021", keep="above",
     ),
     "clearance": Kind(
         "Clearance of pin and hole", "geometry", "mm", "r_out − r_in − e = 0",
@@ -279,26 +283,26 @@ CHECKS = {
     "wall_holes": Kind(
         "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",
         "Otherwise the holes overlap, or the satellite is weak between them.",
-        ("pins", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016",
+        ("pins", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
     ),
     "pins_apart": Kind(
         "Space between pins", "geometry", "mm", "2·R·sin(π/N) − 2·r_in > 0",
-        "Otherwise the pins overlap.", ("pins", "pin_circle_radius", "pin_radius"),
+        "Otherwise the pins overlap.", ("pins", "pin_circle_radius", "pin_radius"), keep="above",
     ),
     "holes_off_centre": Kind(
         "Holes beside the centre", "geometry", "mm", "R − r_out > 0",
-        "Otherwise the holes reach the axis.", ("pin_circle_radius", "hole_radius"),
+        "Otherwise the holes reach the axis.", ("pin_circle_radius", "hole_radius"), keep="above",
     ),
     "wall_rim": Kind(
         "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
         "Otherwise the holes break through the rim of the satellite.",
         ("outer_radius", "root_radius", "pin_circle_radius", "hole_radius", "min_wall"),
-        "wang_2016",
+        "wang_2016", keep="above",
     ),
     "wall_bore": Kind(
         "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
         "Otherwise the holes break into the bore of the satellite.",
-        ("bore_radius", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016",
+        ("bore_radius", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
     ),
     "outer_diameter": Kind(
         "Diameter of the space of the satellites", "body", "mm", "2·(r_o + e) ≤ D_max",
@@ -313,7 +317,7 @@ CHECKS = {
     "pin_fatigue": Kind(
         "Fatigue of the pins", "pin", "", "n ≥ S_D",
         "Below it the pins break after some time where they bend most.",
-        (*_PIN, *_FATIGUE, *_LOADS, "fatigue_safety"), "shigley",
+        (*_PIN, *_FATIGUE, *_LOADS, "fatigue_safety"), "shigley", keep="above",
     ),
     "pin_deflection": Kind(
         "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",
@@ -327,7 +331,7 @@ CHECKS = {
         "Efficiency of the output mechanism", "friction", "", "η ≥ η_min",
         "Below it more is lost than is asked.",
         ("friction.coefficient", "friction.sleeve", "pin.diameter", "pin_circle_radius", "ratio",
-         "eccentricity", "pins", "satellites", "min_efficiency"), "user",
+         "eccentricity", "pins", "satellites", "min_efficiency"), "user", keep="above",
     ),
     "sliding_speed": Kind(
         "Sliding speed", "friction", "m_per_s", "v ≤ v_max",
@@ -353,30 +357,31 @@ CHECKS = {
     "gear_room": Kind(
         "Holes within the teeth", "gear", "mm", "e·u − R − r_out > 0, R_p − e − R − r_out > 0",
         "Otherwise the holes lie in the teeth of the satellite, or beyond.",
-        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius"),
+        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius"), keep="above",
     ),
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",
         "Otherwise a bearing of a satellite fails before the life that is asked.",
         (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent", "requirements.life"),
-        "iso_281_life",
+        "iso_281_life", keep="above",
     ),
     "bearing_static": Kind(
         "Static load of the satellites' bearings", "bearing", "", "C₀/Q_max ≥ S_0",
         "Otherwise rolling elements dent their tracks.",
         (*_BEARING, "peak_torque", "bearing.static_rating", "static_safety"), "iso_76_rating",
+        keep="above",
     ),
     "system_life": Kind(
         "Life of all satellites' bearings together", "bearing", "h", "(Σ L_j^−β)^(−1/β) ≥ L",
         "Otherwise one of the bearings fails before the life that is asked.",
         (*_BEARING, "bearing.dynamic_rating", "bearing.weibull_slope", "requirements.life"),
-        "iso_281_life",
+        "iso_281_life", keep="above",
     ),
     "crank_bearing_life": Kind(
         "Life of the crankshaft's bearings", "crankshaft", "h", "L_10h ≥ L",
         "Otherwise a bearing of the crankshaft fails before the life that is asked.",
         (*_FORCE, *_TURNING, *_RING, "crankshaft.bearings", "crankshaft.satellite_positions",
-         "crankshaft.bearing_positions", "requirements.life"), "iso_281_life",
+         "crankshaft.bearing_positions", "requirements.life"), "iso_281_life", keep="above",
     ),
     "unbalance_force": Kind(
         "Unbalanced force of the satellites", "crankshaft", "N", "|Σ m·e·ω²| ≤ F_U",
@@ -398,33 +403,37 @@ CHECKS = {
         "Fatigue of the rollers", "rollers", "", "n ≥ S_D",
         "Below it the rollers break after some time beside the middle sphere.",
         (*_ROLLER, "stress_concentration", "roller_rotates", "tensile_strength", *_FATIGUE,
-         "fatigue_safety"), "shigley",
+         "fatigue_safety"), "shigley", keep="above",
     ),
     "roller_sharing": Kind(
         "Rollers that carry", "rollers", "", "n_c = n",
-        "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019",
+        "Otherwise few rollers carry all of the load.", _ROLLER, "ovsyannikov_2019", keep="above",
     ),
     "roller_spacing": Kind(
         "Space between rollers", "rollers", "mm", "2·R·sin(π/n) − D > 0",
         "Otherwise the spheres overlap.", ("rollers", "hole_circle_radius", "sphere_diameter"),
+        keep="above",
     ),
     "roller_room": Kind(
         "Rollers beside the centre", "rollers", "mm", "R − D/2 > 0",
         "Otherwise the rollers reach the axis.", ("hole_circle_radius", "sphere_diameter"),
+        keep="above",
     ),
     "roller_tilt": Kind(
         "Length of the rollers", "rollers", "mm", "2·l + 3·b ≥ 10·e",
         "Shorter ones tilt too much against the discs.",
         ("cylinder_length", "sphere_width", "eccentricity"), "ovsyannikov_2019_length",
+        keep="above",
     ),
     "line_spacing": Kind(
         "Space between rollers", "room", "mm", "2·R_C·sin(Δφ/2) − 2·ρ > 0",
         "Otherwise the rollers overlap.", ("roller_circle_radius", "roller_radius", "wheel"),
+        keep="above",
     ),
     "shaft_in_circle": Kind(
         "Shaft within the rollers", "room", "mm", "R_C − ρ − d/2 > 0",
         "Otherwise the shaft reaches the rollers.",
-        ("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"),
+        ("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"), keep="above",
     ),
     "shaft_deflection": Kind(
         "Deflection of the shaft", "shaft", "mm", "max(Δ_B, Δ_C) ≤ Δ_max",
@@ -443,7 +452,7 @@ CHECKS = {
         "Fatigue of the shaft in bending", "shaft", "", "n ≥ S_D",
         "Below it the shaft breaks after some time where it bends most.",
         (*_SHAFT, "load_rotates_with_shaft", "tensile_strength", *_FATIGUE, "fatigue_safety"),
-        "shigley",
+        "shigley", keep="above",
     ),
     "line_pressure": Kind(
         "Pressure along the contact lines", "lines", "MPa", "p₀ ≤ p_all/S_H",

@@ -72,9 +72,7 @@ def _fatigue(design: CrankDesign) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    check = judged(
-        code, safety, limit, keep="above", reserve=safety / limit, error=error, rough=design.as_made
-    )
+    check = judged(code, safety, limit, reserve=safety / limit, error=error, rough=design.as_made)
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return replace(check, reason="finite_life") if lasts else check
 

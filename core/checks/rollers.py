@@ -112,7 +112,6 @@ def roller_checks(
         "roller_sharing",
         float(result.loaded_rollers),
         float(rollers),
-        keep="above",
         warning="uneven",
     )
     if rollers > 1:
@@ -126,7 +125,7 @@ def roller_checks(
         tilt = Check(code=code, status="not_asked", value=length, missing=("eccentricity",))
     else:
         least = ROLLER_LENGTH * eccentricity
-        tilt = judged(code, length, least, keep="above", warning="tilted")
+        tilt = judged(code, length, least, warning="tilted")
     return verdict(
         [
             strength,
@@ -175,6 +174,5 @@ def fatigue_check(
             limit=safety,
             reason=reason,
             missing=missing,
-            keep="above",
         )
-    return judged(code, fatigue.safety_factor, safety, keep="above", reserve=reserve, error=error)
+    return judged(code, fatigue.safety_factor, safety, reserve=reserve, error=error)

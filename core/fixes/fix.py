@@ -121,7 +121,7 @@ def beyond(check: Check) -> float:
         return math.nan
     if check.torque_reserve is not None:
         return check.torque_reserve - aim(check)
-    if check.keep == "above":
+    if check.kind.keep == "above":
         if check.limit > 0:
             return check.value / check.limit - 1
         return check.value - WALL

@@ -31,7 +31,6 @@ def test_fit(clearance: float) -> None:
         status="fail" if real < 0 else "pass",
         value=hole,
         limit=0.010 if real else hole,
-        keep="above",
         utilisation=0.010 / hole if real else 1.0,
         impossible=real < 0,
     )
@@ -73,7 +72,7 @@ def test_walls(name: str) -> None:
     design = replace(REF, **changes)
     found = CRANK[code](design)
     assert found.value == pytest.approx(width, rel=1e-12)
-    says(found, status="pass", value=found.value, limit=0.0, keep="above", utilisation=0.0)
+    says(found, status="pass", value=found.value, limit=0.0, utilisation=0.0)
     assert found.margin == found.value
     for part in (0.99, 1.01):
         least = CRANK[code](replace(design, min_wall=width * part))
@@ -82,7 +81,6 @@ def test_walls(name: str) -> None:
             status="fail" if asked and part > 1 else "pass",
             value=width,
             limit=width * part if asked else 0.0,
-            keep="above",
             utilisation=part if asked else 0.0,
         )
 

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check, judged, verdict
+from core.checks.kinds import CHECKS
 
 
 @pytest.mark.parametrize(
@@ -22,8 +23,8 @@ from core.checks.check import Check, judged, verdict
         ({"limit": 1.01, "warning": "uneven", "reserve": 1.01}, "pass", ""),
         ({"limit": 1.01, "reserve": 1.0201}, "marginal", ""),
         ({"limit": 1.01}, "pass", ""),
-        ({"limit": 1.01, "keep": "above"}, "fail", ""),
-        ({"limit": 0.99, "keep": "above"}, "pass", ""),
+        ({"limit": 1.01, "code": "wall_holes"}, "fail", ""),
+        ({"limit": 0.99, "code": "wall_holes"}, "pass", ""),
         ({"limit": 0.95, "reserve": 0.9, "error": 0.06}, "marginal", "pressure_error"),
         ({"limit": 0.95, "reserve": 0.9, "error": 0.04}, "fail", ""),
         ({"limit": 1.2, "reserve": 1.1}, "pass", ""),
@@ -31,29 +32,27 @@ from core.checks.check import Check, judged, verdict
     ],
 )
 def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
-    limit = changes.pop("limit")
-    found = judged("contact_pressure_pin", 1.0, limit, **changes)
-    changes["limit"] = limit
+    limit, code = changes["limit"], changes.get("code", "contact_pressure_pin")
+    more = {name: each for name, each in changes.items() if name not in ("limit", "code")}
+    found = judged(code, 1.0, limit, **more)
     assert (found.status, found.reason) == (status, reason)
-    assert found.utilisation == pytest.approx(
-        limit if changes.get("keep") == "above" else 1 / limit, rel=1e-15
-    )
+    assert found.utilisation == pytest.approx(limit if "code" in changes else 1 / limit, rel=1e-15)
     assert found.torque_reserve == changes.get("reserve")
     assert found.warning == ("warning" in changes)
 
 
 def test_utilisation_needs_something_to_use() -> None:
-    for value, limit, keep, used in (
-        (1.0, 0.0, "below", None),
-        (0.0, 1.0, "below", 0.0),
-        (-1.0, 1.0, "below", None),
-        (0.0, 1.0, "above", None),
-        (-1.0, 1.0, "above", None),
-        (1.0, 0.0, "above", 0.0),
+    for value, limit, code, used in (
+        (1.0, 0.0, "wear", None),
+        (0.0, 1.0, "wear", 0.0),
+        (-1.0, 1.0, "wear", None),
+        (0.0, 1.0, "wall_holes", None),
+        (-1.0, 1.0, "wall_holes", None),
+        (1.0, 0.0, "wall_holes", 0.0),
     ):
-        found = judged("wall_holes", value, limit, keep=keep)  # type: ignore[arg-type]
+        found = judged(code, value, limit)
         assert found.utilisation == used
-        assert found.margin == (limit - value if keep == "below" else value - limit)
+        assert found.margin == (limit - value if code == "wear" else value - limit)
     assert Check(code="wall_holes", status="not_checked", value=1.0).margin is None
     assert Check(code="wall_holes", status="not_checked", limit=1.0).margin is None
 
@@ -64,7 +63,7 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
         Check(code="assembly", status="not_asked"),
         Check(code="clearance", status="not_checked"),
     ]
-    half, most = (judged("wall_holes", 1.0, part, keep="above") for part in (0.5, 0.9))
+    half, most = (judged("wall_holes", 1.0, part) for part in (0.5, 0.9))
     found = verdict([*unknown, half, most])
     assert [each.utilisation for each in found.checks[:2]] == [0.9, 0.5]
     assert [each.status for each in found.checks[2:]] == [
@@ -75,7 +74,7 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     assert found["assembly"].status == "not_asked"
     # what warns before what passes, and that before what is not known, whatever their reserves
     warned = judged("crank_balance", 1.0, 0.0, warning="unbalanced")
-    room = judged("line_spacing", 1.0, 0.0, keep="above")
+    room = judged("line_spacing", 1.0, 0.0)
     stressed = judged("roller_stress", 1.0, 2.0, reserve=1.5)
     order = [warned, stressed, room, *reversed(unknown)]
     assert verdict(reversed(order)).checks == tuple(order)
@@ -88,3 +87,9 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     # the worst of those that no torque cures: more of the limit used
     two = [replace(each, status="fail") for each in (half, most)]
     assert verdict(two).checks[0].utilisation == 0.9
+
+
+def test_what_has_to_stay_above_its_limit_says_so() -> None:
+    for code, kind in CHECKS.items():
+        above = "≥" in kind.formula or "> 0" in kind.formula
+        assert kind.keep == ("above" if above or code == "roller_sharing" else "below"), code

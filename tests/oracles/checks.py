@@ -60,7 +60,7 @@ RATIO = math.sqrt(4 * LINE_LOAD / (math.pi * MODULUS * 25)) / 0.008
 
 def says(check: Check, **expected: Any) -> None:
     """What a check says; what is not named has its default."""
-    plain = {"limit": None, "utilisation": None, "torque_reserve": None, "keep": "below"}
+    plain = {"limit": None, "utilisation": None, "torque_reserve": None}
     plain |= {"impossible": False, "warning": False, "reason": "", "missing": ()}
     for name, value in (plain | expected).items():
         found = getattr(check, name)
