@@ -412,3 +412,5 @@ def test_rounding_is_no_stress():
         assert (found.max_stress, found.min_stress) == (3e8, expected)
     tiny = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=1e-9, least=-5e-10)
     assert tiny.min_stress == -5e-10
+    pressed = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=3e-9, least=-3e8)
+    assert (pressed.max_stress, pressed.min_stress) == (0.0, -3e8)
