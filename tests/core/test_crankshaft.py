@@ -232,6 +232,9 @@ def test_what_cannot_be_is_refused() -> None:
     for change, name in (
         ({"satellite_positions": (0.02,)}, "satellite_positions"),
         ({"bearing_positions": (0.06, 0.0)}, "bearing_positions[1]"),
+        ({"bearing_positions": (0.06, 0.06)}, "bearing_positions[1]"),
+        (MASS | {"satellite_mass": 0.0}, "satellite_mass"),
+        (MASS | {"input_speed": 0.0}, "input_speed"),
         ({"eccentricity": 0.0}, "eccentricity"),
     ):
         with pytest.raises(InvalidInput) as refused:

@@ -219,6 +219,24 @@ def test_the_worst_cycle_by_brute_force(
     assert own == pytest.approx(1 / cycle.safety_factor, rel=1e-12)
 
 
+def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
+    """It lies half way between directions that are looked at first, each 15 degrees; another one
+    of 0.9995 of it at 75.2 degrees lies on one of them.
+    """
+    mechanism = Mechanism(pins=3, crank_angles=(0.0, 2.0003668, 6.1746219), ratio=20.0)
+    z = (0.015, 0.037, 0.0763)
+    found = pin_strength(mechanism=mechanism, satellite_positions=z, **PIN).fatigue
+    stress = 10000 * moments(mechanism, 1.0, np.array(z), 4000) / (math.pi * 0.016**3 / 32)
+    chi = np.radians(np.linspace(45, 90, 901))
+    along = (stress * np.exp(-1j * chi[:, None])).real
+    top, bottom = along.max(axis=1), along.min(axis=1)
+    used = STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=1e-5)
+    assert found.direction == pytest.approx(chi[used.argmax()], abs=2e-3)
+    rest = used[np.degrees(chi) > 70].max()
+    assert 0.9994 < rest / used.max() < 0.9996
+
+
 @given(mechanism=mechanisms, exponent=exponents, place=st.floats(0, 0.05))
 @settings(max_examples=60)
 def test_no_section_of_a_cantilever_is_worse_than_the_root(
