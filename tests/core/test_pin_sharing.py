@@ -183,3 +183,28 @@ def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: fl
         single.safety_factor * 0.015 / arm, rel=1e-11
     )
     assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
+
+
+@pytest.mark.parametrize("direction", ["driving", "reverse"])
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_a_pin_loaded_beside_a_support(direction: str, exponent: float) -> None:
+    """``M = F*(a*s + b*s^2/2)`` at the part ``s = 1 - z/L`` of a load that starts at a."""
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    design |= {"force_exponent": exponent, "torque_direction": direction}
+    held = {"satellite_positions": (0.0113,), "support": "supported", "span": 0.1}
+    found = pin_strength(**design | held)
+    s = 1 - 0.0113 / 0.1
+    arm = 0.0013 * s + 0.02 * s**2 / 2
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment_position == pytest.approx(0.0013 + 0.02 * s, abs=1e-7)
+    assert found.peak_shear_force == pytest.approx(found.peak_force * s, rel=1e-12)
+
+
+def test_a_stout_pin_is_sheared_at_its_supports() -> None:
+    """There ``tau = 4/3*F/2/A`` in the middle of the section is worse than all bending."""
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    held = {"satellite_positions": (0.01,), "support": "supported", "span": 0.02, "diameter": 0.03}
+    found = pin_strength(**design | held)
+    shear = 4 / 3 * found.peak_force / 2 / (np.pi * 0.03**2 / 4)
+    assert found.peak_equivalent_stress == pytest.approx(3**0.5 * shear, rel=1e-12)
+    assert found.peak_bending_stress < 0.6 * found.peak_equivalent_stress

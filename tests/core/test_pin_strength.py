@@ -196,6 +196,7 @@ def positions(mechanism: Mechanism) -> tuple[float, ...]:
 @given(mechanism=mechanisms, exponent=exponents, criterion=criteria)
 @example(mechanism=spaced(3, 2, 179.0), exponent=1.0, criterion="gerber")  # flat: many arcs reach 0
 @example(mechanism=spaced(3, 2, 183.0), exponent=1.5, criterion="goodman")
+@example(mechanism=spaced(3, 1), exponent=2.0, criterion="goodman")
 @settings(max_examples=40)
 def test_the_worst_cycle_by_brute_force(
     mechanism: Mechanism, exponent: float, criterion: str
