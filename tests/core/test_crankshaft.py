@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from tests.oracles.satellites import exponents, forces, mechanisms
 
@@ -249,3 +249,6 @@ def test_what_cannot_be_is_refused() -> None:
         with pytest.raises(InvalidInput) as refused:
             crankshaft(**REF | change)
         assert refused.value.parameter == name
+    one = {"mechanism": spaced(2, 1), "satellite_positions": (0.02,)}
+    with pytest.raises(ImpossibleMechanism):
+        crankshaft(**REF | one)

@@ -132,6 +132,21 @@ def test_a_rotating_pin_is_fully_reversed() -> None:
     assert f"{turning.safety_factor:.3f}" == "0.978"
 
 
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_the_direction_of_an_alternating_cycle_is_that_of_the_largest_moment(
+    exponent: float,
+) -> None:
+    design = {"mechanism": spaced(3, 2, 100.0), "satellite_positions": (0.015, 0.037)}
+    found = pin_strength(
+        **design, **PIN, force_exponent=exponent, torque_direction="alternating"
+    ).fatigue
+    locus = moments(design["mechanism"], exponent, np.array(design["satellite_positions"]))
+    top = locus[np.abs(locus).argmax()]
+    assert found.direction == pytest.approx(np.angle(top) % (2 * np.pi), abs=2e-3)
+    stress = 10000 * abs(top) / (math.pi * 0.016**3 / 32)
+    assert found.max_stress == -found.min_stress == pytest.approx(stress, rel=1e-6)
+
+
 def test_life() -> None:
     weak = FatigueStrength(endurance_limit=150e6, tensile_strength=1000e6)
     found = pin_strength(**REFERENCE | {"fatigue": weak}, input_speed=50 * math.pi).fatigue
