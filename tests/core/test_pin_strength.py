@@ -253,6 +253,29 @@ def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
     assert 0.9994 < rest / used.max() < 0.9996
 
 
+def test_a_worst_cycle_at_a_corner_of_its_criterion() -> None:
+    """The pin is never unloaded, and the worst direction has a cycle from nothing: R = 0, at which
+    the line of FKM has a corner. Directions ever closer to the worst one.
+    """
+    strength = FatigueStrength(300e6, 2000e6, criterion="fkm_haigh")
+    cranks = tuple(math.radians(each) for each in (0, 249, 138))
+    mechanism = Mechanism(pins=3, crank_angles=cranks, ratio=20.0)
+    z = (0.015, 0.037, 0.059)
+    pin = PIN | {"fatigue": strength}
+    found = pin_strength(mechanism=mechanism, satellite_positions=z, **pin).fatigue
+    stress = 10000 * moments(mechanism, 1.0, np.array(z)) / (math.pi * 0.016**3 / 32)
+    chi, around = math.pi, math.pi
+    for _ in range(5):
+        near = chi + np.linspace(-around, around, 73)
+        along = (stress * np.exp(-1j * near[:, None])).real
+        top, bottom = along.max(axis=1), along.min(axis=1)
+        used = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
+        chi, around = float(near[used.argmax()]), around / 20
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=3e-7)
+    assert found.direction == pytest.approx(chi, abs=2e-5)
+    assert abs(found.min_stress) < 1e-4 * found.max_stress
+
+
 @given(mechanism=mechanisms, exponent=exponents, place=st.floats(0, 0.05))
 @settings(max_examples=60)
 def test_no_section_of_a_cantilever_is_worse_than_the_root(
