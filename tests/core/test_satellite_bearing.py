@@ -221,6 +221,8 @@ def test_life() -> None:
     assert factor.life[0] == pytest.approx(found.life[0] / 1.2**3, rel=1e-13)
     assert factor.static_safety_factor[0] == found.static_safety_factor[0]
     assert satellite_bearings(**REF).life is None
+    still = satellite_bearings(**REF | {"input_speed": None}, **ratings)
+    assert (still.relative_speed, still.basic_life, still.life) == (None, None, None)
     assert f"{91.1e3 / 10.279e3:.2f}" == "8.86"
     assert rating_life(load=10.279, rating=91.08767, kind="roller") == pytest.approx(1440, rel=1e-6)
     lives = np.array([[100.0, 200.0], [1.0, 1e9]])
