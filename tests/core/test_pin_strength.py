@@ -388,9 +388,19 @@ def test_the_reach_in_closed_form_is_that_of_the_search(
     assert turn.reach(arms) == pytest.approx(searched, rel=1e-12, abs=1e-13)
 
 
-def test_the_locus_is_closed_but_for_equal_sharing() -> None:
+def test_many_rows_are_worked_on_in_blocks() -> None:
+    turn = pin_turn(spaced(3, 2, 100.0), 1.0)
+    arms = np.random.default_rng(1).normal(size=(7, 2)) * np.exp(1j * np.arange(7.0)[:, None])
+    few = turn.reach(arms)
+    assert (turn.reach(np.tile(arms, (9600, 1))).reshape(-1, 7) == few).all()
+    many = largest(turn=turn, arms=(np.tile(arms, (500, 1)),), measure=np.real)
+    assert many.reshape(-1, 7) == pytest.approx(np.tile(few, (500, 1)), rel=1e-12)
+
+
+@pytest.mark.parametrize("mechanism", [spaced(3, 1), spaced(2, 2, 20.0)])
+def test_the_locus_is_closed_but_for_equal_sharing(mechanism: Mechanism) -> None:
     for exponent, closed in ((0.0, False), (0.5, True), (1.0, True), (1.5, True)):
-        places, forces = pin_turn(spaced(3, 1), exponent).drawn()
+        places, forces = pin_turn(mechanism, exponent).drawn()
         same = np.flatnonzero(np.diff(places) < 1e-12)
         jumps = np.abs(forces[:, same + 1] - forces[:, same]).max()
         assert bool(jumps < 1e-12) is closed
