@@ -150,7 +150,7 @@ class ContactCurve:
 
     def polar_angle(self, z: FloatArray) -> FloatArray:
         """Polar angle phi at z, rad: continuous along the line, in (-pi, pi] somewhere on it."""
-        angle = self.position_angle
+        angle = math.remainder(self.position_angle, 2 * math.pi)
         principal: FloatArray = np.arctan2(-z * math.sin(angle), self.scale + z * math.cos(angle))
         continuous = np.arctan2(self.width, z + self.offset) - angle
         return principal + 2 * np.pi * np.rint((continuous - principal) / (2 * np.pi))

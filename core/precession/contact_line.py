@@ -212,7 +212,7 @@ def _contact_line(
     elif torque_sign == -arm_sign:
         flank = -1 if sum(angles) > 0 else 1
         angles = [angle + flank * math.pi for angle in angles]
-    arm_sign *= (-1) ** flank
+    arm_sign *= -1 if flank % 2 else 1
     if start.z <= start.error and end.z >= -end.error:
         if torque_sign is not None:
             raise ImpossibleMechanism("no_lever", {"roller": index + 1, "z": 0.0})

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from tests.oracles.satellites import exponents, forces, mechanisms
 
@@ -32,6 +32,15 @@ def test_the_reference_design() -> None:
     found = crankshaft(**REF)
     assert [f"{each:.3f}" for each in found.peak_reaction] == ["4487.098"] * 2
     assert found.accuracy.relative_error < 5e-14 and found.balance is None
+
+
+def test_the_worst_of_equal_and_stiffness_sharing() -> None:
+    """Of six pins in two satellites each takes k_j/sum(k) of the torque; each bearing holds one."""
+    own = REF | {"satellite_positions": (0.0, 0.062)}
+    equal, found = (crankshaft(**own, pair_stiffness=each) for each in (None, (1.0, 2.0)))
+    for name in ("peak_reaction", "equivalent_reaction"):
+        expected = getattr(equal, name) * np.array([1, 2 / 3 / (1 / 2)])
+        assert getattr(found, name) == pytest.approx(expected, rel=1e-12)
 
 
 def test_loads_stand_still_in_the_crank() -> None:
@@ -232,8 +241,14 @@ def test_what_cannot_be_is_refused() -> None:
     for change, name in (
         ({"satellite_positions": (0.02,)}, "satellite_positions"),
         ({"bearing_positions": (0.06, 0.0)}, "bearing_positions[1]"),
+        ({"bearing_positions": (0.06, 0.06)}, "bearing_positions[1]"),
+        (MASS | {"satellite_mass": 0.0}, "satellite_mass"),
+        (MASS | {"input_speed": 0.0}, "input_speed"),
         ({"eccentricity": 0.0}, "eccentricity"),
     ):
         with pytest.raises(InvalidInput) as refused:
             crankshaft(**REF | change)
         assert refused.value.parameter == name
+    one = {"mechanism": spaced(2, 1), "satellite_positions": (0.02,)}
+    with pytest.raises(ImpossibleMechanism):
+        crankshaft(**REF | one)

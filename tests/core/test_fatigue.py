@@ -63,6 +63,20 @@ def test_sizes():
     assert size_factor(diameter=0.001) == 1
 
 
+@pytest.mark.parametrize("wrong", [0.0, -1.0])
+def test_sizes_that_cannot_be_are_refused(wrong: float) -> None:
+    notch = {"theoretical_factor": 2.0, "radius": 1e-3, "tensile_strength": 5e8}
+    for call, name, own in (
+        (surface_factor, "tensile_strength", {"surface": "ground"}),
+        (size_factor, "diameter", {}),
+        (notch_factor, "radius", notch),
+        (notch_factor, "tensile_strength", notch),
+    ):
+        with pytest.raises(InvalidInput) as refused:
+            call(**own | {name: wrong})
+        assert refused.value.parameter == name
+
+
 def test_reliabilities():
     printed = {50: 1.0, 90: 0.897, 95: 0.868, 99: 0.814, 99.9: 0.753, 99.99: 0.702}
     deviates = {90: 1.288, 95: 1.645, 99: 2.326, 99.9: 3.091, 99.99: 3.719}

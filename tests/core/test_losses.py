@@ -120,6 +120,8 @@ def test_an_even_number_of_phases_has_a_closed_form(pins: int) -> None:
         (3, [0.0, 90.0, 91.0], 1.0),
         (3, [0.0, 120.0, 40.0], 0.05),
         (4, [0.0, 33.0], 0.0),
+        (5, [0.0, 20.0, 70.0], 0.0),  # largest where pairs begin to drive, not where they end
+        (5, [0.0, -20.0, -70.0], 0.0),
         (2, [0.0, 0.06], 1.0),
         (1, [0.0, 179.99, 90.0, 270.0], 1.5),
         (5, [0.0], 120.0),
@@ -266,7 +268,8 @@ def test_what_cannot_be_is_refused() -> None:
     with pytest.raises(InvalidInput) as refusal:
         pin_losses(mechanism=SIX_PINS, **REFERENCE, diameter=np.array([0.01, 0.017]))
     assert refusal.value.parameter == "diameter[1]"
-    for name, value in (("friction_coefficient", -0.1), ("input_speed", 0.0), ("life", -1.0)):
+    wrong = {"friction_coefficient": -0.1, "input_speed": 0.0, "life": -1.0, "diameter": 0.0}
+    for name, value in wrong.items():
         with pytest.raises(InvalidInput) as refusal:
             pin_losses(mechanism=SIX_PINS, **REFERENCE | {name: value})
         assert refusal.value.parameter == name

@@ -65,10 +65,10 @@ def test_a_variable_that_has_no_width_stays() -> None:
 
 
 def test_tops_of_samples() -> None:
-    values = np.array([3.0, 1.0, 4.0, 4.0, 2.0, 5.0])
+    values = np.array([3.0, 1.0, 2.0, 4.0, 4.0, 2.0, 5.0])
     chosen, drop = _tops(values)
-    assert chosen.tolist() == [True, False, True, True, False, True]
-    assert drop[chosen].tolist() == [2.0, 3.0, 2.0, 3.0]
+    assert chosen.tolist() == [True, False, False, True, True, False, True]
+    assert drop[chosen].tolist() == [2.0, 2.0, 2.0, 3.0]
 
 
 def test_climbed_finds_the_top_of_a_stretch() -> None:

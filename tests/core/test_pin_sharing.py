@@ -8,6 +8,7 @@ from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.real_turn import made
+from core.output.sampled_turn import SampledTurn
 from tests.oracles.real_mechanisms import REFERENCE, UNLIKE
 
 EQUAL, STIFF = 10000 / 3, 40000 / 9
@@ -117,6 +118,54 @@ def test_the_worst_section_of_pins_made_unlike(support: str) -> None:
     assert found.peak_equivalent_stress >= bent * (1 - 1e-5)
 
 
+def loaded_one_by_one(forces: np.ndarray) -> SampledTurn:
+    """Each satellite once presses a pin alone; then none does."""
+    return SampledTurn(
+        wave=np.array([0.0, 2.0, 4.0]),
+        on_pins=np.column_stack((np.diag(forces), np.zeros(2)))[:, None] + 0j,
+        on_satellites=np.zeros((2, 3), complex),
+        couple=np.zeros((2, 3)),
+        crank_angles=(0.0, np.pi),
+        error=1e-13,
+        evaluations=3,
+    )
+
+
+@pytest.mark.parametrize(("degrees", "lower"), [((32.5, 90), 1), ((30, 92.5), 0)])
+def test_of_two_directions_that_are_nearly_alike_the_worse_one(
+    degrees: tuple[float, float], lower: int
+) -> None:
+    """The worse one lies half way between directions that are looked at, each 5 degrees."""
+    z = np.array([0.015, 0.037])
+    forces = 50 / z * np.exp(1j * np.radians(degrees))
+    forces[lower] *= 1 - 5e-5
+    turn = loaded_one_by_one(forces)
+    found = pin_strength(**REFERENCE | {"made": lambda torque: turn}).fatigue
+    stress = 50 * 32 / (np.pi * 0.016**3)
+    assert found.max_stress == pytest.approx(stress, rel=1e-9)
+    assert found.safety_factor == pytest.approx(2 / (stress / 300e6 + stress / 1000e6), rel=1e-9)
+    assert np.degrees(found.direction) == pytest.approx(degrees[1 - lower], abs=1e-3)
+
+
+@pytest.mark.parametrize(("places", "lower"), [((52.5, 20), 1), ((52, 19.5), 0)])
+def test_of_two_tops_that_are_nearly_alike_the_higher_one(
+    places: tuple[float, float], lower: int
+) -> None:
+    """A millionth apart, the higher one half way between places that are looked at, 72nds of a
+    load's length. Under a load that starts at a the moment is a parabola with its top at the part
+    ``s = (L - z)/L`` of its length: ``M = F*(a*s + b*s^2/2)``.
+    """
+    span, length = 0.048, 0.02
+    s = np.array(places) / 72
+    z = span * (1 - s)
+    force = 1000 / ((z - length / 2) * s + length * s**2 / 2)
+    force[lower] *= 1 - 1e-6
+    turn = loaded_one_by_one(force)
+    held = {"satellite_positions": tuple(z.tolist()), "support": "supported", "span": span}
+    found = pin_strength(**REFERENCE | held, made=lambda torque: turn)
+    assert found.peak_moment == pytest.approx(1000, rel=1e-9)
+
+
 @pytest.mark.parametrize("criterion", ["goodman", "fkm_haigh"])
 @pytest.mark.parametrize("exponent", [1.0, 1.5])
 def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: float) -> None:
@@ -134,3 +183,28 @@ def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: fl
         single.safety_factor * 0.015 / arm, rel=1e-11
     )
     assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
+
+
+@pytest.mark.parametrize("direction", ["driving", "reverse"])
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_a_pin_loaded_beside_a_support(direction: str, exponent: float) -> None:
+    """``M = F*(a*s + b*s^2/2)`` at the part ``s = 1 - z/L`` of a load that starts at a."""
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    design |= {"force_exponent": exponent, "torque_direction": direction}
+    held = {"satellite_positions": (0.0113,), "support": "supported", "span": 0.1}
+    found = pin_strength(**design | held)
+    s = 1 - 0.0113 / 0.1
+    arm = 0.0013 * s + 0.02 * s**2 / 2
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment_position == pytest.approx(0.0013 + 0.02 * s, abs=1e-7)
+    assert found.peak_shear_force == pytest.approx(found.peak_force * s, rel=1e-12)
+
+
+def test_a_stout_pin_is_sheared_at_its_supports() -> None:
+    """There ``tau = 4/3*F/2/A`` in the middle of the section is worse than all bending."""
+    design = REFERENCE | {"mechanism": Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)}
+    held = {"satellite_positions": (0.01,), "support": "supported", "span": 0.02, "diameter": 0.03}
+    found = pin_strength(**design | held)
+    shear = 4 / 3 * found.peak_force / 2 / (np.pi * 0.03**2 / 4)
+    assert found.peak_equivalent_stress == pytest.approx(3**0.5 * shear, rel=1e-12)
+    assert found.peak_bending_stress < 0.6 * found.peak_equivalent_stress

@@ -132,6 +132,21 @@ def test_a_rotating_pin_is_fully_reversed() -> None:
     assert f"{turning.safety_factor:.3f}" == "0.978"
 
 
+@pytest.mark.parametrize("exponent", [1.0, 1.5])
+def test_the_direction_of_an_alternating_cycle_is_that_of_the_largest_moment(
+    exponent: float,
+) -> None:
+    design = {"mechanism": spaced(3, 2, 100.0), "satellite_positions": (0.015, 0.037)}
+    found = pin_strength(
+        **design, **PIN, force_exponent=exponent, torque_direction="alternating"
+    ).fatigue
+    locus = moments(design["mechanism"], exponent, np.array(design["satellite_positions"]))
+    top = locus[np.abs(locus).argmax()]
+    assert found.direction == pytest.approx(np.angle(top) % (2 * np.pi), abs=2e-3)
+    stress = 10000 * abs(top) / (math.pi * 0.016**3 / 32)
+    assert found.max_stress == -found.min_stress == pytest.approx(stress, rel=1e-6)
+
+
 def test_life() -> None:
     weak = FatigueStrength(endurance_limit=150e6, tensile_strength=1000e6)
     found = pin_strength(**REFERENCE | {"fatigue": weak}, input_speed=50 * math.pi).fatigue
@@ -196,6 +211,7 @@ def positions(mechanism: Mechanism) -> tuple[float, ...]:
 @given(mechanism=mechanisms, exponent=exponents, criterion=criteria)
 @example(mechanism=spaced(3, 2, 179.0), exponent=1.0, criterion="gerber")  # flat: many arcs reach 0
 @example(mechanism=spaced(3, 2, 183.0), exponent=1.5, criterion="goodman")
+@example(mechanism=spaced(3, 1), exponent=2.0, criterion="goodman")
 @settings(max_examples=40)
 def test_the_worst_cycle_by_brute_force(
     mechanism: Mechanism, exponent: float, criterion: str
@@ -217,6 +233,47 @@ def test_the_worst_cycle_by_brute_force(
     cycle = found.fatigue
     own = float(strength.utilisation(cycle.amplitude, cycle.mean))
     assert own == pytest.approx(1 / cycle.safety_factor, rel=1e-12)
+
+
+def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
+    """It lies half way between directions that are looked at first, each 15 degrees; another one
+    of 0.9995 of it at 75.2 degrees lies on one of them.
+    """
+    mechanism = Mechanism(pins=3, crank_angles=(0.0, 2.0003668, 6.1746219), ratio=20.0)
+    z = (0.015, 0.037, 0.0763)
+    found = pin_strength(mechanism=mechanism, satellite_positions=z, **PIN).fatigue
+    stress = 10000 * moments(mechanism, 1.0, np.array(z), 4000) / (math.pi * 0.016**3 / 32)
+    chi = np.radians(np.linspace(45, 90, 901))
+    along = (stress * np.exp(-1j * chi[:, None])).real
+    top, bottom = along.max(axis=1), along.min(axis=1)
+    used = STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=1e-5)
+    assert found.direction == pytest.approx(chi[used.argmax()], abs=2e-3)
+    rest = used[np.degrees(chi) > 70].max()
+    assert 0.9994 < rest / used.max() < 0.9996
+
+
+def test_a_worst_cycle_at_a_corner_of_its_criterion() -> None:
+    """The pin is never unloaded, and the worst direction has a cycle from nothing: R = 0, at which
+    the line of FKM has a corner. Directions ever closer to the worst one.
+    """
+    strength = FatigueStrength(300e6, 2000e6, criterion="fkm_haigh")
+    cranks = tuple(math.radians(each) for each in (0, 249, 138))
+    mechanism = Mechanism(pins=3, crank_angles=cranks, ratio=20.0)
+    z = (0.015, 0.037, 0.059)
+    pin = PIN | {"fatigue": strength}
+    found = pin_strength(mechanism=mechanism, satellite_positions=z, **pin).fatigue
+    stress = 10000 * moments(mechanism, 1.0, np.array(z)) / (math.pi * 0.016**3 / 32)
+    chi, around = math.pi, math.pi
+    for _ in range(5):
+        near = chi + np.linspace(-around, around, 73)
+        along = (stress * np.exp(-1j * near[:, None])).real
+        top, bottom = along.max(axis=1), along.min(axis=1)
+        used = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
+        chi, around = float(near[used.argmax()]), around / 20
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=3e-7)
+    assert found.direction == pytest.approx(chi, abs=2e-5)
+    assert abs(found.min_stress) < 1e-4 * found.max_stress
 
 
 @given(mechanism=mechanisms, exponent=exponents, place=st.floats(0, 0.05))
@@ -333,9 +390,19 @@ def test_the_extremes_in_closed_form_are_those_of_the_search(
         assert found == pytest.approx(searched, rel=1e-12, abs=1e-13)
 
 
-def test_the_locus_is_closed_but_for_equal_sharing() -> None:
+def test_many_rows_are_worked_on_in_blocks() -> None:
+    turn = pin_turn(spaced(3, 2, 100.0), 1.0)
+    arms = np.random.default_rng(1).normal(size=(7, 2)) * np.exp(1j * np.arange(7.0)[:, None])
+    few = turn.reach(arms)
+    assert (turn.reach(np.tile(arms, (9600, 1))).reshape(-1, 7) == few).all()
+    many = largest(turn=turn, arms=(np.tile(arms, (500, 1)),), measure=np.real)
+    assert many.reshape(-1, 7) == pytest.approx(np.tile(few, (500, 1)), rel=1e-12)
+
+
+@pytest.mark.parametrize("mechanism", [spaced(3, 1), spaced(2, 2, 20.0)])
+def test_the_locus_is_closed_but_for_equal_sharing(mechanism: Mechanism) -> None:
     for exponent, closed in ((0.0, False), (0.5, True), (1.0, True), (1.5, True)):
-        places, forces = pin_turn(spaced(3, 1), exponent).drawn()
+        places, forces = pin_turn(mechanism, exponent).drawn()
         same = np.flatnonzero(np.diff(places) < 1e-12)
         jumps = np.abs(forces[:, same + 1] - forces[:, same]).max()
         assert bool(jumps < 1e-12) is closed
@@ -414,3 +481,5 @@ def test_rounding_is_no_stress():
         assert (found.max_stress, found.min_stress) == (3e8, expected)
     tiny = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=1e-9, least=-5e-10)
     assert tiny.min_stress == -5e-10
+    pressed = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=3e-9, least=-3e8)
+    assert (pressed.max_stress, pressed.min_stress) == (0.0, -3e8)

@@ -111,7 +111,9 @@ def test_two_cylinders_as_shigley_has_them(q: float, r: float, other: float) -> 
     assert found.max_pressure == pytest.approx(2 * q / (math.pi * width), rel=1e-12)
     assert found.roller_safety == pytest.approx(1500e6 / found.max_pressure, rel=1e-12)
     assert found.mating_safety == pytest.approx(400e6 / found.max_pressure, rel=1e-12)
-    assert bool(found.notices) == (width / r > 0.159)
+    assert [each.code for each in found.notices] == ["hertz_line_width"] * (width / r > 0.159)
+    for notice in found.notices:
+        assert notice.params == {"ratio": pytest.approx(width / r, rel=1e-12)}
 
 
 def test_a_hollow_is_a_hole() -> None:
@@ -140,6 +142,11 @@ def test_a_hollow_is_a_hole() -> None:
     for radius in (0.0, -0.008, -0.001):
         with pytest.raises(InvalidInput):
             line_contact(line_load=1e5, roller_radius=0.008, mating_radius=radius, **own)
+    sizes = {"line_load": 1e5, "roller_radius": 0.008, "mating_radius": 0.012}
+    for name in ("line_load", "roller_radius"):
+        with pytest.raises(InvalidInput) as refused:
+            line_contact(**sizes | {name: 0.0}, **own)
+        assert refused.value.parameter == name
 
 
 @pytest.mark.parametrize("apart", [1.0, 1e-3, 1e-6])

@@ -251,8 +251,11 @@ def test_the_reference_design_shared_by_stiffness() -> None:
     assert pin_strength(**held, pair_stiffness=(1.0, 0.25)).sharing == "stiffness"
     loads = satellite_bearings(**BEARING, mechanism=mechanism, pair_stiffness=stiffness)
     alone = satellite_bearings(**BEARING, mechanism=mechanism)
-    assert loads.peak_load[0] == pytest.approx(2 * near * alone.peak_load[0], rel=1e-12)
-    assert loads.peak_load[1] == alone.peak_load[1]
+    for name in ("peak_load", "equivalent_load", "peak_ring_force"):
+        worst, equal = getattr(loads, name), getattr(alone, name)
+        assert worst == pytest.approx([2 * near * equal[0], equal[1]], rel=1e-12)
+    least = [alone.min_load[0], 2 * (1 - near) * alone.min_load[1]]
+    assert loads.min_load == pytest.approx(least, rel=1e-12)
 
 
 def test_the_worst_sharing_is_not_that_of_the_largest_moment() -> None:

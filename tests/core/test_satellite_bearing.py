@@ -71,6 +71,25 @@ def test_the_ring_adds_to_the_pins_or_opposes_them() -> None:
         assert wrong.equivalent_load[0] > 1.2 * load
 
 
+def test_teeth_by_their_base_circles() -> None:
+    """cos(alpha_w) = a/a_w*cos(alpha) with the centre distance a of the reference circles."""
+    for difference, module, distance in ((1, 3.5e-3, 2e-3), (3, 1e-3, 1.6e-3), (4, 1e-3, 2e-3)):
+        mesh = involute_mesh(
+            module=module,
+            teeth_difference=difference,
+            pressure_angle=math.radians(20),
+            eccentricity=distance,
+        )
+        wider = math.acos(module * difference / 2 / distance * math.cos(math.radians(20)))
+        assert mesh.operating_pressure_angle == pytest.approx(wider, rel=1e-14)
+        assert mesh.radial_force_ratio == pytest.approx(math.tan(wider), rel=1e-13)
+    teeth = {"module": 4e-3, "teeth_difference": 1, "eccentricity": 2e-3}
+    assert involute_mesh(**teeth, pressure_angle=0.0).radial_force_ratio == 0
+    for name in teeth:
+        wrong = teeth | {name: 0.0}
+        assert refusal(involute_mesh, **wrong, pressure_angle=0.3) == (name, "greater_than")
+
+
 def test_the_ratio_of_a_cycloid_by_quadrature() -> None:
     """Radial over tangential of pins that share as linear contacts do, over half of the ring."""
     theta = (np.arange(200_000) + 0.5) * math.pi / 200_000
@@ -202,11 +221,17 @@ def test_life() -> None:
     assert factor.life[0] == pytest.approx(found.life[0] / 1.2**3, rel=1e-13)
     assert factor.static_safety_factor[0] == found.static_safety_factor[0]
     assert satellite_bearings(**REF).life is None
+    still = satellite_bearings(**REF | {"input_speed": None}, **ratings)
+    assert (still.relative_speed, still.basic_life, still.life) == (None, None, None)
     assert f"{91.1e3 / 10.279e3:.2f}" == "8.86"
     assert rating_life(load=10.279, rating=91.08767, kind="roller") == pytest.approx(1440, rel=1e-6)
     lives = np.array([[100.0, 200.0], [1.0, 1e9]])
     together = system_life(lives=lives, weibull_slope=1.5)
     assert together == pytest.approx([(100**-1.5 + 200**-1.5) ** (-1 / 1.5), 1.0], rel=1e-12)
+    slopes = system_life(lives=lives, weibull_slope=np.array([1.0, 3.0]))
+    assert slopes == pytest.approx([200 / 3, 1.0], rel=1e-12)
+    # one that outlasts the other by far takes nothing from it
+    assert system_life(lives=np.array([7.0, 1e200]), weibull_slope=2.0) == 7.0
 
 
 def test_arrays_are_the_designs_one_by_one() -> None:
@@ -253,9 +278,18 @@ def test_what_cannot_be_is_refused() -> None:
     ring = {"eccentricity": 2e-3, "ratio": 20.0}
     name = "ring_pin_circle_radius"
     assert refusal(cycloid_mesh, **ring, ring_pin_circle_radius=0.042) == (name, "no_cycloid")
-    assert refusal(satellite_bearings, **REF | {"eccentricity": 0.0})[1] == "greater_than"
+    for size in (*ring, name):
+        wrong = ring | {name: 0.1} | {size: 0.0}
+        assert refusal(cycloid_mesh, **wrong) == (size, "greater_than")
+    for name in ("eccentricity", "input_speed", "peak_torque", "static_rating"):
+        assert refusal(satellite_bearings, **REF | {name: 0.0}) == (name, "greater_than")
     odd = {"reliability_percent": 92.0}
     assert refusal(satellite_bearings, **REF | odd) == ("reliability_percent", "not_in_table")
+    life = {"load": 1.0, "rating": 1.0, "kind": "ball"}
+    for name in ("load", "rating"):
+        assert refusal(rating_life, **life | {name: 0.0}) == (name, "greater_than")
+    slope = {"lives": np.ones(2), "weibull_slope": 0.0}
+    assert refusal(system_life, **slope) == ("weibull_slope", "greater_than")
     printed = {90.0: 1.0, 95.0: 0.64, 96.0: 0.55, 97.0: 0.47, 98.0: 0.37, 99.0: 0.25}
     assert {each: reliability_factor(percent=each) for each in printed} == printed
     with pytest.raises(ImpossibleMechanism):
