@@ -287,7 +287,8 @@ class LoadedPin:
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
             top, bottom = cycles(self.moments(at.section, loads.unit), at.direction, rounds)
             use = used(top, bottom)
-            room = (steep * at.length**2 + use * at.angle**2) / 8
+            beside = 2 * math.sin(at.angle / 4) ** 2 / math.cos(at.angle / 2)  # 1/cos(a/2) - 1
+            room = steep * at.length**2 / 8 + use * beside
             if corners:
                 # its line is less steep beyond R = 0 and R = 0.5: the utilisation may be
                 # largest where it has a corner, from which it falls at once
