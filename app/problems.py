@@ -126,8 +126,10 @@ KINDS = {
     "not-found": "There is nothing at this path; the API's description lists all.",
     "request-timeout": "The request did not arrive whole in the time that the service waits.",
     "too-large": "The body has more bytes than the service takes.",
-    "unavailable": "Too much is asked at once, a calculation takes longer than allowed, or the "
-    "service starts or stops; `Retry-After` says when to ask again.",
+    "too-long": "The calculation takes longer than the service allows, and would again: ask for "
+    "less at once.",
+    "unavailable": "Too much is asked at once, or the service starts or stops; `Retry-After` says "
+    "when to ask again.",
     "unsupported-media-type": "The body is not sent as plain `application/json`.",
 }
 """What each kind of problem is, as the address in its `type` says."""
@@ -307,6 +309,11 @@ def not_json(detail: str) -> Problem:
 def too_large(limit: int) -> Problem:
     """Problem of a body above the limit."""
     return Problem(413, "too-large", "Too large", f"The body exceeds {limit} bytes")
+
+
+def too_long(limit_s: float) -> Problem:
+    """Problem of a calculation that is not done in time; it would not be another time."""
+    return Problem(503, "too-long", "Takes too long", f"It was not done within {limit_s:g} s")
 
 
 def http_problem(error: HTTPException) -> Problem:

@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 from starlette.requests import ClientDisconnect
 
 from app.jobs import Busy, CannotRun, Jobs, Stopped, TooLong, Unfinished
-from app.problems import Problem, impossible, unavailable
+from app.problems import Problem, impossible, too_long, unavailable
 from app.record import Record, at_hand
 from core.errors import ImpossibleMechanism
 
@@ -120,7 +120,7 @@ async def as_it_comes(
 def why(unfinished: Unfinished, limit_s: float) -> Problem:
     """Problem of a calculation that has not come to its end."""
     if isinstance(unfinished, TooLong):
-        return unavailable(f"The calculation was not done within {limit_s:g} s: it is too long")
+        return too_long(limit_s)
     return unavailable("The process of the calculation was stopped")
 
 

@@ -54,7 +54,8 @@ export function createAsking({ store, client, designs }) {
     if (!answers.has(key)) {
       const { filled } = readState(model, stateFromInput(model, input));
       answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
-        .then(({ answer }) => answer, () => {
+        .then(({ answer }) => answer, (problem) => {
+          if (!problem.passing) return null;
           answers.delete(key); // asked for again with the next answer of the service
           return undefined;
         }));
@@ -93,7 +94,7 @@ export function createAsking({ store, client, designs }) {
     if (superseded) return;
     if (problem) {
       store.apply(failed, problem);
-      timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
+      if (problem.passing) timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
       failures += 1;
       return;
     }

@@ -15,9 +15,9 @@ export class Problem extends Error {
     this.where = where;
   }
 
-  /** Whether it may be gone when the same is asked again: no service, or one that is busy. */
+  /** Whether it may be gone when the same is asked again: no service, or one that is busy; what takes too long would again. */
   get passing() {
-    return this.status === 0 || this.status >= 500;
+    return this.status === 0 || (this.status >= 500 && this.kind !== "too-long");
   }
 }
 

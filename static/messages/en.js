@@ -54,7 +54,8 @@ export default {
   // What a refusal says that is about no field, by its kind.
   refused: {
     "too-large": "The request is too large.",
-    unavailable: "The service is busy or the answer takes too long: try again in a few seconds.",
+    "too-long": "The answer takes longer than the service allows: make it smaller, for example with fewer pins.",
+    unavailable: "The service is busy: try again in a few seconds.",
     failure: "The service failed: this is no error of the input.",
   },
   unit: {}, // names of units that are not written as in the service

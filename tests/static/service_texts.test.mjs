@@ -83,5 +83,9 @@ test("what is no refusal of a field says what it says", async () => {
   assert.equal(problemText(new Problem({ status: 500, title: "failed" }), TITLES), "Failed");
   assert.equal(problemText(new Problem({ title: "unreachable" }), TITLES), message("page.unreachable"));
   await useLanguage("uk");
-  assert.match(problemText(new Problem({ status: 503, kind: "unavailable", detail: "busy" }), TITLES), /^Сервіс зайнятий/);
+  const busy = new Problem({ status: 503, kind: "unavailable", detail: "busy" });
+  const long = new Problem({ status: 503, kind: "too-long", detail: "not within 10 s" });
+  assert.match(problemText(busy, TITLES), /^Сервіс зайнятий/);
+  assert.match(problemText(long, TITLES), /довше, ніж дозволяє сервіс/);
+  assert.deepEqual([busy.passing, long.passing], [true, false]); // the same would take as long again
 });
