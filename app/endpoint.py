@@ -92,7 +92,10 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
         (413, "The request is too large"),
         (415, "The request is not sent as JSON"),
         (422, "The input is wrong, or the mechanism cannot work"),
-        (503, "Too much is asked now, where `Retry-After` says when to ask again; or it takes too long"),
+        (
+            503,
+            "Too much is asked now: `Retry-After` says when to ask again; or it takes too long",
+        ),
     )
 }
 """Refusals of every calculation, as its description shows them."""

@@ -21,8 +21,8 @@ NOTICES = {
     "after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
-    "fatigue_no_basis": "Fatigue is not checked: there is no rule for the endurance "
-    "limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel "
+    "follows from its tensile strength; else give the limit, and the tensile strength with it.",
     "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is "
     "given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be "

@@ -48,6 +48,9 @@ over from one pair to the next."""
 SINGULAR = 1e-5
 """The same where the force rises with a power of the cosine that is not whole."""
 
+DRAWN = np.linspace(0.0, 1.0, 13)
+"""Places of an arc that are drawn besides its samples."""
+
 BLOCK = 1_000_000
 """Numbers that are worked on at once."""
 
@@ -267,10 +270,12 @@ class PinTurn(Turn):
         forces : array, shape (K, n)
         """
         low, high = np.tan(2 * np.pi * self.ends)[..., None]
-        angles = np.arctan(_between(low, high, self.nodes)) / (2 * np.pi)
+        parts = np.union1d(self.nodes, DRAWN)
+        angles = np.arctan(_between(low, high, parts)) / (2 * np.pi)
         places = angles + (self.middle - self.ends.mean(axis=0))[:, None]
         forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
-        forces[:, self.arcs] = self.forces
+        drawn = self.at(self.arcs)(np.tile(parts, (len(self.arcs), 1)))
+        forces[:, self.arcs] = drawn.swapaxes(0, 1)
         order = np.argsort(self.middle, kind="stable")
         return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
 

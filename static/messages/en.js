@@ -856,7 +856,7 @@ export default {
     fatigue_no_basis: {
       title: "Fatigue not checked: no limit",
       tests: "Whether an endurance limit is known.",
-      why: "There is a rule for steels of known tensile strength only; bronzes, irons and plastics have none.",
+      why: "That of a steel follows from its tensile strength, where this is known; for bronzes, irons and plastics there is no such rule.",
       mend: "Give the endurance limit, and the tensile strength where it is not known.",
     },
     fatigue_no_notch: {

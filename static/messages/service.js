@@ -78,7 +78,7 @@ export default {
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
-    "fatigue_no_basis": "Fatigue is not checked: there is no rule for the endurance limit of what is no steel of known tensile strength; give the limit and that strength.",
+    "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel follows from its tensile strength; else give the limit, and the tensile strength with it.",
     "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
     "hardly_known": "Hardly anything is known of the result: its relative error may be {error}, because rounding of the input is magnified so much.",
     "hertz_half_width": "The half-width of the contact is {ratio} of the pin's radius; Hertz assumes a narrow contact and is off by more than 1 %: use the conformal pressure, or where there is none, for very different materials, take it as a rough guide.",
