@@ -381,11 +381,15 @@ def _loads(
     # most, least and ring at once: what is sought least has its sign turned
     rings = np.concatenate((own[:some], np.zeros_like(own[:some])))
     many = (
-        np.concatenate((each, -each, ring))
+        np.concatenate((each, each, ring))
         for each, ring in zip(arms, np.split(rings, 2), strict=True)
     )
+    sign = np.repeat([1.0, -1.0, 1.0], (len(across), len(across), some))
+    signs = np.outer(sign, own.sum(axis=0))  # of the sum of all shares, which is 1
     found = largest(
-        turn=turn, arms=tuple(many), measure=lambda w, s: np.copysign(np.hypot(w, s), w)
+        turn=turn,
+        arms=(*many, signs),
+        measure=lambda w, s, sign: np.copysign(np.hypot(w, s), sign),
     )
     most, least, ring = np.split(found, (len(across), 2 * len(across)))
     least, ring = -least, np.tile(ring, len(rho))
