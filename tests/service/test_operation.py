@@ -57,7 +57,10 @@ def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, worker
 
 
 def test_a_stopping_service_waits_only_so_long(serve):
-    endless = {"calculation": "contact_force", "requests": [LONG] * 60}
+    different = [
+        LONG | {"crank_angles_deg": [each, *LONG["crank_angles_deg"][1:]]} for each in range(60)
+    ]
+    endless = {"calculation": "contact_force", "requests": different}
     with serve(max_seconds=60, stop_seconds=1) as service:
         broken = []
 
