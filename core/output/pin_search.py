@@ -288,6 +288,7 @@ class OfArcs:
         values = tuple(found[row, section, middle + k] for k in (-1, 0, 1))
         places = tuple(grid[row, middle + k] for k in (-1, 0, 1))
         vertex, above = _vertex(places, values)
+        above = np.maximum(top, above)
         best, own = index[:, seen], (slice(None), seen)
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
@@ -298,10 +299,10 @@ class OfArcs:
         if self.near:  # the parabola of so near places is right
             settled |= (above[own] - top[own] <= MISSED * size) & ~stuck & parabolic
         self.near = True
-        self.place = np.where(stuck, at, vertex[own])
+        self.place = np.where(stuck | (above == top)[own], at, vertex[own])
         narrower = np.where(parabolic, 1 / closer, 1 / min(closer, CELLS))
         self.width = width * np.where(stuck, 2.0, narrower)
-        return top, np.maximum(top, above), settled
+        return top, above, settled
 
 
 def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:

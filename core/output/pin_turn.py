@@ -154,6 +154,8 @@ class Turn:
         """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
         with which processors take a hundred times as long.
         """
+        if self.exponent == 1:
+            return cosines
         if self.least:
             cosines = cosines * (cosines > self.least)
         found: FloatArray = cosines**self.exponent
