@@ -189,7 +189,7 @@ class LoadedPin:
             own, summit = points.of(tops.row), OfArcs(turn, tops)
             arms_at = _quadratics(arms, own)
 
-            def near(x: FloatArray) -> tuple[FloatArray, BoolArray]:
+            def near(x: FloatArray, _: FloatArray) -> tuple[FloatArray, BoolArray]:
                 along = arms_at(x)
 
                 def measured(forces: ComplexArray) -> FloatArray:
@@ -198,7 +198,7 @@ class LoadedPin:
                 _, above, settled = summit.narrow(measured, NARROWER, seen=1)
                 return above, settled
 
-            x = climbed(value=near, points=own)
+            x, _ = climbed(value=near, points=own)
             values = largest(turn=turn, arms=arms(x), measure=measure)
             top = int(values.argmax())
             return float(values[top]), float(x[top]), 0.0
@@ -298,8 +298,19 @@ class LoadedPin:
             return use, room
 
         def climb(points: Points) -> Found:
-            if isinstance(turn, PinSamples) or closed is not None:
+            if isinstance(turn, PinSamples) or (closed is not None and corners):
                 return 0.0, float(points.section[0]), float(points.direction[0])
+            if closed is not None:
+                arms_near = _quadratics(lambda x: (self.moments(x, loads.unit),), points)
+
+                def near(x: FloatArray, chi: FloatArray) -> tuple[FloatArray, BoolArray]:
+                    arms = arms_near(x)[0].reshape(x.size, -1)
+                    use = used(*cycles(arms, chi.ravel())).reshape(x.shape)
+                    return use, np.ones(len(x), dtype=np.bool_)
+
+                x, chi = climbed(value=near, points=points)
+                top = int(used(*cycles(self.moments(x, loads.unit), chi)).argmax())
+                return 0.0, float(x[top]), float(chi[top])
             own = self.moments(points.section, loads.unit)
             ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]
             tops, bottoms = (
@@ -355,7 +366,7 @@ class LoadedPin:
             value=value,
             stretches=self.stretches(strength.criterion != "fkm_haigh"),
             around=True,
-            enough=ENOUGH if closed is not None else min(loads.error, NEAR_AROUND),
+            enough=ENOUGH if closed is not None and corners else min(loads.error, NEAR_AROUND),
             closed=closed is not None,
             climb=climb,
             size=turn.forces[0].size,

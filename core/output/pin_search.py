@@ -56,8 +56,12 @@ NARROWER = 8
 AROUND = 24
 """Directions looked at first."""
 
-ALONG = 4
-"""Parts of each stretch of the pin that are looked at first."""
+MOVES = np.array([-1.0, 0.0, 1.0])
+"""Of the places about a point of whose values differences are taken."""
+
+ALONG, SECTIONS = 4, 24
+"""Parts of each stretch of the pin that are looked at first, at least, and about how many sections
+where there are few stretches and directions do not count."""
 
 ENOUGH = 2e-13
 """What a largest value may be missed by, as a part of it."""
@@ -460,7 +464,8 @@ def highest(
         None where there is nothing beyond.
     """
     long = stretches[1] > stretches[0]
-    parts = np.where(long, ALONG, 0)
+    cuts = ALONG if around else max(ALONG, SECTIONS // max(1, int(long.sum())))
+    parts = np.where(long, cuts, 0)
     row = np.repeat(np.arange(len(parts)), parts + 1)
     part = np.maximum(parts, 1)[row]
     way = (np.arange(len(row)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)) / part
@@ -483,7 +488,7 @@ def highest(
             return None
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
         if room[kept].max() <= enough * best:
-            return climb(at.of(kept[:1] if closed else kept[_apart(at.of(kept))]))
+            return climb(at.of(kept if closed else kept[_apart(at.of(kept))]))
         many = POINTS / len(kept) if closed else 0.0
         closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
         moves = (np.arange(closer) - closer // 2) / closer
@@ -501,38 +506,62 @@ def highest(
 
 
 def climbed(
-    *, value: Callable[[FloatArray], tuple[FloatArray, BoolArray]], points: Points
-) -> FloatArray:
-    """Sections about points where a value is largest, by Newton's method with differences.
+    *,
+    value: Callable[[FloatArray, FloatArray], tuple[FloatArray, BoolArray]],
+    points: Points,
+) -> tuple[FloatArray, FloatArray]:
+    """Sections about points, and directions where they count, at which a value is largest, by
+    Newton's method with differences.
 
     Parameters
     ----------
     value : callable
-        Of three sections, shape (rows, 3), which may lie a little beyond the points' stretches:
-        values there, and for each row whether they are as good as they get.
+        Of sections and directions, shape (rows, m), which may lie a little beyond the points'
+        stretches: values there, and for each row whether they are as good as they get.
     points : Points
         Where to start.
 
     Returns
     -------
-    array, shape (rows,)
+    section, direction : array, shape (rows,)
     """
-    x, length, moves = points.section, points.length, np.arange(-1.0, 2.0)
+    x, chi, length = points.section, points.direction, points.length
+    angle, every = np.full(len(x), points.angle), np.arange(len(x))
+    moves = np.meshgrid(
+        MOVES if length.any() or not points.angle else 0.0, MOVES if points.angle else 0.0
+    )
+    move_x, move_chi = (each.ravel() for each in moves)
+    rows, columns = moves[0].shape
     for _ in range(JOINT_ROUNDS):
-        f, settled = value(x[:, None] + length[:, None] * moves)
-        here, slope = f[:, 1], (f[:, 2] - f[:, 0]) / 2
-        bent = f[:, 2] + f[:, 0] - 2 * here
-        held = (length == 0) | np.where(slope > 0, x >= points.high, x <= points.low)
-        known = (bent < 0) & (np.abs(slope) <= -bent)
-        step = np.where(known, -slope / np.where(known, bent, 1.0), np.sign(slope))
-        step = np.where(held, 0.0, step)
-        gain = slope * step  # twice what is left to the top of a parabola
-        done = settled & (gain <= SETTLED * np.abs(here))
-        if (done | ((known | held) & (here + 2 * gain < here.max()))).all():
+        f, settled = value(
+            x[:, None] + length[:, None] * move_x, chi[:, None] + angle[:, None] * move_chi
+        )
+        grid, best = f.reshape(-1, rows, columns), f.argmax(axis=1)
+        along, around = grid[:, rows // 2].T, grid[:, :, columns // 2].T
+        here = along[columns // 2]
+        slope_x, slope_chi = (along[-1] - along[0]) / 2, (around[-1] - around[0]) / 2
+        bent_x, bent_chi = along[-1] + along[0] - 2 * here, around[-1] + around[0] - 2 * here
+        mixed = (grid[:, -1, -1] - grid[:, -1, 0] - grid[:, 0, -1] + grid[:, 0, 0]) / 4
+        held = (length == 0) | np.where(slope_x > 0, x >= points.high, x <= points.low)
+        slope_x, bent_x, mixed = np.where(held, ([0.0], [-1.0], [0.0]), (slope_x, bent_x, mixed))
+        if rows == 1:
+            bent_chi -= 1.0
+        bent = bent_x * bent_chi - mixed * mixed
+        known = (bent_x < 0) & (bent > 0)
+        size = np.where(known, bent, 1.0)
+        step_x = (mixed * slope_chi - bent_chi * slope_x) / size
+        step_chi = (mixed * slope_x - bent_x * slope_chi) / size
+        known &= np.maximum(np.abs(step_x), np.abs(step_chi)) <= 1
+        step_x, step_chi = np.where(known, (step_x, step_chi), (move_x[best], move_chi[best]))
+        gain = slope_x * step_x + slope_chi * step_chi  # twice what is left to a parabola's top
+        done = known & settled & (gain <= SETTLED * np.abs(here))
+        if (done | (known & (here + 2 * gain < here.max()))).all():
             break
-        x = np.minimum(np.maximum(x + length * step, points.low), points.high)
-        length = length * np.where(known | held, 1 / NARROWER, 2.0)
-    return x
+        x = np.minimum(np.maximum(x + length * step_x, points.low), points.high)
+        chi = chi + angle * step_chi
+        narrower = np.where(known | (f[every, best] <= here), 1 / NARROWER, 2.0)
+        length, angle = length * narrower, angle * narrower
+    return x, chi
 
 
 def _apart(points: Points) -> IntArray:

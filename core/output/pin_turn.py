@@ -260,7 +260,8 @@ class PinTurn(Turn):
         """
         points, total = self._polygons
         sums = combine(arms=weights, forces=points).reshape(len(weights), 3, -1)
-        return _highest(sums, total), -_highest(-sums, total)
+        largest, lowered = np.split(_highest(np.concatenate((sums, -sums)), total), 2)
+        return largest, -lowered
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
         """Forces over the turn, both sides of every switching angle.
@@ -491,16 +492,13 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     Returns
     -------
     array, shape (rows, m) or (rows, s, m)
-        Summed by `einsum`, as a library of linear algebra would wake its threads for products this
-        small.
     """
-    of = ("rsk" if arms.ndim == 3 else "rk", "rkm" if forces.ndim == 3 else "km")
-    what = f"{of[0]},{of[1]}->{of[0][:-1]}m"
-    if np.iscomplexobj(forces) and not np.iscomplexobj(arms):  # as twice as many real numbers
-        parts = np.ascontiguousarray(forces).view(np.float64)
-        found: NDArray[Any] = np.einsum(what, arms, parts, order="C").view(np.complex128)
-        return found
-    return np.asarray(np.einsum(what, arms, forces, order="C"))
+    alone = arms.ndim < forces.ndim  # each row has forces of its own
+    doubled = np.iscomplexobj(forces) and not np.iscomplexobj(arms)
+    if doubled:  # as twice as many real numbers
+        forces = np.ascontiguousarray(forces).view(np.float64)
+    found: NDArray[Any] = (arms[:, None] @ forces)[:, 0] if alone else arms @ forces
+    return found.view(np.complex128) if doubled else found
 
 
 @lru_cache(maxsize=256)

@@ -83,7 +83,7 @@ def test_climbed_finds_the_top_of_a_stretch() -> None:
         return 7 - away**2 + away**3 / 20, np.full(5, True)
 
     rounds = []
-    x = climbed(value=lambda x: (rounds.append(x), hill(x))[1], points=start)
+    x, _ = climbed(value=lambda x, _: (rounds.append(x), hill(x))[1], points=start)
     assert x[1:4] == pytest.approx([0, 1, 0.5], abs=0)
     assert x[[0, 4]] == pytest.approx(tops[[0, 4]], abs=1e-7)
     assert len(rounds) <= 14
