@@ -88,6 +88,8 @@ class Turn:
         Arcs over which any of the pairs drives, and one of the others.
     forces : array, shape (K, a, n)
         What is asked of the pairs at the samples of these.
+    tangents : array, shape (2, all arcs, 1)
+        Of the best placed pair's pressure angle at both ends of every arc.
     """
 
     def __init__(
@@ -147,8 +149,8 @@ class Turn:
         drives = np.abs(phase + middle) < 0.25
         self.drives = drives * stiffness
         cosines = np.where(drives, _relative_cosines(phase, ends[..., None]), 0.0)
-        turned, tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
-        self.own = cosines + 1j * (np.sin(turned) + tangents * np.cos(turned))
+        turned, self.tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
+        self.own = cosines + 1j * (np.sin(turned) + self.tangents * np.cos(turned))
 
     def _power(self, cosines: FloatArray) -> FloatArray:
         """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
@@ -272,7 +274,7 @@ class PinTurn(Turn):
             Ascending, in turns of the wave.
         forces : array, shape (K, n)
         """
-        low, high = np.tan(2 * np.pi * self.ends)[..., None]
+        low, high = self.tangents
         parts = np.union1d(self.nodes, DRAWN)
         angles = np.arctan(_between(low, high, parts)) / (2 * np.pi)
         places = angles + (self.middle - self.ends.mean(axis=0))[:, None]
@@ -310,21 +312,6 @@ class SatelliteTurn(Turn):
         self.off = 2 * math.pi * ((ROUNDING if aligned else PHASE_ROUNDING) + phases.error)
         super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
 
-    def tangents(self, arcs: IntArray) -> FloatArray:
-        """Tangents of the best placed pair's pressure angle at both ends of arcs.
-
-        Parameters
-        ----------
-        arcs : array of int, shape (rows,)
-            Arcs.
-
-        Returns
-        -------
-        array, shape (2, rows, 1)
-        """
-        found: FloatArray = np.tan(2 * np.pi * self.ends[:, arcs])[..., None]
-        return found
-
     def nodes_of(self, level: int) -> tuple[FloatArray, FloatArray]:
         """Shares and forces at the nodes of a rule of the whole turn, and its weights.
 
@@ -338,7 +325,7 @@ class SatelliteTurn(Turn):
         values : array, shape (2*K, n)
         weights : array, shape (n,)
         """
-        start, stop = self.tangents(self.arcs)
+        start, stop = self.tangents[:, self.arcs]
         near, weights = tanh_sinh_rule(level)
         way = np.tile(np.concatenate((near, 1 - near[::-1])), (len(self.arcs), 1))
         weights = np.concatenate((weights, weights[::-1]))
@@ -365,7 +352,7 @@ class SatelliteTurn(Turn):
         cosines = np.where(weights > 0, turned.real, 1.0)
         tilted = self._power(cosines) * np.abs(turned.imag) * weights
         tilted = tilted / self._total(self.part[self.arcs])(way)
-        start, stop = self.tangents(self.arcs)
+        start, stop = self.tangents[:, self.arcs]
         secant = np.sqrt(1 + _between(start, stop, way) ** 2)[:, None]
         share, force = self.forces.reshape(2, -1, *way.shape).swapaxes(1, 2)
         alone = v * secant / np.maximum(cosines, self.off) - (1 + v) * np.repeat(
@@ -384,7 +371,7 @@ class SatelliteTurn(Turn):
         """T times shares and forces."""
         low, high = self.own.real[:, arcs, :, None]
         drives = self.drives[arcs, :, None]
-        start, stop = self.tangents(arcs)
+        start, stop = self.tangents[:, arcs]
 
         def own(way: FloatArray) -> FloatArray:
             cosines = _between(low, high, way[:, None])
