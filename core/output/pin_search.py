@@ -551,7 +551,8 @@ def climbed(
         size = np.where(known, bent, 1.0)
         step_x = (mixed * slope_chi - bent_chi * slope_x) / size
         step_chi = (mixed * slope_x - bent_x * slope_chi) / size
-        known &= np.maximum(np.abs(step_x), np.abs(step_chi)) <= 1
+        far = np.maximum(np.abs(step_x), np.abs(step_chi))
+        known &= far <= 1
         step_x, step_chi = np.where(known, (step_x, step_chi), (move_x[best], move_chi[best]))
         gain = slope_x * step_x + slope_chi * step_chi  # twice what is left to a parabola's top
         done = known & settled & (gain <= SETTLED * np.abs(here))
@@ -559,8 +560,9 @@ def climbed(
             break
         x = np.minimum(np.maximum(x + length * step_x, points.low), points.high)
         chi = chi + angle * step_chi
-        narrower = np.where(known | (f[every, best] <= here), 1 / NARROWER, 2.0)
-        length, angle = length * narrower, angle * narrower
+        wider = np.where(f[every, best] > here, 2.0, 0.5)
+        wider = np.where(known, np.maximum(far, 1 / NARROWER), wider)
+        length, angle = length * wider, angle * wider
     return x, chi
 
 

@@ -87,3 +87,41 @@ def test_climbed_finds_the_top_of_a_stretch() -> None:
     assert x[1:4] == pytest.approx([0, 1, 0.5], abs=0)
     assert x[[0, 4]] == pytest.approx(tops[[0, 4]], abs=1e-7)
     assert len(rounds) <= 14
+
+
+def test_climbed_finds_the_top_over_sections_and_directions() -> None:
+    """A ridge across both: its top within, beyond an end of the stretch, far off, on a section
+    alone, from a saddle's flank where the first steps cannot be known.
+    """
+    tops = np.array([[0.3, 1.0], [-0.5, 1.0], [0.9, 3.0], [0.3, 1.0], [0.3, 1.0]])
+    low, high = np.zeros(5), np.ones(5)
+    low[3] = high[3] = 0.5
+    section, length = np.array([0.4, 0.4, 0.4, 0.5, 0.95]), np.array([0.2, 0.2, 0.2, 0.0, 0.01])
+    start = Points(section, np.full(5, 1.2), length, 0.1, low, high)
+    rounds = []
+
+    def ridge(x: FloatArray, chi: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        rounds.append(x)
+        a, b = x - tops[:, :1], chi - tops[:, 1:]
+        return 7 / (1 + a**2 + 1.5 * a * b + b**2), np.full(5, True)
+
+    x, chi = climbed(value=ridge, points=start)
+    assert x[[0, 2, 4]] == pytest.approx([0.3, 0.9, 0.3], abs=1e-7)
+    assert x[[1, 3]] == pytest.approx([0, 0.5], abs=0)
+    # where the section is held, the direction goes to the top across it
+    assert chi == pytest.approx([1, 1 - 0.75 * 0.5, 3, 1 - 0.75 * 0.2, 1], abs=1e-7)
+    assert 4 <= len(rounds) <= 22
+
+
+def test_climbed_goes_on_where_values_are_not_as_good_as_they_get() -> None:
+    """Rows that are not settled are looked at again at the top, those far below are let go."""
+    start = Points(np.array([0.5, 0.5]), np.zeros(2), np.full(2, 0.1), 0.0, np.zeros(2), np.ones(2))
+    rounds = []
+
+    def hills(x: FloatArray, _: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        rounds.append(x)
+        return np.array([[7.0], [1.0]]) - (x - 0.5) ** 2, np.array([len(rounds) > 6, False])
+
+    x, _ = climbed(value=hills, points=start)
+    assert x.tolist() == [0.5, 0.5]
+    assert len(rounds) == 7

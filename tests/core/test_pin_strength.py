@@ -367,6 +367,54 @@ def test_the_worst_section_by_brute_force(support: str) -> None:
     assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + 1e-3)
 
 
+@pytest.mark.parametrize(
+    ("mechanism", "exponent", "length", "places", "span"),
+    [
+        (
+            Mechanism(pins=5, ratio=37.0, crank_angles=(3.7842, 0.1112, 2.1293, 3.1165)),
+            3.0,
+            0.007263,
+            (0.012858, 0.021384, 0.02971, 0.051092),
+            0.071818,
+        ),
+        (spaced(10, 4), 0.7, 0.015801, (0.014221, 0.038371, 0.055842, 0.072591), 0.093636),
+    ],
+)
+def test_section_and_time_of_the_largest_stress_hang_together(
+    mechanism: Mechanism,
+    exponent: float,
+    length: float,
+    places: tuple[float, ...],
+    span: float,
+) -> None:
+    """Where the forces change fast the worst time moves with the section, along a narrow ridge."""
+    design = PIN | {
+        "force_exponent": exponent,
+        "contact_length": length,
+        "satellite_positions": places,
+    }
+    found = pin_strength(mechanism=mechanism, **design, support="supported", span=span)
+    beam = PinBeam.round(
+        support="supported",
+        diameter=design["diameter"],
+        contact_length=length,
+        youngs_modulus=210e9,
+        poissons_ratio=0.3,
+        span=span,
+    )
+    near, width = found.peak_moment_position, span
+    for _ in range(4):
+        x = np.clip(near + width * np.linspace(-1, 1, 401), 0, span)
+        arms = beam.moment(x[:, None], np.array(places))
+        scanned = largest(turn=pin_turn(mechanism, exponent), arms=(arms,), measure=np.abs)
+        near, width = float(x[scanned.argmax()]), width / 100
+    unit = (
+        found.peak_force
+        / largest(turn=pin_turn(mechanism, exponent), arms=(np.eye(4),), measure=np.abs).max()
+    )
+    assert found.peak_moment == pytest.approx(unit * scanned.max(), rel=1e-12)
+
+
 @pytest.mark.parametrize(("satellites", "alike"), [(1, True), (2, True), (3, False)])
 def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
     """The same where one satellite at a time loads the pin (v = 1, an even number of phases)."""
