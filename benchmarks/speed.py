@@ -3,6 +3,7 @@
 The unit is one call of `hertz`, plain arithmetic of a dozen operations.
 """
 
+import itertools
 import math
 import timeit
 from collections.abc import Callable
@@ -11,6 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from app.calculations.crank_planetary import STRENGTH as STRENGTH_SECTIONS
+from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
+from app.examples import REQUESTS
 from benchmarks.options import options
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
@@ -88,6 +92,32 @@ LOADED = {"mechanism": MECHANISM, "output_torque": 500.0, "pin_circle_radius": 0
 CRANKED = LOADED | {"eccentricity": 0.002, "mesh": RingMesh(0.69)}
 
 
+PARTS = ("pin-strength", "output-efficiency", "satellite-bearing", "crankshaft")
+SECTIONS = {
+    section: dict(each)
+    for name in PARTS
+    for section, each in REQUESTS[name].items()
+    if section != "include"
+}
+for name in PARTS:  # the fields of all
+    for section, each in SECTIONS.items():
+        each |= REQUESTS[name].get(section, {})
+CALLED = itertools.count()
+
+
+def _whole(**pin: Any) -> object:
+    """A whole design with all sections and checks, from request to answer: each call another one,
+    its mechanism as well, so that nothing is known of it.
+    """
+    off = next(CALLED) * 1e-7
+    request = SECTIONS | {
+        "mechanism": SECTIONS["mechanism"] | {"ratio": 20.0 + off},
+        "pin": SECTIONS["pin"] | pin,
+        "include": ["checks", "cyclogram", "contact_force", "hertz", *STRENGTH_SECTIONS],
+    }
+    return solve(CrankPlanetaryRequest.model_validate(request))
+
+
 def _losses(radius: Any) -> object:
     return pin_losses(
         **LOADED | {"pin_circle_radius": radius}, input_speed=157.0, eccentricity=0.002,
@@ -135,6 +165,9 @@ CALLS: dict[str, Callable[[], object]] = {
     "contact line": _line,
     "checks of a design": _checks,
     "six fixes": _fixes,
+    "whole design, cantilever": _whole,
+    "whole design, supported": lambda: _whole(support="supported", span_mm=52.0),
+    "whole design, fixed": lambda: _whole(support="fixed", span_mm=52.0),
     "pin strength": _pin,
     "pin strength, fixed": lambda: _pin(support="fixed", span=0.052),
     "satellite bearings": lambda: satellite_bearings(**CRANKED, input_speed=157.0, kind="ball"),
