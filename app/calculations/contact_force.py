@@ -1,6 +1,7 @@
 """Contact force of the pairs: request, answer, figure."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -62,6 +63,30 @@ FORCE_DIGITS = 12
 """Digits of the largest force of curves: fewer bytes, and still finer than any use."""
 
 MAX_CURVE_VALUES = 1_000_000
+
+
+application_factor = partial(
+    quantity,
+    "Application factor",
+    symbol="K_A",
+    group="load",
+    default=None,
+    **SIZE,
+    step=0.05,
+    help="Factor on the torque for stresses and pressures, not for losses, wear and the life "
+    "of bearings; not beside the contact's dynamic factor, which is the same.",
+)
+
+peak_torque = partial(
+    quantity,
+    "Peak torque",
+    symbol="T_max",
+    group="load",
+    default=None,
+    **SIZE,
+    step=10,
+    help="Largest torque, for static strength; the torque times its factor where not given.",
+)
 
 
 class TorqueFields(RequestModel):

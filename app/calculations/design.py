@@ -1,6 +1,6 @@
 """Sections of the design document that only the whole design takes, or takes with more fields."""
 
-from app.calculations.contact_force import LoadFields
+from app.calculations.contact_force import LoadFields, application_factor, peak_torque
 from app.calculations.pin import PinMaterial, pin_length, pin_rotates, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import BentPinFields, torque_direction
@@ -23,25 +23,8 @@ class DesignLoadFields(LoadFields):
         step=50,
         help="Speed of the crankshaft.",
     )
-    application_factor: Maybe[float] = quantity(
-        "Application factor",
-        symbol="K_A",
-        group="load",
-        default=None,
-        **SIZE,
-        step=0.05,
-        help="Factor on the torque for stresses and pressures, not for losses, wear and the life "
-        "of bearings; not beside the contact's dynamic factor, which is the same.",
-    )
-    peak_torque_Nm: Maybe[float] = quantity(
-        "Peak torque",
-        symbol="T_max",
-        group="load",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Largest torque, for static strength; the torque times its factor where not given.",
-    )
+    application_factor: Maybe[float] = application_factor()
+    peak_torque_Nm: Maybe[float] = peak_torque()
 
 
 class DesignPinFields(BentPinFields):

@@ -8,7 +8,12 @@ from typing import Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import ConfigDict, Field, field_validator, model_validator
 
-from app.calculations.contact_force import CurveFields, TorqueFields
+from app.calculations.contact_force import (
+    CurveFields,
+    TorqueFields,
+    application_factor,
+    peak_torque,
+)
 from app.calculations.hertz import PinFields, eccentricity, hole_radius
 from app.calculations.mechanism import MechanismFields
 from app.model import (
@@ -50,7 +55,7 @@ from core.output.pin_geometry import pin_fit
 
 
 class DrivenLoadFields(TorqueFields):
-    """Load of the pins, and the speed of the crank."""
+    """Load of the pins, and the speed of the crank; how it changes counts for static safety."""
 
     input_speed_rpm: float = quantity(
         "Input speed",
@@ -60,6 +65,8 @@ class DrivenLoadFields(TorqueFields):
         step=50,
         help="Speed of the crankshaft.",
     )
+    application_factor: Maybe[float] = application_factor()
+    peak_torque_Nm: Maybe[float] = peak_torque()
 
 
 class SlidingContactFields(PinFields):

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.contact_force import TorqueFields
+from app.calculations.contact_force import TorqueFields, application_factor, peak_torque
 from app.calculations.fatigue import FactorsOut, FatigueFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinSectionFields, strengths_of
@@ -42,7 +42,9 @@ MAX_PAIRS = 500
 
 
 class PinLoadFields(TorqueFields):
-    """Load of the pins, its direction, and the speed of the crank where a life is wanted."""
+    """Load of the pins, its direction and how it changes, and the speed of the crank where a life
+    is wanted.
+    """
 
     torque_direction: Direction = torque_direction()
     input_speed_rpm: Maybe[float] = quantity(
@@ -54,6 +56,8 @@ class PinLoadFields(TorqueFields):
         step=50,
         help="Speed of the crankshaft.",
     )
+    application_factor: Maybe[float] = application_factor()
+    peak_torque_Nm: Maybe[float] = peak_torque()
 
 
 class PinStrengthRequest(RequestModel):
@@ -105,6 +109,8 @@ class PinStrengthRequest(RequestModel):
             mechanism=self.built,
             force_exponent=self.load.force_exponent,
             output_torque=self.load.torque(self.built),
+            application_factor=self.load.application_factor or 1.0,
+            peak_torque=self.load.peak_torque_Nm,
             pin_circle_radius=to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
             diameter=pin.diameter,
             contact_length=to_si("contact_length_mm", self.pin.contact_length_mm),

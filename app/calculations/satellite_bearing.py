@@ -172,9 +172,12 @@ class SatelliteBearingRequest(CrankedRequest):
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
         self.refuse_long()
+        load, torque = self.load, self.design["output_torque"]
+        factor = load.application_factor or 1.0
         return satellite_bearings(
             **self.design,
             mesh=self.mesh,
+            peak_torque=torque * factor if load.peak_torque_Nm is None else load.peak_torque_Nm,
             input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
             **self.bearing.to_core(),
         )

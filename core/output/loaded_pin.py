@@ -25,6 +25,7 @@ from core.output.pin_search import (
     OfArcs,
     Points,
     climbed,
+    first_of,
     highest,
     largest,
     narrowed,
@@ -202,7 +203,7 @@ class LoadedPin:
 
             x, _ = climbed(value=near, points=own)
             values = largest(turn=turn, arms=arms(x), measure=measure)
-            top = int(values.argmax())
+            top = first_of(values, x)
             return float(values[top]), float(x[top]), 0.0
 
         if len(self.ends) == 1:
@@ -311,7 +312,7 @@ class LoadedPin:
                     return use, np.ones(len(x), dtype=np.bool_)
 
                 x, chi = climbed(value=near, points=points)
-                top = int(used(*cycles(self.moments(x, loads.unit), chi)).argmax())
+                top = first_of(used(*cycles(self.moments(x, loads.unit), chi)), x)
                 return 0.0, float(x[top]), float(chi[top])
             own = self.moments(points.section, loads.unit)
             ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]

@@ -556,14 +556,20 @@ def climbed(
         step_x, step_chi = np.where(known, (step_x, step_chi), (move_x[best], move_chi[best]))
         gain = slope_x * step_x + slope_chi * step_chi  # twice what is left to a parabola's top
         done = known & settled & (gain <= SETTLED * np.abs(here))
-        if (done | (known & (here + 2 * gain < here.max()))).all():
-            break
         x = np.minimum(np.maximum(x + length * step_x, points.low), points.high)
         chi = chi + angle * step_chi
+        if (done | (known & (here + 2 * gain < here.max()))).all():
+            break
         wider = np.where(f[every, best] > here, 2.0, 0.5)
         wider = np.where(known, np.maximum(far, 1 / NARROWER), wider)
         length, angle = length * wider, angle * wider
     return x, chi
+
+
+def first_of(values: FloatArray, section: FloatArray) -> int:
+    """Where the largest value is; of values alike but for rounding that at the least section."""
+    alike = np.flatnonzero(values >= values.max() * (1 - ENOUGH))
+    return int(alike[section[alike].argmin()])
 
 
 def _apart(points: Points) -> IntArray:

@@ -92,7 +92,16 @@ ALONE = changed(
 
 
 @pytest.mark.parametrize("section", STRENGTH)
-@pytest.mark.parametrize("design", [ALONE, changed(pin=None, fatigue=None)], ids=["one", "no pin"])
+@pytest.mark.parametrize(
+    "design",
+    [
+        ALONE,
+        changed(pin=None, fatigue=None),
+        changed(ALONE, load__application_factor=1.25, load__peak_torque_Nm=900.0),
+        changed(ALONE, load__application_factor=1.25),
+    ],
+    ids=["one", "no pin", "peak", "factor"],
+)
 async def test_a_section_is_what_its_endpoint_answers(api, section, design):
     """Several satellites share by the stiffness of bending pins too."""
     if section == "pin_strength" and "pin" not in design:

@@ -387,6 +387,9 @@ def pin_strength(r: Draw) -> Body:
     torque.pop("samples", None)
     if r.chance(0.5):
         torque["input_speed_rpm"] = r.number("PinLoadFields", "input_speed_rpm", (10, 3000))
+    for name, usual in (("application_factor", (0.5, 3)), ("peak_torque_Nm", (10, 1e4))):
+        if r.chance(0.2):
+            torque[name] = r.number("PinLoadFields", name, usual)
     if r.chance(0.3):
         torque["torque_direction"] = r.choice(("reverse", "alternating"))
     own = mechanism(r)

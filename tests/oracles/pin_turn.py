@@ -21,10 +21,15 @@ STARTS = 12
 """Most places from which the worst cycle is narrowed."""
 
 PART = np.unique(
-    np.concatenate(((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-8, -0.4, 40)))
+    np.concatenate(((1 - np.cos(np.linspace(0, np.pi, 30))) / 2, 10 ** np.linspace(-14, -0.4, 70)))
 )
 WAY = np.unique(np.concatenate((PART, 1 - PART))).astype(np.longdouble)
 """Where a segment is looked at, as parts of the way."""
+
+DIRECTIONS = 720
+"""Directions in which a cycle is looked at first: at the corner of a criterion its utilisation may
+be largest within a narrow range.
+"""
 
 GRID = np.linspace(-1, 1, 9).astype(np.longdouble)
 
@@ -152,7 +157,7 @@ def worst_cycle(
     """Largest utilisation of any section in any direction by the largest and least moment."""
     forces = np.concatenate([turn.forces(part, WAY) for part in range(len(turn.segments))], axis=1)
     size = len(WAY)
-    chi = np.linspace(0, 2 * np.pi, 73)[:-1]
+    chi = np.linspace(0, 2 * np.pi, DIRECTIONS + 1)[:-1]
     looked = []
     for index, locus in enumerate(arms(sections).T @ forces):
         along = np.cos(chi)[:, None] * locus.real + np.sin(chi)[:, None] * locus.imag
@@ -167,7 +172,7 @@ def worst_cycle(
     found, seen = [], set()
     for use, index, k, ends in sorted(looked, reverse=True):
         parts = [end // size for end in ends]
-        key = (*parts, k // 4)
+        key = (*parts, 18 * k // DIRECTIONS)
         if use < highest * (1 - 4 * NEAR) or key in seen or len(seen) >= STARTS:
             continue
         seen.add(key)

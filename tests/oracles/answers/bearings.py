@@ -44,6 +44,10 @@ def request(r: Draw) -> Body:
         bearing["ring_factor"] = r.choice((1.0, 1.2))
         if r.chance(0.5):
             bearing["weibull_slope"] = r.decimal(1, 2)
+    if r.chance(0.3):
+        load["application_factor"] = r.decimal(0.5, 3)
+    if r.chance(0.3):
+        load["peak_torque_Nm"] = r.size(1, 1e4)
     return {
         "mechanism": own,
         "load": load,
@@ -59,6 +63,8 @@ def numbers(body: Body, answer: Any) -> Numbers:
     u, e = ratio(own), typed(body["contact"]["eccentricity_mm"])
     rho, angle = ring_ratio(gear, e, u)
     torque, speed = 1000 * typed(load["output_torque_Nm"]), typed(load["input_speed_rpm"])
+    factor = typed(load.get("application_factor", 1.0))
+    static = 1000 * typed(load["peak_torque_Nm"]) / torque if "peak_torque_Nm" in load else factor
     across = torque / (e * u)
     relative = speed * (1 + 1 / u)
     exact = {"/relative_speed_rpm": relative, "/radial_force_ratio": rho}
@@ -85,7 +91,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
             own_numbers["basic_life_h"] = life
             own_numbers["life_h"] = life * typed(LIFE_FACTORS[bearing["reliability_percent"]])
             own_numbers["static_safety_factor"] = typed(bearing["static_rating_N"]) / (
-                across * most
+                static * across * most
             )
         exact |= {f"/satellites/{j}/{name}": value for name, value in own_numbers.items()}
     if "weibull_slope" in bearing:

@@ -57,6 +57,10 @@ def request(r: Draw) -> Body:
     if pin["support"] != "cantilever":
         pin["span_mm"] = r.rounded(place + length * r.uniform(0.6, 2))
     fatigue = basis(r)
+    if r.chance(0.3):
+        load["application_factor"] = r.decimal(0.5, 3)
+    if r.chance(0.3):
+        load["peak_torque_Nm"] = r.size(1, 1e4)
     return {
         "mechanism": own,
         "load": load,
@@ -71,7 +75,9 @@ def numbers(body: Body, answer: Any) -> Numbers:
     own, load, pin = (body[name] for name in ("mechanism", "load", "pin"))
     cranks = [mp.radians(angle) for angle in angles(own)]
     exponent = typed(load["force_exponent"])
-    reference = 1000 * typed(load["output_torque_Nm"]) / typed(load["pin_circle_radius_mm"])
+    torque = typed(load["output_torque_Nm"]) * typed(load.get("application_factor", 1.0))
+    reference = 1000 * torque / typed(load["pin_circle_radius_mm"])
+    static = typed(load["peak_torque_Nm"]) / torque if "peak_torque_Nm" in load else 1
     turn = Turn(own["pins"], cranks, exponent)
     beam = _Beam(pin)
     d = typed(pin["diameter_mm"])
@@ -102,7 +108,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
         "/peak_shear_force_N": shear,
         "/peak_shear_stress_MPa": shear * 4 / 3 / area,
         "/peak_equivalent_stress_MPa": most,
-        "/static_safety_factor": typed(pin["material"]["yield_strength_MPa"]) / most,
+        "/static_safety_factor": typed(pin["material"]["yield_strength_MPa"]) / (static * most),
     }
     satellite = answer["deflection"]["satellite"] - 1
 
