@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.output.pin_search import Points, _tops, climbed, narrowed
+from core.output.pin_search import Points, _tops, climbed, first_of, narrowed
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
 
@@ -125,3 +125,22 @@ def test_climbed_goes_on_where_values_are_not_as_good_as_they_get() -> None:
     x, _ = climbed(value=hills, points=start)
     assert x.tolist() == [0.5, 0.5]
     assert len(rounds) == 7
+
+
+def test_climbed_looks_closer_where_its_steps_are_longer_than_a_ridge_is_wide() -> None:
+    start = Points(
+        np.array([0.53]), np.array([1.03]), np.array([0.2]), 0.2, np.zeros(1), np.ones(1)
+    )
+
+    def narrow(x: FloatArray, chi: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        a, b = x - 0.5, chi - 1
+        return 7 / (1 + 100 * (a - b) ** 2 + 0.1 * (a + b) ** 2), np.full(1, True)
+
+    x, chi = climbed(value=narrow, points=start)
+    assert [x[0], chi[0]] == pytest.approx([0.5, 1.0], abs=1e-7)
+
+
+def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
+    values = np.array([3.0, 4.0, 4.0 * (1 - 1e-13), 4.0 * (1 - 3e-13)])
+    assert first_of(values, np.array([0.1, 0.4, 0.3, 0.2])) == 2
+    assert first_of(values, np.array([0.1, 0.3, 0.4, 0.2])) == 1
