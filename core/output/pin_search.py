@@ -314,14 +314,14 @@ def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
     its value there.
     """
     (x0, x1, x2), (f0, f1, f2) = places, values
-    rise, fall = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0)
-    known = rise > fall
+    rise, fall, apart = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0), (x1 - x0) * (x2 - x1)
+    known = (rise > fall) & (apart > 0)  # at one place values may differ by rounding
     bent = np.where(known, rise - fall, 1.0)
     middle = (x0 + x1) / 2 + rise / bent * (x2 - x0) / 2
     middle = np.where(known, np.minimum(np.maximum(middle, x0), x2), x1)
     before, after = middle - x0, middle - x1
     summed = rise * before - bent * before * after / np.where(known, x2 - x0, 1.0)
-    return middle, np.where(known, f0 + summed / np.where(known, (x1 - x0) * (x2 - x1), 1.0), f1)
+    return middle, np.where(known, f0 + summed / np.where(known, apart, 1.0), f1)
 
 
 def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.output.pin_search import Points, _tops, climbed, first_of, narrowed
+from core.output.pin_search import Points, _tops, _vertex, climbed, first_of, narrowed
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
 
@@ -144,3 +144,15 @@ def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
     values = np.array([3.0, 4.0, 4.0 * (1 - 1e-13), 4.0 * (1 - 3e-13)])
     assert first_of(values, np.array([0.1, 0.4, 0.3, 0.2])) == 2
     assert first_of(values, np.array([0.1, 0.3, 0.4, 0.2])) == 1
+
+
+def test_a_parabola_through_places_that_coincide_has_its_value_there() -> None:
+    """Where the same place was calculated twice, with other rounding."""
+    places = tuple(np.array([[each]]) for each in (1.0, 1.25, 1.25))
+    values = tuple(np.array([[each]]) for each in (3.0, 4.0, 4.0 - 1e-15))
+    found = [float(each[0, 0]) for each in _vertex(places, values)]
+    assert found == [1.25, 4.0]
+    (top,), (value,) = _vertex(
+        tuple(np.array([x]) for x in (0.0, 1.0, 3.0)), tuple(np.array([f]) for f in (1.0, 4.0, 4.0))
+    )
+    assert (top, value) == (2.0, 5.0)  # 5 - (x - 2)^2
