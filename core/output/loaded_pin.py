@@ -203,7 +203,7 @@ class LoadedPin:
 
             x, _ = climbed(value=near, points=own)
             values = largest(turn=turn, arms=arms(x), measure=measure)
-            top = first_of(values, x)
+            top = first_of(values=values, section=x)
             return float(values[top]), float(x[top]), 0.0
 
         if len(self.ends) == 1:
@@ -312,7 +312,8 @@ class LoadedPin:
                     return use, np.ones(len(x), dtype=np.bool_)
 
                 x, chi = climbed(value=near, points=points)
-                top = first_of(used(*cycles(self.moments(x, loads.unit), chi)), x)
+                use = used(*cycles(self.moments(x, loads.unit), chi))
+                top = first_of(values=use, section=x)
                 return 0.0, float(x[top]), float(chi[top])
             own = self.moments(points.section, loads.unit)
             ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]

@@ -566,8 +566,18 @@ def climbed(
     return x, chi
 
 
-def first_of(values: FloatArray, section: FloatArray) -> int:
-    """Where the largest value is; of values alike but for rounding that at the least section."""
+def first_of(*, values: FloatArray, section: FloatArray) -> int:
+    """Where the largest value is; of values alike but for rounding that at the least section.
+
+    Parameters
+    ----------
+    values, section : array, shape (n,)
+        Of each place, its value and its section.
+
+    Returns
+    -------
+    int
+    """
     alike = np.flatnonzero(values >= values.max() * (1 - ENOUGH))
     return int(alike[section[alike].argmin()])
 

@@ -142,8 +142,8 @@ def test_climbed_looks_closer_where_its_steps_are_longer_than_a_ridge_is_wide() 
 
 def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
     values = np.array([3.0, 4.0, 4.0 * (1 - 1e-13), 4.0 * (1 - 3e-13)])
-    assert first_of(values, np.array([0.1, 0.4, 0.3, 0.2])) == 2
-    assert first_of(values, np.array([0.1, 0.3, 0.4, 0.2])) == 1
+    assert first_of(values=values, section=np.array([0.1, 0.4, 0.3, 0.2])) == 2
+    assert first_of(values=values, section=np.array([0.1, 0.3, 0.4, 0.2])) == 1
 
 
 def test_a_parabola_through_places_that_coincide_has_its_value_there() -> None:
