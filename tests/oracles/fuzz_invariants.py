@@ -386,7 +386,7 @@ async def roller_strength(body: Body, answer: Body, ask: Ask) -> None:
     cycle = answer.get("fatigue")
     if cycle is not None:
         expect("fatigue" in body and cycle["safety_factor"] > 0, "fatigue where asked", cycle)
-        least = -cycle["max_stress_MPa"] if body["roller_rotates"] else 0.0
+        least = -cycle["max_stress_MPa"] if body.get("roller_rotates", False) else 0.0
         expect(cycle["min_stress_MPa"] == least, "cycle", cycle)
     if body.get("gaps_mm") is not None:
         for gap, force in zip(body["gaps_mm"], forces, strict=True):
