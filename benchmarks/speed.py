@@ -93,16 +93,12 @@ CRANKED = LOADED | {"eccentricity": 0.002, "mesh": RingMesh(0.69)}
 
 
 PARTS = ("pin-strength", "output-efficiency", "satellite-bearing", "crankshaft")
-SECTIONS = {
-    section: dict(each)
-    for name in PARTS
-    for section, each in REQUESTS[name].items()
-    if section != "include"
-}
-for name in PARTS:  # the fields of all
-    for section, each in SECTIONS.items():
-        each |= REQUESTS[name].get(section, {})
-CALLED = itertools.count()
+SECTIONS: dict[str, Any] = {}
+for part in PARTS:
+    for section, fields in REQUESTS[part].items():
+        if section != "include":
+            SECTIONS[section] = SECTIONS.get(section, {}) | fields
+CALLED = itertools.count(1)
 
 
 def _whole(**pin: Any) -> object:

@@ -199,7 +199,7 @@ class PinStrengthResponse(ResponseModel):
         "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
     )
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it, where that is known.", symbol="S", default=None
+        "Yield strength over it at the peak torque, where that is known.", symbol="S", default=None
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None

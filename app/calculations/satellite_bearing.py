@@ -207,7 +207,7 @@ class SatelliteBearingOut(ResponseModel):
     )
     life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh", default=None)
     static_safety_factor: Maybe[float] = result(
-        "Static rating over the largest load.", symbol="S₀", default=None
+        "Static rating over the largest load at the peak torque.", symbol="S₀", default=None
     )
 
 

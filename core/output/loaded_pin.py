@@ -196,9 +196,7 @@ class LoadedPin:
                 def measured(forces: ComplexArray) -> FloatArray:
                     return measure(*(combine(arms=each, forces=forces) for each in along))
 
-                before = summit.place
                 _, above, settled = summit.narrow(measured, NARROWER, seen=1)
-                summit.width = np.maximum(summit.width, 4 * np.abs(summit.place - before))
                 return above, settled
 
             x, _ = climbed(value=near, points=own)

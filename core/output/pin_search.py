@@ -50,6 +50,10 @@ neighbours lie no lower than `SETTLED`, the top of the parabola through all thre
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
 
+FOLLOWED = 4
+"""How far about a place that moves with the section is looked next at least, over how far it moved:
+else it lags behind."""
+
 NARROWER = 8
 """By how much smaller steps are after one that went well."""
 
@@ -140,7 +144,13 @@ def summits(
     values = measure(*(combine(arms=each, forces=samples) for each in arms))
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
-    chosen &= values + drop / 2 >= values.max(axis=(1, 2), keepdims=True)
+    room = drop / 2
+    for end in (np.s_[:3], np.s_[:-4:-1]):  # an arc's first sample may have a summit beside it
+        (x0, x1, x2), (f0, f1, f2) = turn.nodes[end], np.moveaxis(values[..., end], -1, 0)
+        bent = ((f2 - f1) / (x2 - x1) - (f1 - f0) / (x1 - x0)) / (x2 - x0)
+        beside = room[..., end][..., 0]  # twice what a parabola may rise between
+        beside += np.abs(bent) * (x1 - x0) ** 2 / 2
+    chosen &= values + room >= values.max(axis=(1, 2), keepdims=True)
     if not flat:
         chosen &= drop > 0
     row, arc, node = np.nonzero(chosen)
@@ -257,7 +267,7 @@ class OfArcs:
         measured: Callable[[NDArray[Any]], FloatArray],
         closer: int,
         *,
-        seen: int = 0,
+        seen: int | None = None,
     ) -> tuple[FloatArray, FloatArray, BoolArray]:
         """Look about each summit, and go on to it.
 
@@ -268,8 +278,8 @@ class OfArcs:
         closer : int
             How much closer is looked next; no more than `CELLS` beside an end of an arc at which
             the forces are not smooth.
-        seen : int
-            By which of the sections the place goes on.
+        seen : int, optional
+            By which of several sections the place goes on, where the sections move as well.
 
         Returns
         -------
@@ -293,7 +303,7 @@ class OfArcs:
         places = tuple(grid[row, middle + k] for k in (-1, 0, 1))
         vertex, above = _vertex(places, values)
         above = np.maximum(top, above)
-        best, own = index[:, seen], (slice(None), seen)
+        best, own = index[:, seen or 0], (slice(None), seen or 0)
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
         lowest = np.minimum(np.minimum(*values[:2]), values[2])[own]
@@ -306,6 +316,8 @@ class OfArcs:
         self.place = np.where(stuck | (above == top)[own], at, vertex[own])
         narrower = np.where(parabolic, 1 / closer, 1 / min(closer, CELLS))
         self.width = width * np.where(stuck, 2.0, narrower)
+        if seen is not None:
+            self.width = np.maximum(self.width, FOLLOWED * np.abs(self.place - place))
         return top, above, settled
 
 

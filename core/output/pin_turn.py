@@ -479,6 +479,7 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     Returns
     -------
     array, shape (rows, m) or (rows, s, m)
+        The same column may differ in its last bits where it stands elsewhere.
     """
     alone = arms.ndim < forces.ndim  # each row has forces of its own
     doubled = np.iscomplexobj(forces) and not np.iscomplexobj(arms)

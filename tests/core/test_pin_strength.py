@@ -425,6 +425,7 @@ def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
 
 
 @given(mechanism=mechanisms, seed=st.integers(0, 2**32 - 1), uneven=st.booleans())
+@example(mechanism=spaced(4, 2, 5.0), seed=1102896242, uneven=False)  # between an arc's first nodes
 def test_the_extremes_in_closed_form_are_those_of_the_search(
     mechanism: Mechanism, seed: int, uneven: bool
 ) -> None:
