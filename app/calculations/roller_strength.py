@@ -1,6 +1,7 @@
 """Swinging rollers: request, answer, figure."""
 
 from dataclasses import replace
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
@@ -251,8 +252,9 @@ class RollerStrengthRequest(JudgedFields):
 
     def solve(self) -> RollerStrength:
         """Load sharing and strength of the rollers."""
-        return roller_strength(**self.design())
+        return roller_strength(**self.design)
 
+    @cached_property
     def design(self) -> dict[str, Any]:
         """The rollers as the core's arguments, without what only the checks look at."""
         aside = (*_JUDGED_BY, *_TIRED_BY)
@@ -282,9 +284,8 @@ class RollerStrengthRequest(JudgedFields):
             return strength
         return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
 
-    def judge(self, result: RollerStrength) -> dict[str, Any]:
-        """Verdict of a result, and checks and fixes where asked."""
-        design = self.design()
+    def judge(self, result: RollerStrength, tired: CycleFatigue | Notice | None) -> dict[str, Any]:
+        """Verdict of a result and its fatigue, and checks and fixes where asked."""
         limits: dict[str, Any] = {
             "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
@@ -292,17 +293,21 @@ class RollerStrengthRequest(JudgedFields):
             "fatigue_safety": self.requirements.fatigue_safety,
         }
 
-        def checks(changed: dict[str, Any], result: RollerStrength | None = None) -> Verdict:
-            shared: dict[str, Any] = {name: changed.get(name) for name in _CHECKED}
-            found = roller_strength(**changed) if result is None else result
-            fatigue = self.tired(found, changed["diameter"])
-            return roller_checks(result=found, fatigue=fatigue, **shared, **limits)
+        def checked(
+            design: dict[str, Any], result: RollerStrength, tired: CycleFatigue | Notice | None
+        ) -> Verdict:
+            shared: dict[str, Any] = {name: design.get(name) for name in _CHECKED}
+            return roller_checks(result=result, fatigue=tired, **shared, **limits)
 
-        verdict = checks(design, result)
+        def checks(changed: dict[str, Any]) -> Verdict:
+            result = roller_strength(**changed)
+            return checked(changed, result, self.tired(result, changed["diameter"]))
+
+        verdict = checked(self.design, result, tired)
         fixes = None
         if "fixes" in self.include:
             codes = codes_to_fix(verdict, self.fixes_for)
-            fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
+            fixes = plain_fixes(design=self.design, codes=codes, current=verdict, checks=checks)
         return judgement(
             verdict,
             self,
@@ -313,7 +318,7 @@ class RollerStrengthRequest(JudgedFields):
 
     def solve_curves(self) -> RollerCurves:
         """Curves of stiffness, non-uniformity and stress through this design."""
-        return roller_curves(**self.design())
+        return roller_curves(**self.design)
 
 
 class RollerStrengthResponse(JudgedResponse):
@@ -512,8 +517,8 @@ def roller_figure(
 def solve(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing and bending stress of swinging rollers."""
     result, run_time_us = run(body, body.solve)
-    judged, _ = run(body, lambda: body.judge(result))
-    tired, _ = run(body, lambda: body.tired(result, to_si("diameter_mm", body.diameter_mm)))
+    tired, _ = run(body, lambda: body.tired(result, body.design["diameter"]))
+    judged, _ = run(body, lambda: body.judge(result, tired))
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
     if isinstance(tired, Notice):
@@ -524,8 +529,7 @@ def solve(body: RollerStrengthRequest) -> Values:
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness, non-uniformity and stress as curves through this design."""
     curves, _ = run(body, body.solve_curves)
-    own = body.design()
-    return roller_figure(curves, own["diameter"], own["youngs_modulus"], theme)
+    return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
 
 
 CALCULATION = Calculation(
