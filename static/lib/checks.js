@@ -137,3 +137,9 @@ export function notConsidered({ not_considered: codes = [] }) {
   if (codes.length === 0) return "";
   return message("checks.notConsidered", { what: codes.map((code) => said("notConsidered", code) ?? code).join("; ") });
 }
+
+/** Why a verdict knows no largest torque, in words. */
+export function torqueUnknown({ verdict, counts }) {
+  if (counts.not_checked) return message("checks.openChecks", { count: counts.not_checked });
+  return message(verdict === "fail" ? "checks.notByTorque" : "checks.withoutTorque");
+}

@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, decisive, groupsOf, judgedOf, levelOfWord, notConsidered, wordOf } from "../lib/checks.js";
+import { checkRow, decisive, groupsOf, judgedOf, levelOfWord, notConsidered, torqueUnknown, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -38,10 +38,10 @@ function governingMarkup(judged, titles) {
 }
 
 function torqueMarkup(judged) {
-  const { value, unit } = judged?.largest_torque_Nm === undefined ? { value: "–", unit: "" }
-    : quantityParts(judged.largest_torque_Nm, "N·m", 4);
-  return html`<p class="label">${message("checks.torque")}</p>
-    <p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>`;
+  const label = html`<p class="label">${message("checks.torque")}</p>`;
+  if (judged?.largest_torque_Nm === undefined) return html`${label}<p class="note">${judged ? torqueUnknown(judged) : "–"}</p>`;
+  const { value, unit } = quantityParts(judged.largest_torque_Nm, "N·m", 4);
+  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>`;
 }
 
 export function createVerdict({ calculator, titles }) {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, verdictSentence, wordOf } from "../../static/lib/checks.js";
+import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -44,6 +44,12 @@ test("a check says value, limit with its sense, share, source and place; one wit
 test("what is not looked at is said", () => {
   assert.match(notConsidered(JUDGED), /^Not looked at: .+\.$/);
   assert.equal(notConsidered({}), "");
+});
+
+test("a largest torque that is not known says why", () => {
+  assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 2 } }), "not known: 2 checks are open");
+  assert.equal(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 } }), "not known: what fails does not hang on the torque alone");
+  assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 0 } }), "no check hangs on the torque");
 });
 
 test("a fix says the change, the verdict it leads to and what else it does; one that is not enough cannot be applied", () => {
