@@ -94,6 +94,24 @@ class PinStrengthRequest(RequestModel):
             **strengths_of(own.material),
         )
 
+    def loaded(self, pin: DesignPin) -> dict[str, Any]:
+        """The mechanism, its load and the pin, as the core takes them for the stresses."""
+        return {
+            "mechanism": self.built,
+            "force_exponent": self.load.force_exponent,
+            "output_torque": self.load.torque(self.built),
+            "application_factor": self.load.application_factor or 1.0,
+            "peak_torque": self.load.peak_torque_Nm,
+            "pin_circle_radius": to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
+            "diameter": pin.diameter,
+            "contact_length": pin.contact_length,
+            "satellite_positions": pin.satellite_positions,
+            "material": pin.material,
+            "support": pin.support,
+            "span": pin.span,
+            "torque_direction": self.load.torque_direction,
+        }
+
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
         if self.mechanism.pairs > MAX_PAIRS:
@@ -106,22 +124,10 @@ class PinStrengthRequest(RequestModel):
         if pin.valid_diameter is not None and pin.diameter > pin.valid_diameter:
             notices += (Notice("strength_beyond_size", {"limit": pin.valid_diameter * 1e3}),)
         found = pin_strength(
-            mechanism=self.built,
-            force_exponent=self.load.force_exponent,
-            output_torque=self.load.torque(self.built),
-            application_factor=self.load.application_factor or 1.0,
-            peak_torque=self.load.peak_torque_Nm,
-            pin_circle_radius=to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
-            diameter=pin.diameter,
-            contact_length=to_si("contact_length_mm", self.pin.contact_length_mm),
-            satellite_positions=pin.satellite_positions,
-            material=pin.material,
-            support=pin.support,
-            span=pin.span,
+            **self.loaded(pin),
             rotates=pin.rotates,
             fatigue=strength,
             input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
-            torque_direction=self.load.torque_direction,
             deflection="deflection" in self.include,
             locus=locus or "locus" in self.include,
         )

@@ -10,6 +10,7 @@ from app.calculations.contact_line import ContactLineRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
+from app.calculations.pin_strength import PinStrengthRequest
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
@@ -24,6 +25,7 @@ from core.rollers.roller_strength import roller_gaps
 from core.work_precision.load_sharing import real_peak_study
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
+from core.work_precision.pin_strength import pin_bending_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
@@ -67,6 +69,17 @@ class TotalForceStudy(Study):
         return total_force_study(
             mechanism=self.input.built, force_exponent=self.input.load.force_exponent
         )
+
+
+class PinStrengthStudy(Study):
+    """Largest bending stress of the pins."""
+
+    calculation: Literal["pin-strength"]
+    input: PinStrengthRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return pin_bending_study(**self.input.loaded(self.input.design_pin()))
 
 
 class ContactLineStudy(Study):
@@ -180,6 +193,7 @@ def _refuse_many(rollers: int) -> None:
 WorkPrecisionRequest = Annotated[
     PeakForceStudy
     | TotalForceStudy
+    | PinStrengthStudy
     | ContactLineStudy
     | MeshingLoadStudy
     | RollerSharingStudy

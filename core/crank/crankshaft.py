@@ -208,7 +208,7 @@ def crankshaft(
         found = _made_reactions(
             [made(way * output_torque) for way in ways],
             eccentricity * mechanism.ratio,
-            float(mesh.radial_force_ratio),
+            mesh,
             carried,
             exponents,
         )
@@ -295,18 +295,20 @@ def _ideal_reactions(
 def _made_reactions(
     turns: list[SampledTurn],
     arm: float,
-    radial_force_ratio: float,
+    mesh: RingMesh,
     carried: FloatArray,
     exponents: list[float],
 ) -> _Reactions:
     """By the forces of the mechanism as it is made."""
+    rho = float(mesh.radial_force_ratio)
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn in turns:
-        load = made_parts(turn=turn, arm=arm, radial_force_ratio=radial_force_ratio).load
-        reaction = carried @ (load * _cranks(turn.crank_angles)[:, None])
-        scale = (np.abs(carried) @ np.abs(load)).max(axis=1)
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
+        reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None])
+        sizes = turn.error * np.abs(parts.load) + mesh.error * np.abs(rho * parts.ring)
+        lost = (np.abs(carried) @ sizes).max(axis=1)
         for row, size in enumerate(np.abs(reaction)):
-            off[row] = max(off[row], turn.missed(reaction[row]) + turn.error * scale[row])
+            off[row] = max(off[row], turn.missed(reaction[row]) + lost[row])
             if size.max() > off[row]:
                 mean = turn.mean(size ** exponents[row]) ** (1 / exponents[row])
                 most[row] = max(most[row], size.max())

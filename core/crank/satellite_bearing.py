@@ -314,6 +314,7 @@ def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: 
         rings.append(np.abs(parts.ring))
         means.append(turn.mean(load**exponent) ** (1 / exponent))
         off = turn.missed(parts.load) / load.max(axis=1).min()
+        off += mesh.error * max(1.0, abs(float(mesh.radial_force_ratio)))
         error = max(error, off + turn.error)
     every = np.concatenate(loads, axis=1)
     return _Loads(

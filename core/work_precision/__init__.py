@@ -11,6 +11,7 @@ study          points, timing, choice
 rules          quadrature rules with a setting each
 peak_force     sampling, polished sampling, segment-exact, the papers' approximations
 total_force    mean total force: equal steps, and rules between switching angles
+pin_strength   largest bending stress: equal steps against the search by arcs
 mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton
 shaft          Mohr's integral in closed form and by quadrature

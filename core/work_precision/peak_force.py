@@ -1,6 +1,5 @@
 """Peak force: sampling, polished sampling, segment-exact, and the papers' approximations."""
 
-import math
 from functools import partial
 from typing import Any
 
@@ -10,10 +9,12 @@ from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.work_precision.study import (
+    GOLDEN_STEPS,
     REFERENCE_DIGITS,
     Reference,
     WorkPoint,
     WorkPrecision,
+    golden_section,
     measured,
     refuse_many_pairs,
 )
@@ -58,16 +59,23 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
         )
         return float(ratios.max())
 
+    def force(angle: float) -> float:
+        angles = np.array([angle])
+        ratios = force_ratios(
+            mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
+        )
+        return float(ratios.max())
+
     def polished(count: int) -> float:
         angles = np.linspace(0.0, end, count, endpoint=False)
         largest = force_ratios(
             mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
         ).max(axis=(1, 2))
         best, step = int(largest.argmax()), end / count
-        return max(
-            float(largest[best]),
-            _golden(mechanism, force_exponent, angles[best] - step, angles[best] + step),
+        narrowed = golden_section(
+            value=force, low=angles[best] - step, high=angles[best] + step, steps=GOLDEN_STEPS
         )
+        return max(float(largest[best]), float(narrowed))
 
     points: list[WorkPoint | None] = [
         measured(
@@ -125,34 +133,6 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     )
 
 
-GOLDEN_STEPS = 40
-
-
-def _golden(mechanism: Mechanism, exponent: float, low: float, high: float) -> float:
-    """Largest force in a range of crank angle, by golden-section search."""
-    ratio = (math.sqrt(5) - 1) / 2
-
-    def force(angle: float) -> float:
-        return float(
-            force_ratios(
-                mechanism=mechanism, crank_angles=np.array([angle]), force_exponent=exponent
-            ).max()
-        )
-
-    left, right = high - ratio * (high - low), low + ratio * (high - low)
-    at_left, at_right = force(left), force(right)
-    for _ in range(GOLDEN_STEPS):
-        if at_left > at_right:
-            high, right, at_right = right, left, at_left
-            left = high - ratio * (high - low)
-            at_left = force(left)
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + ratio * (high - low)
-            at_right = force(right)
-    return max(at_left, at_right)
-
-
 def _reference(mechanism: Mechanism, exponent: float, crank_angle: float) -> Any:
     """Peak in multiple precision, on the piece of the turn where it was found."""
     import mpmath
@@ -179,18 +159,6 @@ def _reference(mechanism: Mechanism, exponent: float, crank_angle: float) -> Any
 
         # The peak lies within rounding of psi: on a kink there, or at a smooth maximum beside it.
         width = mpmath.mpf("1e-7")
-        low, high = psi - width, psi + width
-        ratio = (mpmath.sqrt(5) - 1) / 2
-        left, right = high - ratio * (high - low), low + ratio * (high - low)
-        at_left, at_right = force(left), force(right)
         # A force is stationary at its peak, so half the digits of the place give all of it.
-        for _ in range(85):
-            if at_left > at_right:
-                high, right, at_right = right, left, at_left
-                left = high - ratio * (high - low)
-                at_left = force(left)
-            else:
-                low, left, at_left = left, right, at_right
-                right = low + ratio * (high - low)
-                at_right = force(right)
-        return max(at_left, at_right, force(psi))
+        polished = golden_section(value=force, low=psi - width, high=psi + width, steps=85)
+        return max(polished, force(psi))

@@ -149,6 +149,41 @@ def measured(
     )
 
 
+GOLDEN_STEPS = 40
+"""Steps after which a summit is as good as doubles can tell."""
+
+
+def golden_section(*, value: Callable[[Any], Any], low: Any, high: Any, steps: int) -> Any:
+    """Largest value between two places, by golden-section search.
+
+    Parameters
+    ----------
+    value : callable
+        Of a place.
+    low, high : float or mpmath number
+        Ends, about one summit.
+    steps : int
+        Steps.
+
+    Returns
+    -------
+    float or mpmath number
+    """
+    ratio = ((5 + 0 * low) ** 0.5 - 1) / 2  # to as many digits as the place has
+    left, right = high - ratio * (high - low), low + ratio * (high - low)
+    at_left, at_right = value(left), value(right)
+    for _ in range(steps):
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - ratio * (high - low)
+            at_left = value(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + ratio * (high - low)
+            at_right = value(right)
+    return max(at_left, at_right)
+
+
 def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:
     """Refuse what its reference would take too long for.
 

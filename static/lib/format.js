@@ -114,6 +114,14 @@ export function shownDigits(relativeError, most = 6) {
   return Math.max(1, Math.min(most, Math.floor(-Math.log10(relativeError))));
 }
 
+/** Results that follow from the request alone: the error of those beside them is not theirs. */
+const AS_ASKED = ["relative_speed_rpm"];
+
+/** How many digits of a result an accuracy allows to show. */
+export function resultDigits(name, { relative_error: error }) {
+  return shownDigits(AS_ASKED.includes(name) ? 0 : error);
+}
+
 function grouped(digits) {
   return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, NARROW_SPACE);
 }

@@ -1,6 +1,6 @@
 /** All results as tables, a section each; warnings above. */
 import { ASIDE, flattened } from "../lib/checks.js";
-import { quantityParts, shownDigits, unitOf } from "../lib/format.js";
+import { quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/verdict.js";
@@ -42,9 +42,9 @@ function asText(value, digits, unit = "", name = "") {
   return null;
 }
 
-function row([name, value], digits) {
+function row([name, value], accuracy) {
   const unit = unitOf(name);
-  const text = asText(value, digits, unit, name);
+  const text = asText(value, resultDigits(name, accuracy), unit, name);
   if (text === null) return null;
   const [title, symbol = ""] = message(`quantity.${name}`);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
@@ -71,7 +71,6 @@ function warningsMarkup(warnings = [], titles) {
 
 /** Warnings and values of a section. */
 export function valuesMarkup(section, elsewhere, titles) {
-  const digits = shownDigits(section.accuracy.relative_error);
   const entries = flattened(section).filter(([name]) => !ASIDE.includes(name) && !elsewhere.includes(name));
   const lists = entries.filter(([, value]) => Array.isArray(value));
   return html`
@@ -80,7 +79,7 @@ export function valuesMarkup(section, elsewhere, titles) {
       <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
         <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
         <th scope="col">${message("results.unit")}</th></tr></thead>
-      <tbody>${entries.map((entry) => row(entry, digits))}</tbody>
+      <tbody>${entries.map((entry) => row(entry, section.accuracy))}</tbody>
     </table>
     ${lists.map((list) => records(list, elsewhere))}`;
 }

@@ -1,5 +1,5 @@
 /** Every result worked from its formula: a section each, folded, built when it is opened. */
-import { formatNumber, formatQuantity, quantityParts, shownDigits } from "../lib/format.js";
+import { formatNumber, formatQuantity, quantityParts, resultDigits } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
@@ -43,14 +43,14 @@ function sourceText({ source, equation: number, after }) {
   return number ? message(after ? "worked.after" : "worked.equation", { source: words, number }) : words;
 }
 
-function stepMarkup(step, digits) {
+function stepMarkup(step, accuracy) {
   const { name, intermediate, source, erratum, note } = step;
   const title = intermediate ? message(`worked.value.${name}`) : message(`quantity.${name}`)[0];
   return html`
     <li class="step" data-name="${name}">
       <p class="step-head"><span class="step-title">${title}</span>
         ${source && html`<span class="step-source">${sourceText(step)}</span>`}</p>
-      <div class="formulas">${formulas(step, digits)}</div>
+      <div class="formulas">${formulas(step, resultDigits(name, accuracy))}</div>
       ${note && html`<p class="step-note">${noteText(step)}</p>`}
       ${erratum && html`<p class="step-note erratum">${message("worked.corrected", {
         words: message(`worked.erratum.${erratum}`),
@@ -58,9 +58,10 @@ function stepMarkup(step, digits) {
     </li>`;
 }
 
-function groupMarkup({ steps }, { relative_error: error, method, method_code: code }) {
-  const digits = shownDigits(error);
-  return html`<ol class="steps">${steps.map((step) => stepMarkup(step, digits))}</ol>
+/** Steps of a section, with as many digits as its accuracy allows. */
+export function groupMarkup({ steps }, accuracy) {
+  const { relative_error: error, method, method_code: code } = accuracy;
+  return html`<ol class="steps">${steps.map((step) => stepMarkup(step, accuracy))}</ol>
     <p class="accuracy">${message("worked.accuracy", {
       error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: said("methods", code) ?? method,
     })}</p>`;

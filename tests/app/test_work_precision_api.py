@@ -28,6 +28,15 @@ STUDIES = {
         "contact": {"contact_length_mm": 20, "pin_radius_mm": 5, "eccentricity_mm": 2},
         "friction": {"coefficient": 0.08},
     },
+    "pin-strength": {
+        "mechanism": {"pins": 5, "satellites": 3, "ratio": 20, "crank_spacing_deg": 50},
+        "load": {"output_torque_Nm": 500, "pin_circle_radius_mm": 50, "force_exponent": 1.5},
+        "pin": {
+            "diameter_mm": 16, "contact_length_mm": 20, "satellite_positions_mm": [15, 37, 59],
+            "support": "cantilever",
+            "material": {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3},
+        },
+    },
     "contact_line_length": GEAR,
     "meshing_load": MESH,
     "roller_sharing": {
@@ -61,6 +70,42 @@ async def test_more_samples_are_better_and_dearer(api):
     errors = [point["relative_error"] for point in sampling]
     assert errors == sorted(errors, reverse=True) and errors[0] > 1e4 * errors[-1]
     assert sampling[-1]["run_time_us"] > 10 * sampling[0]["run_time_us"]
+
+
+BETWEEN = {"support": "fixed", "span_mm": 80.0}
+
+
+@pytest.mark.parametrize("held", [{}, BETWEEN, {**BETWEEN, "support": "supported"}])
+@pytest.mark.parametrize("direction", ["driving", "reverse"])
+async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(api, held, direction):
+    """Against forces in multiple precision, each along its crank: not by the search's way."""
+    own = STUDIES["pin-strength"]
+    own = {
+        **own,
+        "load": {**own["load"], "torque_direction": direction},
+        "pin": {**own["pin"], **held},
+    }
+    body = {"calculation": "pin-strength", "input": own}
+    answer = (await api.post("work-precision", json=body)).json()
+    lines: dict[str, list[dict]] = {}
+    for point in answer["points"]:
+        lines.setdefault(point["method_code"], []).append(point)
+    errors = [point["relative_error"] for point in lines["sampling"]]
+    assert errors == sorted(errors, reverse=True) and errors[0] > 1e4 * errors[-1] > 0
+    assert [point["setting_value"] for point in lines["golden_section"]] == [16, 64, 256]
+    assert max(point["relative_error"] for point in lines["golden_section"]) < 1e-14
+    assert lines["locus_support"] == [answer["chosen"]]
+    assert answer["chosen"]["relative_error"] < 2e-15
+    alone = (await api.post("pin-strength", json=own)).json()
+    assert answer["chosen"]["evaluations"] == alone["accuracy"]["evaluations"]
+
+
+async def test_a_study_of_the_pins_has_a_limit(api):
+    own = STUDIES["pin-strength"]
+    many = {**own, "mechanism": {**own["mechanism"], "pins": 17}}
+    response = await api.post("work-precision", json={"calculation": "pin-strength", "input": many})
+    error = response.json()["errors"][0]
+    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 16)
 
 
 async def test_the_papers_approximation_has_its_known_error(api):

@@ -604,6 +604,7 @@ STUDIES = {
     "meshing_load": meshing_load,
     "roller_sharing": roller_strength,
     "shaft_deflection": shaft_deflection,
+    "pin-strength": pin_strength,
 }
 
 HOSTILE: tuple[Any, ...] = (

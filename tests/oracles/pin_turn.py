@@ -26,6 +26,9 @@ PART = np.unique(
 WAY = np.unique(np.concatenate((PART, 1 - PART))).astype(np.longdouble)
 """Where a segment is looked at, as parts of the way."""
 
+AGAIN = 1e-2
+"""What part of the first windows the highest is narrowed in anew."""
+
 DIRECTIONS = 720
 """Directions in which a cycle is looked at first: at the corner of a criterion its utilisation may
 be largest within a narrow range.
@@ -195,5 +198,24 @@ def worst_cycle(
         nodes = [end % size for end in ends]
         place = [np.longdouble(chi[k]), x, *(WAY[node] for node in nodes)]
         window = [np.longdouble(0.1), around, *(2 * gap(node) for node in nodes)]
-        found.append(narrowed(value, place, [(-9, 9), between, (0, 1), (0, 1)], window))
-    return max(found)
+        within = [(-9, 9), between, (0, 1), (0, 1)]
+        best = narrowed(value, place, within, [*window])
+        found.append((best, value, place, within, window))
+    return _again(*max(found, key=lambda each: each[0]))
+
+
+def _again(
+    best: Any,
+    value: Callable[[Grids], tuple[Any, Sequence[int]]],
+    place: list[Any],
+    within: list[tuple[Any, Any]],
+    window: list[Any],
+) -> Any:
+    """The highest narrowed anew from where it ended until that gains nothing: on a ridge between
+    two variables a grid may close in too early.
+    """
+    while True:
+        higher = narrowed(value, place, within, [each * AGAIN for each in window])
+        if not higher > best:
+            return best
+        best = higher

@@ -22,6 +22,12 @@ def test_every_number_is_as_good_as_is_stated(calculation: Calculation, seed: in
     assert case.extreme or not case.refused, case.body
 
 
+def test_the_worst_cycle_is_found_where_it_lies_on_a_ridge() -> None:
+    """A least stress that is next to nothing, and moves with the direction."""
+    (pins,) = (each for each in CALCULATIONS if each.path == "pin-strength")
+    assert outcome(pins, 1480).false == {}
+
+
 def test_the_error_is_that_against_the_decimal() -> None:
     assert typed(0.1) * 10 == 1
     assert Number(0.1, typed(0.1)).error == pytest.approx(5.6e-17, rel=0.02)

@@ -4,6 +4,9 @@ import { test } from "node:test";
 import {
   formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
 } from "../../static/lib/format.js";
+import { speedStep } from "../../static/calculators/crank-planetary/bearings.js";
+import { valuesMarkup } from "../../static/views/results.js";
+import { groupMarkup } from "../../static/views/worked.js";
 
 const NARROW = "\u202f";
 
@@ -80,6 +83,15 @@ test("the stated accuracy limits the digits", () => {
   assert.equal(shownDigits(1e-3), 3);
   assert.equal(shownDigits(0.014), 1);
   assert.equal(shownDigits(2), 1);
+});
+
+test("what follows from the request alone keeps its digits beside numbers of a larger error", () => {
+  const section = { relative_speed_rpm: 1514.117647, peak_load_N: 13099.5928, accuracy: { relative_error: 4e-3 } };
+  const shown = valuesMarkup(section, [], {}).toString().match(/(?<=class="value[^>]*>)[^<]+/g);
+  assert.deepEqual(shown, [formatNumber(1514.12), formatNumber(13000)]);
+  const steps = [speedStep(section, { load: { input_speed_rpm: 1430.25 }, mechanism: { ratio: 17.0625 } })];
+  const worked = groupMarkup({ steps }, section.accuracy).toString();
+  for (const number of [1514.12, 1430.25, 17.0625]) assert.ok(worked.includes(`<mn>${formatNumber(number)}</mn>`), worked);
 });
 
 test("units come from the ending of the API name, the longest first", () => {
