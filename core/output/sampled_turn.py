@@ -74,6 +74,22 @@ class SampledTurn:
         found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (4 * np.pi)
         return found
 
+    def at(self, *, wave: FloatArray, values: NDArray[Any]) -> NDArray[Any]:
+        """Values at other wave angles, on the straight lines between the samples.
+
+        Parameters
+        ----------
+        wave : array, shape (m,)
+            Wave angles, rad.
+        values : array, shape (K, n)
+            At the samples.
+
+        Returns
+        -------
+        array, shape (K, m)
+        """
+        return np.array([np.interp(wave, self.wave, row, period=2 * np.pi) for row in values])
+
     def missed(self, values: NDArray[Any]) -> float:
         """Estimate of the error of values between the samples.
 
