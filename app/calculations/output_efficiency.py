@@ -4,7 +4,7 @@ import math
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, field_validator
+from pydantic import ConfigDict, Field, field_validator
 
 from app.calculations.contact_force import CurveFields
 from app.calculations.design import (
@@ -29,6 +29,7 @@ from app.model import (
     WarningOut,
     no_dust,
     quantity,
+    request_schema,
 )
 from app.running import run
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
@@ -53,6 +54,8 @@ class SlidingContactFields(PinContactFields):
     """Pin, hole and crank, whose eccentricity is needed."""
 
     eccentricity_mm: float = eccentricity()
+
+    model_config = ConfigDict(json_schema_extra=request_schema)
 
 
 class FrictionFields(RequestModel):
