@@ -210,5 +210,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
-    neglects=("clearance", "deviations", "equal_discs", "friction", "bearing_elasticity"),
+    neglects=("friction", "bearing_elasticity"),
 )

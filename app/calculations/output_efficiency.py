@@ -307,9 +307,6 @@ CALCULATION = Calculation(
     figure=figure,
     sources=(YANCHEVSKIY_2021, WANG_2016, ARCHARD_1953),
     neglects=(
-        "clearance",
-        "deviations",
-        "equal_discs",
         "friction_on_forces",
         "heat",
         "lubricant_film",

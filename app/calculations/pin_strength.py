@@ -246,9 +246,6 @@ CALCULATION = Calculation(
     figure=figure,
     sources=(YANCHEVSKIY_2021, SHIGLEY),
     neglects=(
-        "clearance",
-        "deviations",
-        "equal_discs",
         "fretting",
         "friction",
         "seat_compliance",

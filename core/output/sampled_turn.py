@@ -39,6 +39,8 @@ class SampledTurn:
     on_satellites : array of complex, shape (K, n)
         Resultant of the pins on each satellite, N: along its crank towards the axis, and i times
         that across, back against the crank's rotation under a driving torque.
+    total : array, shape (n,)
+        Sum of the sizes of all forces, N.
     couple : array, shape (K, n)
         Couple of the pins about the satellite's centre, N*m; as the torque on the output link.
     crank_angles : tuple of float
@@ -53,6 +55,7 @@ class SampledTurn:
     wave: FloatArray
     on_pins: ComplexArray
     on_satellites: ComplexArray
+    total: FloatArray
     couple: FloatArray
     crank_angles: tuple[float, ...]
     error: float

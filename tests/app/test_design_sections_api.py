@@ -6,6 +6,9 @@ from copy import deepcopy
 
 import pytest
 
+from app.endpoint import LIGHT_POINTS, points
+from app.registry import CALCULATIONS
+
 pytestmark = pytest.mark.anyio
 
 PATH = "crank-planetary"
@@ -432,3 +435,187 @@ async def test_what_is_missing_is_pointed_to(api):
     pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
     assert "/pin/satellite_positions_mm" in pin["inputs"]
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]
+
+
+def single(section, body=DESIGN, /, **changes):
+    """The path and the body of a section's own endpoint."""
+    return section.replace("_", "-"), own(changed(body, **changes), section)
+
+
+@pytest.mark.parametrize("section", STRENGTH)
+async def test_what_the_forces_do_not_need_is_taken_and_not_used(api, section):
+    path, body = single(section, pin__rotates=False)
+    more = changed(
+        body,
+        load__include=["curves"],
+        load__samples=11,
+        contact__distribution_factor=1.3,
+        contact__hole_radius_mm=10.0,
+    )
+    one, other = [await answered(api, each, path) for each in (body, more)]
+    assert without_time(one) == without_time(other)
+
+
+@pytest.mark.parametrize(
+    ("section", "changes", "pointer", "code"),
+    [
+        (
+            "pin_strength",
+            {"contact": None, "pin__diameter_mm": 16.0, "pin__contact_length_mm": None},
+            "/pin/contact_length_mm",
+            "needed",
+        ),
+        ("pin_strength", {"requirements": {}}, "/requirements", "extra_forbidden"),
+        ("pin_strength", {"gear": {"kind": "none"}}, "/gear", "extra_forbidden"),
+        (
+            "satellite_bearing",
+            {"contact": {"eccentricity_mm": 2.0}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "contact": {"eccentricity_mm": 2.0}, "deviations": {}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "contact": {"eccentricity_mm": 2.0, "hole_clearance_mm": 0.1}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "satellite_bearing",
+            {"contact__distribution_factor": 1.3, "contact_law": {}},
+            "/contact/distribution_factor",
+            "with_real_forces",
+        ),
+        (
+            "output_efficiency",
+            {"load__application_factor": 1.3, "contact__dynamic_factor": 1.2},
+            "/load/application_factor",
+            "only_one",
+        ),
+        (
+            "output_efficiency",
+            {"deviations": {"pin_radial_mm": [0.0]}},
+            "/deviations/pin_radial_mm",
+            "different_length",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "mechanism__pins": 60, "contact_law": {}},
+            "/mechanism/pins",
+            "too_many_pairs",
+        ),
+        (
+            "satellite_bearing",
+            {"pin": None, "contact__hole_clearance_mm": 60.0, "contact__eccentricity_mm": 55.0},
+            "/contact/eccentricity_mm",
+            "smaller_than",
+        ),
+        ("output_efficiency", {"friction__sleeve": True}, "/pin/diameter_mm", "no_sleeve"),
+    ],
+)
+async def test_what_a_section_cannot_take_alone_is_refused(api, section, changes, pointer, code):
+    path, body = single(section)
+    body.pop("include", None)
+    response = await api.post(path, json=changed(body, **changes))
+    assert response.status_code == 422, response.text
+    errors = [(each["pointer"], each["code"]) for each in response.json()["errors"]]
+    assert errors == [(pointer, code)]
+
+
+async def test_a_contact_law_of_pins_needs_their_contact(api):
+    path, body = single("pin_strength")
+    del body["contact"]
+    body["pin"] |= {"diameter_mm": 16.0, "contact_length_mm": 20.0}
+    assert (await answered(api, body, path))["forces"] == "ideal"
+    response = await api.post(path, json=body | {"contact_law": {}})
+    (error,) = response.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/contact", "needed_beside")
+
+
+async def test_fatigue_alone_is_for_a_life_without_end(api):
+    """A design that turns 1000 times has strength for that; its pins alone are judged for ever."""
+    slow = changed(
+        load__input_speed_rpm=1.0, requirements={"life_h": 20.0}, include=["pin_strength"]
+    )
+    whole = (await answered(api, slow))["pin_strength"]["fatigue"]
+    path, body = single("pin_strength", slow)
+    alone = (await answered(api, body, path))["fatigue"]
+    assert "finite_strength_MPa" in whole and "finite_strength_MPa" not in alone
+    assert alone["safety_factor"] < whole["safety_factor"]
+
+
+async def test_curves_and_figures_are_of_the_forces_that_are_answered(api):
+    """Their extremes are those of the answer, which takes them from its own samples."""
+    few = FEW | DEVIATIONS
+    path, body = single("output_efficiency", few)
+    answer = await answered(api, body | {"include": ["curves"], "samples": 2001}, path)
+    efficiency = answer["curves"]["efficiency"]
+    assert min(efficiency) == pytest.approx(answer["min_efficiency"], rel=1e-5)
+    assert max(efficiency) == pytest.approx(answer["max_efficiency"], rel=1e-5)
+    path, body = single("satellite_bearing", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    (satellite,), load = answer["satellites"], figure["data"][1]["y"]
+    assert max(load) == pytest.approx(satellite["peak_load_N"], rel=1e-3)
+    assert min(load) == pytest.approx(satellite["min_load_N"], rel=1e-2)
+    assert figure["layout"]["shapes"] == []
+    path, body = single("crankshaft", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    for bearing, trace in zip(answer["bearings"], figure["data"][1::2], strict=True):
+        assert max(trace["y"]) == pytest.approx(bearing["peak_N"], rel=1e-3)
+    path, body = single("pin_strength", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    assert max(figure["data"][-1]["y"]) == pytest.approx(
+        answer["fatigue"]["max_stress_MPa"], rel=1e-3
+    )
+
+
+def test_only_real_forces_of_a_section_leave_the_event_loop():
+    for section in STRENGTH:
+        name, body = single(section, ALONE)
+        _, real = single(section, FEW)
+        request = CALCULATIONS[name].request
+        assert points(request.model_validate(body), drawn=False) <= LIGHT_POINTS
+        assert points(request.model_validate(real), drawn=False) > LIGHT_POINTS
+
+
+def test_fixes_of_a_loaded_design_leave_the_event_loop():
+    """Whatever its load includes."""
+    body = changed(pin=None, fatigue=None, gear=None, include=["fixes"])
+    read = CALCULATIONS[PATH].request.model_validate(body)
+    assert points(read, drawn=False) > LIGHT_POINTS
+
+
+async def test_real_curves_are_at_their_angles(api):
+    """The loss by the forces that `/load-sharing` solves there, which are nearly parallel."""
+    design = changed(
+        FEW | DEVIATIONS,
+        mechanism__initial_crank_angle_deg=30.0,
+        load__torque_direction="reverse",
+    )
+    path, body = single("output_efficiency", design)
+    answer = await answered(api, body | {"include": ["curves"], "samples": 13}, path)
+    load = {name: each for name, each in design["load"].items() if name != "input_speed_rpm"}
+    asked = {name: design[name] for name in ("mechanism", "contact", "pin", "deviations")}
+    material = {
+        name: design["pin"]["material"][name] for name in ("youngs_modulus_GPa", "poissons_ratio")
+    }
+    asked |= {"load": load, "pin": asked["pin"] | {"material": material}}
+    angles = answer["curves"]["crank_angle_deg"]
+    positions = (await answered(api, asked | {"crank_angle_deg": angles}, "load-sharing"))[
+        "positions"
+    ]
+    forces = [sum(map(sum, each["force_N"])) for each in positions]
+    power = [0.08 * answer["sliding_speed_m_per_s"] * each for each in forces]
+    assert answer["curves"]["loss_W"] == pytest.approx(power, rel=1e-3)
+    assert max(power) > 1.1 * min(power)
+    path, body = single("satellite_bearing", design)
+    across = (await answered(api, body, f"{path}/chart"))["data"][0]["x"]
+    assert max(across) < 0  # in reverse

@@ -64,7 +64,7 @@ class DesignLosses(DesignContact):
             return None
         assert self.output_torque is not None
         turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
-        return max(turns, key=lambda turn: float(turn.mean(total_on_pins(turn=turn))))
+        return max(turns, key=lambda turn: float(turn.mean(turn.total)))
 
     def loss_curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
         """Loss and efficiency at crank angles.
@@ -88,27 +88,13 @@ class DesignLosses(DesignContact):
                 force_exponent=self.force_exponent,
                 crank_angle=crank_angle,
             )
-        total = total_on_pins(turn=turn)
         wave = self.mechanism.wave_angle(crank_angle)
-        loss = losses.mean_loss * turn.at(wave=wave, values=total[None])[0] / turn.mean(total)
+        loss = (
+            losses.mean_loss
+            * turn.at(wave=wave, values=turn.total[None])[0]
+            / turn.mean(turn.total)
+        )
         return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
-
-
-def total_on_pins(*, turn: SampledTurn) -> FloatArray:
-    """Sum of all forces of a mechanism as it is made, N: those of a satellite act along its crank
-    but for its deviations, so that together they are what they do to it.
-
-    Parameters
-    ----------
-    turn : SampledTurn
-        Forces under the torque.
-
-    Returns
-    -------
-    array, shape (n,)
-    """
-    found: FloatArray = np.abs(turn.on_satellites).sum(axis=0)
-    return found
 
 
 def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
@@ -127,7 +113,7 @@ def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> Pi
     -------
     PinLosses
     """
-    total = total_on_pins(turn=turn) / reference
+    total = turn.total / reference
     mean, least, largest = float(turn.mean(total)), float(total.min()), float(total.max())
     peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)
