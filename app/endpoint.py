@@ -195,12 +195,16 @@ def points(body: RequestModel, *, drawn: bool) -> float:
 def _stated(body: BaseModel) -> dict[str, Any]:
     """Fields of a request and of the models within it, where `SIZES` are among them."""
     has_sizes, models = _sizing(type(body))
-    stated = vars(body) if has_sizes else {}
+    stated: dict[str, Any] = {}
     for name in models:
         inner = getattr(body, name)
         if isinstance(inner, BaseModel):
-            stated = stated | {n: v for n, v in _stated(inner).items() if v is not None}
-    return stated
+            stated |= _stated(inner)
+    if not has_sizes:
+        return stated
+    own = {name: value for name, value in vars(body).items() if value is not None}
+    asked = [*stated.get("include", ()), *own.get("include", ())]
+    return stated | own | {"include": asked}
 
 
 @cache

@@ -1,6 +1,6 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
@@ -17,20 +17,14 @@ from app.calculations.checks import (
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.design import DesignLoadFields, DesignPinFields, SatelliteBodyFields
+from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
 from app.calculations.fatigue import FatigueFields
-from app.calculations.hertz import HertzResponse, material_of
+from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
-from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.real_design import LEFT_OUT
-from app.calculations.real_mechanism import (
-    ContactLawFields,
-    DeviationsFields,
-    GivingFields,
-)
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
@@ -43,7 +37,6 @@ from app.model import (
     WarningOut,
     field_error,
     quantity,
-    request_schema,
     result,
     warning,
 )
@@ -53,20 +46,17 @@ from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import MOST_BEARING_PAIRS, CrankDesign
+from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.crank_planetary import crank_checks
 from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism
 from core.fixes.crank import crank_fixes
 from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position
-from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
-    FIT_TOLERANCE,
-    PinFit,
     PinGeometry,
     pin_fit,
     pin_geometry,
@@ -123,58 +113,32 @@ MOST_PAIRS: dict[Section, int] = {
 """Most pairs of which they are calculated."""
 
 
-def _given(parts: Iterable[str]) -> dict[str, Any]:
-    """Schema of a body that has parts, and fields of them."""
-    inner: dict[str, list[str]] = {}
-    for part in parts:
-        name, _, field = part.partition("/")
-        inner.setdefault(name, []).extend([field] if field else [])
-    fields = {name: {"required": needed} for name, needed in inner.items() if needed}
-    return {"required": [*inner]} | ({"properties": fields} if fields else {})
-
-
 def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """Parts that the sections named in `include` need; what excludes or needs each other."""
-    request_schema(schema, model)
-    sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
+    design_schema(schema, model)
     needed: dict[tuple[str, ...], list[Section]] = {}
     for section, parts in _NEEDS.items():
         needed.setdefault(parts, []).append(section)
-    schema["allOf"] = [
-        *(
-            {
-                "if": {
-                    "properties": {"include": {"contains": {"enum": sections}}},
-                    "required": ["include"],
-                },
-                "then": _given(parts),
-            }
-            for parts, sections in needed.items()
-            if parts
-        ),
+    schema["allOf"] += [
         {
-            "if": {"properties": {"friction": sleeve}, "required": ["friction"]},
-            "then": {"required": ["pin"]},
-        },
-        {"not": _given(("load/application_factor", "contact/dynamic_factor"))},
+            "if": {
+                "properties": {"include": {"contains": {"enum": sections}}},
+                "required": ["include"],
+            },
+            "then": given_schema(parts),
+        }
+        for parts, sections in needed.items()
+        if parts
     ]
 
 
-class CrankPlanetaryRequest(GivingFields):
+class CrankPlanetaryRequest(DesignFields):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
-    Where clearance, deviations, a contact law or satellites that give are given, the forces that
-    are judged are those of the mechanism as it is made, as by `/load-sharing`, and the pins bend in
-    series with the contacts; in first order where satellites give. The section `pin` alone leaves
-    the ideal forces.
+    The forces that are judged are those of `DesignFields`.
     """
 
     mechanism: CyclogramRequest
-    load: Maybe[DesignLoadFields] = None
-    contact: Maybe[PinContactFields] = None
-    contact_law: Maybe[ContactLawFields] = None
-    deviations: Maybe[DeviationsFields] = None
-    pin: Maybe[DesignPinFields] = None
     fatigue: Maybe[FatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
@@ -221,34 +185,6 @@ class CrankPlanetaryRequest(GivingFields):
             value = None if value is None else getattr(value, name)
         return value is not None
 
-    @model_validator(mode="after")
-    def _one_factor(self) -> Self:
-        given = self.load is not None and self.load.application_factor is not None
-        if given and self.contact and "dynamic_factor" in self.contact.model_fields_set:
-            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
-        return self
-
-    @model_validator(mode="after")
-    def _pin_in_sleeve(self) -> Self:
-        if self.friction is not None and self.friction.sleeve and self.pin is None:
-            raise field_error("pin", "needed_beside", field="sleeve")
-        return self
-
-    @model_validator(mode="after")
-    def _no_assumed_sharing(self) -> Self:
-        if self.as_made and self.contact and self.contact.distribution_factor > 1:
-            raise field_error("contact/distribution_factor", "with_real_forces")
-        return self
-
-    @cached_property
-    def as_made(self) -> bool:
-        """Whether clearance, deviations, a law of contact or satellites that give are given."""
-        loose = self.contact is not None and (
-            self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
-        )
-        sections = (self.contact_law, self.deviations, self.support)
-        return loose or any(each is not None for each in sections)
-
     @property
     def long(self) -> bool:
         """Whether the forces of the mechanism as it is made are solved, or moments and loads are
@@ -283,17 +219,9 @@ class CrankPlanetaryRequest(GivingFields):
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
         that do not fit the mechanism.
         """
-        self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
         if self.load is not None:
             self.load.refuse_beyond(settings)
-        self.refuse_other_shares(self.mechanism.satellites)
-        if self.deviations is not None:
-            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
-
-    @cached_property
-    def built(self) -> Mechanism:
-        """The mechanism, built once for all sections."""
-        return self.mechanism.mechanism()
 
     def solve_force(self) -> ContactForce:
         """Contact force; without its own section only what the others need of it."""
@@ -306,108 +234,35 @@ class CrankPlanetaryRequest(GivingFields):
     def solve_hertz(self) -> HertzContact:
         """Contact under the ideal peak force, or under those of the mechanism as it is made."""
         if self.as_made:
-            self._known(self.design.loading)
+            self.known(self.design.loading)
         if isinstance(self.design.force, ImpossibleMechanism):
             raise self.design.force
         if self.design.contact is None:
-            raise self._too_many("pin_strength")
+            raise self.too_many(MOST_PIN_PAIRS)
         return self.design.contact
 
     def solve_strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
         found = getattr(self.design, STRENGTH[section])
-        if isinstance(found, ImpossibleMechanism):
-            raise found
-        if found is None and self.design.unmade:
-            self._known(self.design.real_forces)
-        if found is None:
-            raise self._too_many(section)
-        return found
-
-    def _too_many(self, section: Section) -> InvalidInput:
-        """Refusal of more pairs than a section is calculated for."""
-        limit = self.mechanism.most_pins(MOST_PAIRS[section])
-        return InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+        return self.found(found, MOST_PAIRS.get(section, MAX_PAIRS))
 
     def solve_sharing(self) -> RealForces:
         """Forces of the mechanism as it is made, under the torque itself."""
-        return self._known(self.design.real_forces)
+        return self.known(self.design.real_forces)
 
-    def _known(self, forces: RealForces | ImpossibleMechanism | None) -> RealForces:
-        """Forces, or why there are none.
-
-        Raises
-        ------
-        ImpossibleMechanism, InvalidInput
-            If there are none.
-        """
-        if isinstance(forces, ImpossibleMechanism):
-            raise forces
-        most = self.design.most_real_pairs
-        if forces is None and self.mechanism.pairs > most:
-            limit = self.mechanism.most_pins(most)
-            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
-        if forces is None:
-            field = {"field": "pin_circle_radius"}
-            raise InvalidInput("eccentricity", None, "smaller_than", **field)
-        return forces
-
-    def solve_fit(self) -> PinFit | None:
-        """How pins and holes fit, as far as their sizes are given."""
-        if self.contact is None:
-            return None
-        radius = None if self.load is None else self.load.pin_circle_radius_mm
-        return pin_fit(pins=self.mechanism.pins, **self.contact.fit(radius))
-
-    @cached_property
-    def design(self) -> CrankDesign:
-        """All that the checks look at, SI units."""
-        own, contact, load, body = self.mechanism, self.contact, self.load, self.satellite_body
-        given: dict[str, Any] = {
-            "pins": own.pins,
-            "satellites": own.satellites,
-            "ratio": self.built.ratio,
-            "crank_spacing": to_si("spacing_deg", own.crank_spacing_deg),
-            "crank_angles": own.crank_angles_deg and self.built.crank_angles,
-            "initial_crank_angle": self.built.initial_crank_angle,
-            "satellite_teeth": own.satellite_teeth,
-            "law": self.contact_law and self.contact_law.law(),
-            "deviations": self.deviations and self.deviations.deviations(),
-            "support": self.support,
+    def parts(self) -> dict[str, Any]:
+        """All sections and what is required, in SI units."""
+        body = self.satellite_body
+        return {
             "pin": self.pin and self.contact and self.pin.pin(self.contact),
             "fatigue": self.fatigue and self.fatigue.basis(),
             "friction": self.friction and Friction(**self.friction.to_core()),
             "gear": self.gear and self.gear.ring(),
             "bearing": self.bearing and RollingBearing(**self.bearing.to_core()),
             "crankshaft": self.crankshaft and self.crankshaft.to_shaft(),
+            **({} if body is None else {"has_body": True, **body.to_core()}),
             **self.requirements.to_core(),
         }
-        if load is not None:
-            given |= {
-                "output_torque": load.torque(self.built),
-                "pin_circle_radius": to_si("radius_mm", load.pin_circle_radius_mm),
-                "force_exponent": load.force_exponent,
-                "torque_direction": load.torque_direction,
-                "input_speed": to_si("input_speed_rpm", load.input_speed_rpm),
-                "peak_torque": load.peak_torque_Nm,
-            }
-        if contact is not None:
-            materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
-            given |= contact.fit(given.get("pin_circle_radius") and load.pin_circle_radius_mm)  # type: ignore[union-attr]
-            given |= {name: material_of(each) for name, each in materials.items()}
-            given |= {
-                "contact_length": to_si("length_mm", contact.contact_length_mm),
-                "dynamic_factor": contact.dynamic_factor,
-                "distribution_factor": contact.distribution_factor,
-                "own_limits": tuple(
-                    name for name, each in materials.items() if not isinstance(each, str)
-                ),
-            }
-        if load is not None and load.application_factor is not None:
-            given["dynamic_factor"] = load.application_factor
-        if body is not None:
-            given |= {"has_body": True, **body.to_core()}
-        return CrankDesign(**given)
 
     def judge(self) -> Values:
         """Verdict, and checks and fixes where asked."""
@@ -435,7 +290,7 @@ class CrankPlanetaryRequest(GivingFields):
         if not self.as_made:
             forces = self.load.forces_at(self.design.driven, crank_angle)
         else:
-            solved = self._known(self.design.real_forces)
+            solved = self.known(self.design.real_forces)
             torque = solved.way * solved.torque
             found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
             forces = np.array(found.force)
@@ -629,10 +484,10 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
     }
 
 
-ANSWERS: dict[Section, Callable[[Any, float], Values]] = {
+ANSWERS: dict[Section, Callable[..., Values]] = {
     "pin_strength": PinStrengthResponse.values,
-    "output_efficiency": lambda found, run_us: OutputEfficiencyResponse.values(
-        (found, None), run_us
+    "output_efficiency": lambda found, run_us, **given: OutputEfficiencyResponse.values(
+        (found, None), run_us, **given
     ),
     "satellite_bearing": SatelliteBearingResponse.values,
     "crankshaft": CrankshaftResponse.values,
@@ -666,7 +521,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.solve_strength, name))
-            sections[name] = answer(found, run_us)
+            sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     fit, _ = run(body, body.solve_fit)

@@ -5,6 +5,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
+from app.calculations.design import ForcesUsed, forces_used
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.satellite_bearing import CrankedRequest, ShaftBearingFields
 from app.model import (
@@ -22,11 +23,10 @@ from app.model import (
 from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
-from app.units import from_si, to_si
+from app.units import from_si
+from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.sections import RollingBearing, Shaft
-from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
-from core.crank.satellite_bearing import bearing_curves
-from core.output.contact_force import drawing_angles
+from core.crank.crankshaft import Crankshaft, ReactionCurves
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
 
@@ -81,42 +81,18 @@ class CrankshaftRequest(CrankedRequest):
 
     crankshaft: CrankshaftFields
 
-    @property
-    def shaft(self) -> dict[str, Any]:
-        """Where the loads and the bearings are, in SI units."""
-        own = self.crankshaft
-        return {
-            "satellite_positions": tuple(to_si("position_mm", own.satellite_positions_mm)),
-            "bearing_positions": tuple(to_si("position_mm", own.bearing_positions_mm)),
-        }
+    def parts(self) -> dict[str, Any]:
+        """Pin, ring and shaft in SI units."""
+        return super().parts() | {"crankshaft": self.crankshaft.to_shaft()}
 
     def solve(self) -> Crankshaft:
         """Reactions and balance."""
-        self.refuse_long()
-        own = self.crankshaft
-        given: dict[str, Any] = {}
-        if own.bearings is not None:
-            given = {
-                "kinds": tuple(each.kind for each in own.bearings),
-                "dynamic_ratings": tuple(each.dynamic_rating_N for each in own.bearings),
-            }
-        return crankshaft(
-            **self.design,
-            **self.shaft,
-            mesh=self.mesh,
-            input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
-            satellite_mass=own.satellite_mass_kg,
-            **given,
-        )
+        return self.fitted(self.design.shaft, MOST_BEARING_PAIRS)
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """The same, and curves over the turn."""
-        angles, _ = drawing_angles(mechanism=self.built)
-        ratio = self.mesh.radial_force_ratio
-        found = self.solve()
-        loads = bearing_curves(**self.design, radial_force_ratio=ratio, crank_angle=angles)
-        cranks = self.built.crank_angles
-        return found, reaction_curves(loads=loads, crank_angles=cranks, **self.shaft)
+        angles, _ = self.drawn_angles()
+        return self.solve(), self.design.reaction_curves(angles)
 
 
 class ShaftBearingOut(ResponseModel):
@@ -152,6 +128,7 @@ class BalanceOut(ResponseModel):
 class CrankshaftResponse(ResponseModel):
     """Reactions of the shaft's bearings, and its balance."""
 
+    forces: ForcesUsed = forces_used()
     bearings: list[ShaftBearingOut]
     balance: Maybe[BalanceOut] = None
     accuracy: AccuracyOut
@@ -214,7 +191,7 @@ def reaction_figure(curves: ReactionCurves, theme: Theme) -> Figure:
 
 def solve(body: CrankshaftRequest) -> Values:
     """Reactions of the crankshaft's bearings, their life, and its balance."""
-    return CrankshaftResponse.values(*run(body, body.solve))
+    return CrankshaftResponse.values(*run(body, body.solve), forces=body.forces)
 
 
 def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
@@ -233,5 +210,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
-    neglects=("clearance", "deviations", "equal_discs", "friction", "bearing_elasticity"),
+    neglects=("friction", "bearing_elasticity"),
 )

@@ -1,37 +1,98 @@
-"""Sections of the design document that only the whole design takes, or takes with more fields."""
+"""The design document, as far as the whole design and its single calculations share it: mechanism,
+load, contact, and the forces that follow.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Any, Literal, Self, TypeVar, cast
+
+from pydantic import ConfigDict, model_validator
 
 from app.calculations.contact_force import LoadFields, application_factor, peak_torque
-from app.calculations.pin import PinMaterial, pin_length, pin_rotates, strengths_of
+from app.calculations.hertz import MaterialFields, material_of
+from app.calculations.mechanism import MechanismFields
+from app.calculations.pin import PinMaterial, Place, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
-from app.calculations.real_mechanism import BentPinFields, torque_direction
-from app.model import SIZE, Maybe, RequestModel, quantity
+from app.calculations.real_mechanism import (
+    BOTH,
+    BentPinFields,
+    ContactLawFields,
+    DeviationsFields,
+    GivingFields,
+    torque_direction,
+)
+from app.model import (
+    SIZE,
+    Maybe,
+    RequestModel,
+    field_error,
+    quantity,
+    request_schema,
+    result,
+)
+from app.settings import Settings
 from app.units import to_si
+from core.arrays import FloatArray
+from core.checks.crank_design import CrankDesign
+from core.checks.real_forces import RealForces
 from core.checks.sections import DesignPin
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.contact_force import drawing_angles
+from core.output.mechanism import Mechanism
+from core.output.pin_geometry import FIT_TOLERANCE, PinFit, pin_fit
 from core.output.sampled_turn import Direction
+
+ForcesUsed = Literal["ideal", "real"]
+
+Result = TypeVar("Result")
+
+input_speed = partial(
+    quantity,
+    "Input speed",
+    symbol="n₁",
+    group="load",
+    **SIZE,
+    step=50,
+    help="Speed of the crankshaft.",
+)
 
 
 class DesignLoadFields(LoadFields):
     """Load with the direction of its torque, its speed, and how it changes."""
 
     torque_direction: Direction = torque_direction()
-    input_speed_rpm: Maybe[float] = quantity(
-        "Input speed",
-        symbol="n₁",
-        group="load",
-        default=None,
-        **SIZE,
-        step=50,
-        help="Speed of the crankshaft.",
-    )
+    input_speed_rpm: Maybe[float] = input_speed(default=None)
     application_factor: Maybe[float] = application_factor()
     peak_torque_Nm: Maybe[float] = peak_torque()
+
+
+class DrivenLoadFields(DesignLoadFields):
+    """The same with its speed."""
+
+    input_speed_rpm: float = input_speed()
 
 
 class DesignPinFields(BentPinFields):
     """A pin as it is held, bends and breaks."""
 
-    contact_length_mm: Maybe[float] = pin_length(default=None)
-    rotates: bool = pin_rotates()
+    contact_length_mm: Maybe[float] = quantity(
+        "Contact length",
+        symbol="b",
+        group="pin",
+        default=None,
+        **SIZE,
+        step=1,
+        help="Length of the contact along the pin: the width of the satellite.",
+    )
+    rotates: bool = quantity(
+        "Pin rotates",
+        symbol="",
+        group="pin",
+        default=False,
+        help="Whether the pin turns in the carrier: then its bending is fully reversed.",
+    )
     material: Maybe[PinMaterial] = quantity(
         "Material of the pin",
         symbol="",
@@ -40,9 +101,13 @@ class DesignPinFields(BentPinFields):
         help="A name of the table of materials, or values; that of the contact where it has one.",
     )
 
-    def pin(self, contact: PinContactFields) -> DesignPin:
+    def pin(self, contact: PinContactFields | None) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
         held = self.held(contact)
+        material: str | MaterialFields | None = self.material
+        if material is None:
+            assert contact is not None
+            material = contact.pin_material
         return DesignPin(
             support=held.support,
             diameter=held.diameter,
@@ -50,8 +115,232 @@ class DesignPinFields(BentPinFields):
             span=held.span,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
-            **strengths_of(self.material or contact.pin_material),
+            **strengths_of(material),
         )
+
+
+class SleevedPinFields(DesignPinFields):
+    """The pin inside its sleeve; it bends where the places of the satellites are given."""
+
+    satellite_positions_mm: Maybe[list[Place]] = pin_places(default=None)  # type: ignore[assignment]
+
+
+def given_schema(parts: Iterable[str]) -> dict[str, Any]:
+    """Schema of a body that has parts, and fields of them (`part/field`)."""
+    inner: dict[str, list[str]] = {}
+    for part in parts:
+        name, _, field = part.partition("/")
+        inner.setdefault(name, []).extend([field] if field else [])
+    fields = {name: {"required": needed} for name, needed in inner.items() if needed}
+    return {"required": [*inner]} | ({"properties": fields} if fields else {})
+
+
+def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """One factor of the load, satellites that give in one way, pins inside sleeves."""
+    request_schema(schema, model)
+    factors = given_schema(("load/application_factor", "contact/dynamic_factor"))
+    schema["allOf"] = [*schema.get("allOf", ()), {"not": {"anyOf": [factors, BOTH]}}]
+    if "friction" in model.model_fields:
+        sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
+        rule = {"properties": {"friction": sleeve}, "required": ["friction"]}
+        schema["allOf"].append({"if": rule, "then": {"required": ["pin"]}})
+
+
+class DesignFields(GivingFields):
+    """Mechanism, load and contact, and all that changes the forces.
+
+    Where clearance, deviations, a contact law or satellites that give are given, the forces are
+    those of the mechanism as it is made, as by `/load-sharing`, and the pins bend in series with
+    the contacts; in first order where satellites give. The section `pin` alone leaves the ideal
+    forces, shared equally or by the stiffness of pins and contacts, whichever is worse.
+    """
+
+    mechanism: MechanismFields
+    load: Maybe[DesignLoadFields] = None
+    contact: Maybe[PinContactFields] = None
+    contact_law: Maybe[ContactLawFields] = None
+    deviations: Maybe[DeviationsFields] = None
+    pin: Maybe[DesignPinFields] = None
+
+    model_config = ConfigDict(json_schema_extra=design_schema)
+
+    @model_validator(mode="after")
+    def _one_factor(self) -> Self:
+        given = self.load is not None and self.load.application_factor is not None
+        if given and self.contact and "dynamic_factor" in self.contact.model_fields_set:
+            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
+        return self
+
+    @model_validator(mode="after")
+    def _pin_in_sleeve(self) -> Self:
+        friction = getattr(self, "friction", None)
+        if friction is not None and friction.sleeve and self.pin is None:
+            raise field_error("pin", "needed_beside", field="sleeve")
+        return self
+
+    @model_validator(mode="after")
+    def _no_assumed_sharing(self) -> Self:
+        if self.as_made and self.contact and self.contact.distribution_factor > 1:
+            raise field_error("contact/distribution_factor", "with_real_forces")
+        return self
+
+    @cached_property
+    def as_made(self) -> bool:
+        """Whether clearance, deviations, a law of contact or satellites that give are given."""
+        loose = self.contact is not None and (
+            self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
+        )
+        sections = (self.contact_law, self.deviations, self.support)
+        return loose or any(each is not None for each in sections)
+
+    @property
+    def forces(self) -> ForcesUsed:
+        """Which forces the results follow from."""
+        return "real" if self.as_made else "ideal"
+
+    @property
+    def long(self) -> bool:
+        """Whether the forces of the mechanism as it is made are solved."""
+        return self.as_made
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits in pairs, and lists of deviations or shares
+        that do not fit the mechanism.
+        """
+        self.mechanism.refuse_beyond(settings)
+        self.refuse_other_shares(self.mechanism.satellites)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+        super().refuse_beyond(settings)
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """The mechanism, built once."""
+        return self.mechanism.mechanism()
+
+    def parts(self) -> dict[str, Any]:
+        """The pin, sections of this request alone and what is required of the design, in SI units,
+        as `core.checks.design.given.GivenDesign` names them.
+        """
+        return {"pin": self.pin and self.pin.pin(self.contact), "life": math.inf}
+
+    @cached_property
+    def design(self) -> CrankDesign:
+        """The design in SI units, and all that follows from it."""
+        own, contact, load = self.mechanism, self.contact, self.load
+        given: dict[str, Any] = {
+            "pins": own.pins,
+            "satellites": own.satellites,
+            "ratio": self.built.ratio,
+            "crank_spacing": to_si("spacing_deg", own.crank_spacing_deg),
+            "crank_angles": own.crank_angles_deg and self.built.crank_angles,
+            "initial_crank_angle": self.built.initial_crank_angle,
+            "satellite_teeth": own.satellite_teeth,
+            "law": self.contact_law and self.contact_law.law(),
+            "deviations": self.deviations and self.deviations.deviations(),
+            "support": self.support,
+            **self.parts(),
+        }
+        radius_mm = None
+        if load is not None:
+            radius_mm = load.pin_circle_radius_mm
+            given |= {
+                "output_torque": load.torque(self.built),
+                "pin_circle_radius": to_si("radius_mm", radius_mm),
+                "force_exponent": load.force_exponent,
+                "torque_direction": load.torque_direction,
+                "input_speed": to_si("input_speed_rpm", load.input_speed_rpm),
+                "peak_torque": load.peak_torque_Nm,
+            }
+        if contact is not None:
+            materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
+            given |= contact.fit(radius_mm)
+            given |= {name: material_of(each) for name, each in materials.items()}
+            given |= {
+                "contact_length": to_si("length_mm", contact.contact_length_mm),
+                "dynamic_factor": contact.dynamic_factor,
+                "distribution_factor": contact.distribution_factor,
+                "own_limits": tuple(
+                    name for name, each in materials.items() if not isinstance(each, str)
+                ),
+            }
+        if load is not None and load.application_factor is not None:
+            given["dynamic_factor"] = load.application_factor
+        return CrankDesign(**given)
+
+    def found(self, result: Result | ImpossibleMechanism | None, most_pairs: int) -> Result:
+        """A result of the design, or why there is none.
+
+        Parameters
+        ----------
+        result : object
+            What the design answers.
+        most_pairs : int
+            Most pairs of which it is calculated.
+
+        Raises
+        ------
+        ImpossibleMechanism, InvalidInput
+            If there is none.
+        """
+        if isinstance(result, ImpossibleMechanism):
+            raise result
+        if result is None and self.design.unmade:
+            self.known(self.design.real_forces)
+        if result is None:
+            raise self.too_many(most_pairs)
+        return result
+
+    def fitted(self, result: Result | ImpossibleMechanism | None, most_pairs: int) -> Result:
+        """The same with the notices of how pins and holes fit."""
+        fit, found = self.solve_fit(), self.found(result, most_pairs)
+        if fit is None:
+            return found
+        known: Any = found
+        return cast(Result, replace(known, notices=fit.notices + known.notices))
+
+    def too_many(self, most_pairs: int) -> InvalidInput:
+        """Refusal of more pairs than something is calculated for."""
+        limit = self.mechanism.most_pins(most_pairs)
+        return InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+
+    def known(self, forces: RealForces | ImpossibleMechanism | None) -> RealForces:
+        """Forces of the mechanism as it is made, or why there are none.
+
+        Raises
+        ------
+        ImpossibleMechanism, InvalidInput
+            If there are none.
+        """
+        if isinstance(forces, ImpossibleMechanism):
+            raise forces
+        most = self.design.most_real_pairs
+        if forces is None and self.mechanism.pairs > most:
+            raise self.too_many(most)
+        if forces is None:
+            field = {"field": "pin_circle_radius"}
+            raise InvalidInput("eccentricity", None, "smaller_than", **field)
+        return forces
+
+    def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
+        """Crank angles of a figure's curves, and where ideal pairs switch, rad."""
+        angles, switching = drawing_angles(mechanism=self.built)
+        return angles, switching[:0] if self.as_made else switching
+
+    def solve_fit(self) -> PinFit | None:
+        """How pins and holes fit, as far as their sizes are given."""
+        if self.contact is None or self.contact.pin_radius_mm is None:
+            return None
+        radius = None if self.load is None else self.load.pin_circle_radius_mm
+        return pin_fit(pins=self.mechanism.pins, **self.contact.fit(radius))
+
+
+def forces_used() -> Any:
+    """The field of an answer that says which forces it follows from."""
+    return result(
+        "Forces that it follows from: the ideal ones, or the real ones, with clearance, deviations "
+        "and elasticity, where these are given."
+    )
 
 
 class SatelliteBodyFields(RequestModel):

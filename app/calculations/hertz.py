@@ -118,6 +118,24 @@ Material = Annotated[
 UNION_TAGS.update(("name", "values"))
 
 
+contact_length = partial(
+    quantity,
+    "Contact length",
+    symbol="b",
+    group="contact",
+    **SIZE,
+    step=1,
+    help="Length of the contact along the pin: the width of the satellite.",
+)
+pin_radius = partial(
+    quantity,
+    "Pin radius",
+    symbol="r_in",
+    group="contact",
+    **SIZE,
+    step=0.5,
+    help="Radius of the pin, or of its sleeve.",
+)
 hole_radius = partial(
     quantity,
     "Hole radius",
@@ -139,30 +157,11 @@ eccentricity = partial(
 """Fields that may be left out in some requests, and not in others."""
 
 
-class PinFields(RequestModel):
-    """What touches the hole."""
-
-    contact_length_mm: float = quantity(
-        "Contact length",
-        symbol="b",
-        group="contact",
-        **SIZE,
-        step=1,
-        help="Length of the contact along the pin: the width of the satellite.",
-    )
-    pin_radius_mm: float = quantity(
-        "Pin radius",
-        symbol="r_in",
-        group="contact",
-        **SIZE,
-        step=0.5,
-        help="Radius of the pin, or of its sleeve.",
-    )
-
-
-class ContactFields(PinFields):
+class ContactFields(RequestModel):
     """Pin and hole: sizes, materials, load factors."""
 
+    contact_length_mm: float = contact_length()
+    pin_radius_mm: float = pin_radius()
     hole_radius_mm: float = hole_radius()
     pin_material: Material = quantity(
         "Pin material",

@@ -1,21 +1,21 @@
 """Friction of the pins in the holes: request, answer, figure."""
 
 import math
-from dataclasses import replace
-from functools import cached_property
-from typing import Any, ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import ConfigDict, Field, field_validator, model_validator
+from pydantic import ConfigDict, Field, field_validator
 
-from app.calculations.contact_force import (
-    CurveFields,
-    TorqueFields,
-    application_factor,
-    peak_torque,
+from app.calculations.contact_force import CurveFields
+from app.calculations.design import (
+    DesignFields,
+    DrivenLoadFields,
+    ForcesUsed,
+    SleevedPinFields,
+    forces_used,
 )
-from app.calculations.hertz import PinFields, eccentricity, hole_radius
-from app.calculations.mechanism import MechanismFields
+from app.calculations.hertz import eccentricity
+from app.calculations.pin_contact import PinContactFields
 from app.model import (
     NO_DUST,
     SIZE,
@@ -27,13 +27,11 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
-    field_error,
     no_dust,
     quantity,
     request_schema,
 )
 from app.running import run
-from app.settings import Settings
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (
     Amount,
@@ -46,47 +44,18 @@ from app.theme import (
     text,
     vertical_line,
 )
-from app.units import from_si, to_si
+from app.units import from_si
 from core.arrays import FloatArray
-from core.output.contact_force import drawing_angles
-from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import pin_fit
+from core.checks.sections import Friction
+from core.output.losses import LossCurves, PinLosses
 
 
-class DrivenLoadFields(TorqueFields):
-    """Load of the pins, and the speed of the crank; how it changes counts for static safety."""
+class SlidingContactFields(PinContactFields):
+    """Pin, hole and crank, whose eccentricity is needed."""
 
-    input_speed_rpm: float = quantity(
-        "Input speed",
-        symbol="n₁",
-        group="load",
-        **SIZE,
-        step=50,
-        help="Speed of the crankshaft.",
-    )
-    application_factor: Maybe[float] = application_factor()
-    peak_torque_Nm: Maybe[float] = peak_torque()
-
-
-class SlidingContactFields(PinFields):
-    """Sizes of pin and hole, and the crank's."""
-
-    hole_radius_mm: Maybe[float] = hole_radius(default=None)
     eccentricity_mm: float = eccentricity()
 
-
-class SleevedPinFields(RequestModel):
-    """The pin itself."""
-
-    diameter_mm: float = quantity(
-        "Pin diameter",
-        symbol="d",
-        group="pin",
-        **SIZE,
-        step=0.5,
-        help="Diameter of the pin itself, inside its sleeve where it has one.",
-    )
+    model_config = ConfigDict(json_schema_extra=request_schema)
 
 
 class FrictionFields(RequestModel):
@@ -137,18 +106,9 @@ class WornFields(FrictionFields):
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("wear_rate_mm3_per_Nm", "life_h"), ()),)
 
 
-def _sleeve_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Sleeves need the diameter of the pin inside."""
-    request_schema(schema, model)
-    sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
-    schema["if"] = {"properties": {"friction": sleeve}, "required": ["friction"]}
-    schema["then"] = {"required": ["pin"]}
-
-
-class OutputEfficiencyRequest(CurveFields):
+class OutputEfficiencyRequest(CurveFields, DesignFields):
     """Mechanism, load, contact and friction."""
 
-    mechanism: MechanismFields
     load: DrivenLoadFields
     contact: SlidingContactFields
     friction: WornFields
@@ -157,72 +117,26 @@ class OutputEfficiencyRequest(CurveFields):
         default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
 
-    model_config = ConfigDict(json_schema_extra=_sleeve_schema)
-
-    @model_validator(mode="after")
-    def _pin_in_sleeve(self) -> Self:
-        if self.friction.sleeve and self.pin is None:
-            raise field_error("pin", "needed_beside", field="sleeve")
-        return self
-
-    def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits in pairs or samples."""
-        self.mechanism.refuse_beyond(settings)
-        super().refuse_beyond(settings)
-
-    @cached_property
-    def built(self) -> Mechanism:
-        """The mechanism, built once."""
-        return self.mechanism.mechanism()
+    def parts(self) -> dict[str, Any]:
+        """Pin and friction in SI units."""
+        return super().parts() | {"friction": Friction(**self.friction.to_core())}
 
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
-        contact, load, friction = self.contact.to_core(), self.load, self.friction
-        radius = to_si("pin_circle_radius_mm", load.pin_circle_radius_mm)
-        fit = pin_fit(
-            pins=self.built.pins,
-            pin_radius=contact["pin_radius"],
-            hole_radius=contact.get("hole_radius", contact["pin_radius"] + contact["eccentricity"]),
-            eccentricity=contact["eccentricity"],
-            pin_circle_radius=radius,
-        )
-        losses = pin_losses(
-            mechanism=self.built,
-            force_exponent=load.force_exponent,
-            output_torque=load.torque(self.built),
-            pin_circle_radius=radius,
-            input_speed=to_si("input_speed_rpm", load.input_speed_rpm),
-            **contact,
-            friction_coefficient=friction.coefficient,
-            diameter=(
-                to_si("diameter_mm", self.pin.diameter_mm) if self.pin and friction.sleeve else None
-            ),
-            wear_rate=to_si("wear_rate_mm3_per_Nm", friction.wear_rate_mm3_per_Nm),
-            life=to_si("life_h", friction.life_h),
-        )
-        return replace(losses, notices=fit.notices + losses.notices)
-
-    def curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
-        """Loss and efficiency at crank angles, rad."""
-        return loss_curves(
-            losses=losses,
-            mechanism=self.built,
-            force_exponent=self.load.force_exponent,
-            crank_angle=crank_angle,
-        )
+        return self.fitted(self.design.losses, self.mechanism.pairs)
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, and their curves over a turn where they are asked."""
         losses = self.solve()
         if "curves" not in self.include:
             return losses, None
-        return losses, self.curves(losses, turn(self.samples_of(self.built)))
+        return losses, self.design.loss_curves(losses, turn(self.samples_of(self.built)))
 
     def solve_for_drawing(self) -> tuple[PinLosses, LossCurves, FloatArray]:
         """Losses, curves fit to be drawn, and the switching angles, rad."""
-        angles, switching = drawing_angles(mechanism=self.built)
+        angles, switching = self.drawn_angles()
         losses = self.solve()
-        return losses, self.curves(losses, angles), switching
+        return losses, self.design.loss_curves(losses, angles), switching
 
 
 def result(title: str, symbol: str, meaning: str, **default: Any) -> Any:
@@ -243,6 +157,7 @@ class LossCurvesOut(ResponseModel):
 class OutputEfficiencyResponse(ResponseModel):
     """Sliding speed, loss, efficiency, pv and wear of the pins."""
 
+    forces: ForcesUsed = forces_used()
     relative_speed_rpm: float = result(
         "Relative speed", "n", "Speed of the crank against the output link, n₁·(1 + 1/u)."
     )
@@ -372,7 +287,7 @@ def turn(samples: int) -> FloatArray:
 
 def solve(body: OutputEfficiencyRequest) -> Values:
     """Friction of the pins in the holes, or on their sleeves: loss, efficiency, pv and wear."""
-    return OutputEfficiencyResponse.values(*run(body, body.solve_all))
+    return OutputEfficiencyResponse.values(*run(body, body.solve_all), forces=body.forces)
 
 
 def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
@@ -392,9 +307,6 @@ CALCULATION = Calculation(
     figure=figure,
     sources=(YANCHEVSKIY_2021, WANG_2016, ARCHARD_1953),
     neglects=(
-        "clearance",
-        "deviations",
-        "equal_discs",
         "friction_on_forces",
         "heat",
         "lubricant_film",

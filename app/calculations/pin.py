@@ -9,7 +9,6 @@ from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields, MaterialName
 from app.calculations.mechanism import MAX_SATELLITES
-from app.calculations.output_efficiency import SleevedPinFields
 from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
 from core.materials import MATERIALS, ElasticMaterial
@@ -75,17 +74,22 @@ def _held_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     schema["then"] = {"required": ["span_mm"]}
 
 
+Place = Annotated[float, Field(**SIZE)]
+pin_places = partial(
+    quantity,
+    "Places of the satellites",
+    symbol="z₁ … z_K",
+    group="pin",
+    min_length=1,
+    max_length=MAX_SATELLITES,
+    help="Middle plane of each satellite, from the face of the carrier.",
+)
+
+
 class HeldPinFields(RequestModel):
     """How the pins are held, and where the satellites load them."""
 
-    satellite_positions_mm: list[Annotated[float, Field(**SIZE)]] = quantity(
-        "Places of the satellites",
-        symbol="z₁ … z_K",
-        group="pin",
-        min_length=1,
-        max_length=MAX_SATELLITES,
-        help="Middle plane of each satellite, from the face of the carrier.",
-    )
+    satellite_positions_mm: list[Place] = pin_places()
     support: Support = quantity(
         "Support",
         symbol="",
@@ -111,35 +115,3 @@ class HeldPinFields(RequestModel):
         if self.support != "cantilever" and self.span_mm is None:
             raise field_error("span_mm", "needed_beside", field="support")
         return self
-
-
-pin_length = partial(
-    quantity,
-    "Contact length",
-    symbol="b",
-    group="pin",
-    **SIZE,
-    step=1,
-    help="Length of the contact along the pin: the width of the satellite.",
-)
-pin_rotates = partial(
-    quantity,
-    "Pin rotates",
-    symbol="",
-    group="pin",
-    default=False,
-    help="Whether the pin turns in the carrier: then its bending is fully reversed.",
-)
-
-
-class PinSectionFields(HeldPinFields, SleevedPinFields):
-    """The pin as a beam."""
-
-    contact_length_mm: float = pin_length()
-    rotates: bool = pin_rotates()
-    material: PinMaterial = quantity(
-        "Material of the pin",
-        symbol="",
-        group="pin",
-        help="A name of the table of materials, or values; that of the contact where it has one.",
-    )

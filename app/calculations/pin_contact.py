@@ -5,7 +5,13 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import ConfigDict, Field, model_validator
 
-from app.calculations.hertz import ContactFields, eccentricity, hole_radius
+from app.calculations.hertz import (
+    ContactFields,
+    contact_length,
+    eccentricity,
+    hole_radius,
+    pin_radius,
+)
 from app.model import Forms, Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
 
@@ -50,7 +56,7 @@ class PinContactFields(ContactFields):
                 raise field_error("eccentricity_mm", "needed_beside", field="hole_clearance_mm")
             if hole is None:
                 raise field_error("hole_radius_mm", "needed", field="eccentricity_mm")
-        if hole is None or clearance is None:
+        if hole is None or clearance is None or self.pin_radius_mm is None:
             return self
         off = Decimal(repr(hole)) - self._sum(*RADII)
         if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
@@ -85,3 +91,44 @@ class PinContactFields(ContactFields):
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
             "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
         }
+
+
+RADII_OF_HOLES = ("hole_radius_mm", "hole_clearance_mm")
+
+TOUCHING = ("pin_radius_mm", "contact_length_mm")
+"""What pins have to have where their holes are given."""
+
+
+def _crank_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """Holes need their pins."""
+    request_schema(schema, model)
+    schema["dependentRequired"] = {name: [*TOUCHING] for name in RADII_OF_HOLES}
+
+
+class CrankContactFields(PinContactFields):
+    """The crank; pin and hole where the forces of real pins and holes are wanted."""
+
+    contact_length_mm: Maybe[float] = contact_length(default=None)  # type: ignore[assignment]
+    pin_radius_mm: Maybe[float] = pin_radius(default=None)  # type: ignore[assignment]
+    eccentricity_mm: float = eccentricity()
+
+    model_config = ConfigDict(json_schema_extra=_crank_schema)
+
+    @model_validator(mode="after")
+    def _holes_of_pins(self) -> Self:
+        for name in RADII_OF_HOLES:
+            if getattr(self, name) is not None:
+                self.refuse_without_pins(name)
+        return self
+
+    def refuse_without_pins(self, field: str, path: str = "") -> None:
+        """Refuse a field that needs pins, where they are not given.
+
+        Raises
+        ------
+        PydanticCustomError
+            If they are not.
+        """
+        for name in TOUCHING:
+            if getattr(self, name) is None:
+                raise field_error(path + name, "needed_beside", field=field)

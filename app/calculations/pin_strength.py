@@ -2,19 +2,21 @@
 
 import math
 from dataclasses import replace
-from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import ConfigDict, Field, model_validator
 
-from app.calculations.contact_force import TorqueFields, application_factor, peak_torque
+from app.calculations.design import (
+    DesignFields,
+    DesignLoadFields,
+    DesignPinFields,
+    ForcesUsed,
+    design_schema,
+    forces_used,
+)
 from app.calculations.fatigue import FactorsOut, FatigueFields
-from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import PinSectionFields, strengths_of
-from app.calculations.real_mechanism import torque_direction
 from app.model import (
-    SIZE,
     AccuracyOut,
     Calculation,
     Maybe,
@@ -22,116 +24,66 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
-    quantity,
+    field_error,
     result,
 )
 from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
-from app.units import from_si, to_si
-from core.checks.sections import DesignPin
-from core.errors import InvalidInput
-from core.output.mechanism import Mechanism
-from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import PinStrength, pin_strength
-from core.output.sampled_turn import Direction
-from core.results import Notice
+from app.units import from_si
+from core.checks.design.pins import MOST_PIN_PAIRS
+from core.output.pin_strength import PinStrength
 
-MAX_PAIRS = 500
-"""Most pairs whose locus is looked at."""
+ALONE = ("diameter_mm", "contact_length_mm", "material")
+"""What a pin has to say where there is no contact that does."""
+
+TOUCHING = ("contact_law", "deviations", "crank_support", "satellite_coupling")
+"""Sections that say something of a contact."""
 
 
-class PinLoadFields(TorqueFields):
-    """Load of the pins, its direction and how it changes, and the speed of the crank where a life
-    is wanted.
+def _pin_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What a pin without a contact has to say, and what needs a contact."""
+    design_schema(schema, model)
+    schema["dependentRequired"] = {name: ["contact"] for name in TOUCHING}
+    schema["if"] = {"not": {"required": ["contact"]}}
+    schema["then"] = {"properties": {"pin": {"required": [*ALONE]}}}
+
+
+class PinStrengthRequest(DesignFields):
+    """Mechanism, load, pin and what its fatigue is judged by; with the contact the forces follow
+    from it too.
     """
 
-    torque_direction: Direction = torque_direction()
-    input_speed_rpm: Maybe[float] = quantity(
-        "Input speed",
-        symbol="n₁",
-        group="load",
-        default=None,
-        **SIZE,
-        step=50,
-        help="Speed of the crankshaft.",
-    )
-    application_factor: Maybe[float] = application_factor()
-    peak_torque_Nm: Maybe[float] = peak_torque()
-
-
-class PinStrengthRequest(RequestModel):
-    """Mechanism, load, pin and what its fatigue is judged by."""
-
-    mechanism: MechanismFields
-    load: PinLoadFields
-    pin: PinSectionFields
+    load: DesignLoadFields
+    pin: DesignPinFields
     fatigue: Maybe[FatigueFields] = None
     include: list[Literal["deflection", "locus"]] = Field(
         default=[], max_length=2, description="Optional results: what is not named is not computed."
     )
 
-    def refuse_beyond(self, settings: Any) -> None:
-        """Refuse what exceeds the operator's limits in pairs."""
-        self.mechanism.refuse_beyond(settings)
-        super().refuse_beyond(settings)
+    model_config = ConfigDict(json_schema_extra=_pin_schema)
 
-    @cached_property
-    def built(self) -> Mechanism:
-        """The mechanism, built once."""
-        return self.mechanism.mechanism()
+    @model_validator(mode="after")
+    def _contact_or_alone(self) -> Self:
+        if self.contact is not None:
+            return self
+        for name in ALONE:
+            if getattr(self.pin, name) is None:
+                raise field_error(f"pin/{name}", "needed", field="contact")
+        for name in TOUCHING:
+            if getattr(self, name) is not None:
+                raise field_error("contact", "needed_beside", field=name)
+        return self
 
-    def design_pin(self) -> DesignPin:
-        """The pin in SI units."""
-        own = self.pin
-        return DesignPin(
-            support=own.support,
-            diameter=to_si("diameter_mm", own.diameter_mm),
-            satellite_positions=tuple(to_si("positions_mm", own.satellite_positions_mm)),
-            span=to_si("span_mm", own.span_mm),
-            contact_length=to_si("contact_length_mm", own.contact_length_mm),
-            rotates=own.rotates,
-            **strengths_of(own.material),
-        )
-
-    def loaded(self, pin: DesignPin) -> dict[str, Any]:
-        """The mechanism, its load and the pin, as the core takes them for the stresses."""
-        return {
-            "mechanism": self.built,
-            "force_exponent": self.load.force_exponent,
-            "output_torque": self.load.torque(self.built),
-            "application_factor": self.load.application_factor or 1.0,
-            "peak_torque": self.load.peak_torque_Nm,
-            "pin_circle_radius": to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
-            "diameter": pin.diameter,
-            "contact_length": pin.contact_length,
-            "satellite_positions": pin.satellite_positions,
-            "material": pin.material,
-            "support": pin.support,
-            "span": pin.span,
-            "torque_direction": self.load.torque_direction,
-        }
+    def parts(self) -> dict[str, Any]:
+        """The pin and its fatigue in SI units."""
+        return super().parts() | {"fatigue": self.fatigue and self.fatigue.basis()}
 
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
-        if self.mechanism.pairs > MAX_PAIRS:
-            most = self.mechanism.most_pins(MAX_PAIRS)
-            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-        pin = self.design_pin()
-        judged = None if self.fatigue is None else self.fatigue.basis().strength(pin)
-        strength = judged if isinstance(judged, FatigueStrength) else None
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        if pin.valid_diameter is not None and pin.diameter > pin.valid_diameter:
-            notices += (Notice("strength_beyond_size", {"limit": pin.valid_diameter * 1e3}),)
-        found = pin_strength(
-            **self.loaded(pin),
-            rotates=pin.rotates,
-            fatigue=strength,
-            input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
-            deflection="deflection" in self.include,
-            locus=locus or "locus" in self.include,
-        )
-        return replace(found, notices=notices + found.notices)
+        found = self.design.judged_pins(locus=locus or "locus" in self.include)
+        strength = self.fitted(found, MOST_PIN_PAIRS)
+        return strength if "deflection" in self.include else replace(strength, deflection=None)
 
 
 class PinFatigueOut(ResponseModel):
@@ -195,6 +147,7 @@ class MomentLocusOut(ResponseModel):
 class PinStrengthResponse(ResponseModel):
     """Bending, shear, static safety, fatigue and deflection of the pins."""
 
+    forces: ForcesUsed = forces_used()
     peak_force_N: float = result("Largest contact force over the turn.", symbol="F_max")
     peak_moment_Nm: float = result("Largest bending moment of any section.", symbol="M")
     peak_moment_position_mm: float = result("That section, from the carrier's face.", symbol="x")
@@ -273,7 +226,7 @@ def strength_figure(found: PinStrength, theme: Theme) -> Figure:
 
 def solve(body: PinStrengthRequest) -> Values:
     """Strength of the pins: bending, shear, static safety, fatigue by the true stress cycle."""
-    return PinStrengthResponse.values(*run(body, body.solve))
+    return PinStrengthResponse.values(*run(body, body.solve), forces=body.forces)
 
 
 def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
@@ -293,9 +246,6 @@ CALCULATION = Calculation(
     figure=figure,
     sources=(YANCHEVSKIY_2021, SHIGLEY),
     neglects=(
-        "clearance",
-        "deviations",
-        "equal_discs",
         "fretting",
         "friction",
         "seat_compliance",

@@ -236,15 +236,19 @@ class BentPinFields(HeldPinFields):
         help="A name of the table of materials, or values; that of the contact where it has one.",
     )
 
-    def held(self, contact: PinContactFields) -> PinSupport:
-        """The pin in SI units."""
+    def held(self, contact: PinContactFields | None) -> PinSupport:
+        """The pin in SI units; what is not given is that of the contact."""
         own = self.to_core()
-        diameter = own.get("diameter", 2 * to_si("radius_mm", contact.pin_radius_mm))
-        given: ElasticMaterial = material_of(self.material or contact.pin_material)
+        diameter, material = own.get("diameter"), self.material
+        if contact is not None:
+            diameter = diameter or 2 * to_si("radius_mm", contact.pin_radius_mm)
+            material = material or contact.pin_material
+        assert diameter is not None and material is not None
+        given: ElasticMaterial = material_of(material)
         return PinSupport(
             support=self.support,
             diameter=diameter,
-            satellite_positions=tuple(own["satellite_positions"]),
+            satellite_positions=tuple(own.get("satellite_positions", ())),
             material=given,
             span=own.get("span"),
         )

@@ -1,14 +1,18 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
-from functools import cached_property
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
+from pydantic import ConfigDict, model_validator
 
-from app.calculations.hertz import eccentricity
-from app.calculations.mechanism import MechanismFields
-from app.calculations.output_efficiency import DrivenLoadFields
-from app.calculations.real_mechanism import torque_direction
+from app.calculations.design import (
+    DesignFields,
+    DrivenLoadFields,
+    ForcesUsed,
+    design_schema,
+    forces_used,
+)
+from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     SIZE,
@@ -24,37 +28,16 @@ from app.model import (
     result,
 )
 from app.running import run
-from app.settings import Settings
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
-from app.units import from_si, to_si
+from app.units import from_si
 from core.arrays import FloatArray
-from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import (
-    BearingCurves,
-    SatelliteBearings,
-    bearing_curves,
-    satellite_bearings,
-)
-from core.errors import InvalidInput
-from core.output.contact_force import drawing_angles
-from core.output.mechanism import Mechanism
-from core.output.sampled_turn import Direction
+from core.checks.crank_design import MOST_BEARING_PAIRS
+from core.checks.sections import RollingBearing
+from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 
-MAX_PAIRS = 2000
-"""Most pairs whose forces are integrated over the turn."""
-
-
-class CrankedLoadFields(DrivenLoadFields):
-    """Load of the pins, its direction, and the speed of the crank."""
-
-    torque_direction: Direction = torque_direction()
-
-
-class CrankContactFields(RequestModel):
-    """Size of the crank."""
-
-    eccentricity_mm: float = eccentricity()
+OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
+"""Sections that say something of pins and holes."""
 
 
 class ShaftBearingFields(RequestModel):
@@ -122,46 +105,33 @@ class BearingFields(ShaftBearingFields):
     )
 
 
-class CrankedRequest(RequestModel):
-    """Mechanism, load, crank and ring."""
+def _cranked_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """What needs pins that touch their holes."""
+    design_schema(schema, model)
+    some = {"anyOf": [{"required": [name]} for name in OF_PINS]}
+    touching = {"properties": {"contact": {"required": [*TOUCHING]}}}
+    schema["allOf"].append({"if": some, "then": touching})
 
-    mechanism: MechanismFields
-    load: CrankedLoadFields
+
+class CrankedRequest(DesignFields):
+    """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
+
+    load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
 
-    def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits in pairs."""
-        self.mechanism.refuse_beyond(settings)
-        super().refuse_beyond(settings)
+    model_config = ConfigDict(json_schema_extra=_cranked_schema)
 
-    @cached_property
-    def built(self) -> Mechanism:
-        """The mechanism, built once."""
-        return self.mechanism.mechanism()
+    @model_validator(mode="after")
+    def _touching(self) -> Self:
+        for name in OF_PINS:
+            if getattr(self, name) is not None:
+                self.contact.refuse_without_pins(name, "contact/")
+        return self
 
-    @cached_property
-    def mesh(self) -> RingMesh:
-        """The ring's force on a satellite."""
-        return self.gear.mesh(eccentricity=self.design["eccentricity"], ratio=self.built.ratio)
-
-    @property
-    def design(self) -> dict[str, Any]:
-        """What the loads follow from, in SI units."""
-        return {
-            "mechanism": self.built,
-            "force_exponent": self.load.force_exponent,
-            "output_torque": self.load.torque(self.built),
-            "pin_circle_radius": to_si("pin_circle_radius_mm", self.load.pin_circle_radius_mm),
-            "eccentricity": to_si("eccentricity_mm", self.contact.eccentricity_mm),
-            "torque_direction": self.load.torque_direction,
-        }
-
-    def refuse_long(self) -> None:
-        """Refuse more pairs than there is time for."""
-        if self.mechanism.pairs > MAX_PAIRS:
-            most = self.mechanism.most_pins(MAX_PAIRS)
-            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
+    def parts(self) -> dict[str, Any]:
+        """Pin and ring in SI units."""
+        return super().parts() | {"gear": self.gear.ring()}
 
 
 class SatelliteBearingRequest(CrankedRequest):
@@ -169,26 +139,18 @@ class SatelliteBearingRequest(CrankedRequest):
 
     bearing: BearingFields
 
+    def parts(self) -> dict[str, Any]:
+        """The same with the bearing."""
+        return super().parts() | {"bearing": RollingBearing(**self.bearing.to_core())}
+
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
-        self.refuse_long()
-        load, torque = self.load, self.design["output_torque"]
-        factor = load.application_factor or 1.0
-        return satellite_bearings(
-            **self.design,
-            mesh=self.mesh,
-            peak_torque=torque * factor if load.peak_torque_Nm is None else load.peak_torque_Nm,
-            input_speed=to_si("input_speed_rpm", self.load.input_speed_rpm),
-            **self.bearing.to_core(),
-        )
+        return self.fitted(self.design.bearings, MOST_BEARING_PAIRS)
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """The same, curves over the turn, and the switching angles, rad."""
-        angles, switching = drawing_angles(mechanism=self.built)
-        found = self.solve()
-        ratio = self.mesh.radial_force_ratio
-        curves = bearing_curves(**self.design, radial_force_ratio=ratio, crank_angle=angles)
-        return found, curves, switching
+        angles, switching = self.drawn_angles()
+        return self.solve(), self.design.bearing_curves(angles), switching
 
 
 class SatelliteBearingOut(ResponseModel):
@@ -214,6 +176,7 @@ class SatelliteBearingOut(ResponseModel):
 class SatelliteBearingResponse(ResponseModel):
     """Loads and lives of the satellites' bearings."""
 
+    forces: ForcesUsed = forces_used()
     relative_speed_rpm: float = result(
         "Speed of a bearing's rings against each other, n₁·(1 + 1/u).", symbol="n"
     )
@@ -325,7 +288,7 @@ def load_figure(
 
 def solve(body: SatelliteBearingRequest) -> Values:
     """Load of the satellites' bearings by pins and ring, static safety and life."""
-    return SatelliteBearingResponse.values(*run(body, body.solve))
+    return SatelliteBearingResponse.values(*run(body, body.solve), forces=body.forces)
 
 
 def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
@@ -344,5 +307,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
-    neglects=("clearance", "deviations", "equal_discs", "friction", "bearing_elasticity"),
+    neglects=("friction", "bearing_elasticity"),
 )

@@ -72,14 +72,15 @@ class TotalForceStudy(Study):
 
 
 class PinStrengthStudy(Study):
-    """Largest bending stress of the pins."""
+    """Largest bending stress of the pins, by ideal forces that the satellites share equally."""
 
     calculation: Literal["pin-strength"]
     input: PinStrengthRequest
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        return pin_bending_study(**self.input.loaded(self.input.design_pin()))
+        equally = {"pair_stiffness": None, "made": None}
+        return pin_bending_study(**(self.input.design.loaded_pins | equally))
 
 
 class ContactLineStudy(Study):

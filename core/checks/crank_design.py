@@ -2,12 +2,22 @@
 
 from functools import cached_property
 
+import numpy as np
+
+from core.arrays import FloatArray
 from core.checks.design.losses import DesignLosses
 from core.checks.design.refusals import known, named
-from core.crank.crankshaft import Crankshaft, crankshaft
+from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
+from core.crank.satellite_bearing import (
+    BearingCurves,
+    SatelliteBearings,
+    bearing_curves,
+    made_parts,
+    satellite_bearings,
+)
 from core.errors import ImpossibleMechanism
+from core.output.sampled_turn import WAYS, SampledTurn
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
@@ -79,4 +89,68 @@ class CrankDesign(DesignLosses):
                 bearing_positions=own.bearing_positions,
                 satellite_mass=own.satellite_mass,
             ),
+        )
+
+    @cached_property
+    def _shown_turn(self) -> SampledTurn | None:
+        """Forces of the mechanism as it is made, where they are judged; of an alternating torque
+        the driving ones are shown.
+        """
+        if self.made is None:
+            return None
+        assert self.output_torque is not None
+        return self.made(WAYS[self.torque_direction][0] * self.output_torque)
+
+    def bearing_curves(self, crank_angle: FloatArray) -> BearingCurves:
+        """Load of the satellites' bearings at crank angles; ideal forces are shared equally.
+
+        Parameters
+        ----------
+        crank_angle : array, shape (n,)
+            Crank angles, rad.
+
+        Returns
+        -------
+        BearingCurves
+        """
+        mesh, turn = self.mesh, self._shown_turn
+        assert mesh is not None and self.eccentricity is not None
+        assert self.output_torque is not None and self.pin_circle_radius is not None
+        rho = float(mesh.radial_force_ratio)
+        if turn is None:
+            return bearing_curves(
+                mechanism=self.mechanism,
+                force_exponent=self.force_exponent,
+                output_torque=self.output_torque,
+                pin_circle_radius=self.pin_circle_radius,
+                eccentricity=self.eccentricity,
+                radial_force_ratio=rho,
+                crank_angle=crank_angle,
+                torque_direction=self.torque_direction,
+            )
+        arm = self.eccentricity * self.mechanism.ratio
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
+        wave = self.mechanism.wave_angle(crank_angle)
+        load = turn.at(wave=wave, values=parts.load).T
+        return BearingCurves(crank_angle, load.imag, load.real, np.abs(load))
+
+    def reaction_curves(self, crank_angle: FloatArray) -> ReactionCurves:
+        """Reactions of the crankshaft's bearings to the same.
+
+        Parameters
+        ----------
+        crank_angle : array, shape (n,)
+            Crank angles, rad.
+
+        Returns
+        -------
+        ReactionCurves
+        """
+        own, turn = self.crankshaft, self._shown_turn
+        assert own is not None
+        return reaction_curves(
+            loads=self.bearing_curves(crank_angle),
+            crank_angles=self.mechanism.crank_angles if turn is None else turn.crank_angles,
+            satellite_positions=own.satellite_positions,
+            bearing_positions=own.bearing_positions,
         )

@@ -37,7 +37,7 @@ class DesignPin(PinSupport):
     diameter : float
         Diameter d of the pin itself, m.
     satellite_positions : tuple of float
-        Distance z_j of the middle of each satellite from the support, m.
+        Distance z_j of the middle of each satellite from the support, m; none where it is rigid.
     material : ElasticMaterial
         The pin's material, with its yield strength.
     span : float or None

@@ -373,9 +373,9 @@ def _balance(
 
 
 def _turned(value: complex) -> float:
-    """Direction from 0 to less than a turn."""
+    """Direction from 0 to less than a turn, in degrees too."""
     angle = math.atan2(value.imag, value.real) % (2 * math.pi)
-    return angle if angle < 2 * math.pi else 0.0  # that of a trifle below 0
+    return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
 
 
 @dataclass(frozen=True, slots=True)

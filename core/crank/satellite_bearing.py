@@ -207,13 +207,13 @@ def satellite_bearings(
         static = np.asarray(static_torque / output_torque)[..., None] * loads.most
     else:
         ways = WAYS[torque_direction]
-        loads, static_loads = (
-            _made_loads(
-                [made(way * torque) for way in ways], eccentricity * ratio, mesh, EXPONENTS[kind]
-            )
-            for torque in (output_torque, static_torque)
-        )
-        static = static_loads.most
+
+        def solved(torque: float) -> _Loads:
+            turns = [made(way * torque) for way in ways]
+            return _made_loads(turns, eccentricity * ratio, mesh, EXPONENTS[kind])
+
+        loads = solved(output_torque)
+        static = loads.most if static_rating is None else solved(static_torque).most
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from core.arrays import Number
 from core.errors import InvalidInput
 from core.results import ROUNDING
 
@@ -110,6 +111,10 @@ class Mechanism:
     def crank_angle_per_wave(self) -> float:
         """Crank angle in which the wave angle makes one turn, rad: 2*pi/(1 + 1/u)."""
         return 2 * math.pi * self.ratio / (1 + self.ratio)
+
+    def wave_angle(self, crank_angle: Number) -> Number:
+        """Wave angle at a crank angle, rad: ``phi*(1 + 1/u)`` and the initial one."""
+        return crank_angle * (1 + 1 / self.ratio) + self.initial_crank_angle
 
     @cached_property
     def phases(self) -> "WavePhases":

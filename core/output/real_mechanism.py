@@ -274,10 +274,7 @@ class RealMechanism:
         crank_angle : float
             Crank angle, rad.
         """
-        return math.remainder(
-            crank_angle * (1 + 1 / self.mechanism.ratio) + self.mechanism.initial_crank_angle,
-            2 * math.pi,
-        )
+        return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
 
     def solved(self, psi: float, torque: float, setup: Setup, room: Room) -> Position:
         """Equilibrium at a wave angle; what cannot be is refused.

@@ -127,6 +127,7 @@ def _directed(
         wave=wave,
         on_pins=on_pins,
         on_satellites=np.conj((acts / crank).sum(axis=1)),
+        total=force.sum(axis=0),
         couple=(acts * np.conj(hole)).imag.sum(axis=1),
         crank_angles=tuple(cranks.tolist()),
         error=error,

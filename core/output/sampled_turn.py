@@ -39,6 +39,8 @@ class SampledTurn:
     on_satellites : array of complex, shape (K, n)
         Resultant of the pins on each satellite, N: along its crank towards the axis, and i times
         that across, back against the crank's rotation under a driving torque.
+    total : array, shape (n,)
+        Sum of the sizes of all forces, N.
     couple : array, shape (K, n)
         Couple of the pins about the satellite's centre, N*m; as the torque on the output link.
     crank_angles : tuple of float
@@ -53,6 +55,7 @@ class SampledTurn:
     wave: FloatArray
     on_pins: ComplexArray
     on_satellites: ComplexArray
+    total: FloatArray
     couple: FloatArray
     crank_angles: tuple[float, ...]
     error: float
@@ -73,6 +76,22 @@ class SampledTurn:
         gaps = np.diff(self.wave, append=self.wave[0] + 2 * np.pi)
         found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (4 * np.pi)
         return found
+
+    def at(self, *, wave: FloatArray, values: NDArray[Any]) -> NDArray[Any]:
+        """Values at other wave angles, on the straight lines between the samples.
+
+        Parameters
+        ----------
+        wave : array, shape (m,)
+            Wave angles, rad.
+        values : array, shape (K, n)
+            At the samples.
+
+        Returns
+        -------
+        array, shape (K, m)
+        """
+        return np.array([np.interp(wave, self.wave, row, period=2 * np.pi) for row in values])
 
     def missed(self, values: NDArray[Any]) -> float:
         """Estimate of the error of values between the samples.

@@ -28,10 +28,10 @@ function stacked({ data, layout }) {
   };
 }
 
-/** What a section's own calculation leaves out and the whole design does not: the forces as it is made, or those that bending pins share. */
-function countedIn({ load_sharing: real, pin_strength: pins }, section) {
-  const bends = pins && section !== "output_efficiency"; // whose sum of forces does not hang on who carries them
-  return [...(real ? ["clearance", "deviations"] : []), ...(bends ? ["pin_bending"] : []), ...(real || bends ? ["equal_discs"] : [])];
+/** Whether a section is of other forces than its figure shows, the ideal ones that all satellites share alike. */
+function ofOtherForces(answer, section) {
+  const bends = answer.pin_strength && section !== "output_efficiency"; // whose sum of forces does not hang on who carries them
+  return answer[section]?.forces === "real" || Boolean(bends);
 }
 
 /** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
@@ -54,7 +54,7 @@ export function createView({ id, section, client, titles, figures, calculations,
     on: { charted() {}, turned() {}, set() {}, picked() {} },
   });
   const { lists = {} } = logic;
-  const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", ...Object.keys(lists)] };
+  const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
   part("drawn-for").before(figure.root);
@@ -64,9 +64,8 @@ export function createView({ id, section, client, titles, figures, calculations,
     const answer = shown?.answer[section];
     fill(part("numbers"), html`${answer && logic.cells(answer, shown.filled).map((cell) => html`
       <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
-    const counted = countedIn(shown?.answer ?? {}, section);
-    part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model: model.filter(({ code }) => !counted.includes(code)) }).join("; ") });
-    part("drawn-for").textContent = counted.length > 0 ? message("besides.ideal") : "";
+    part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model }).join("; ") });
+    part("drawn-for").textContent = ofOtherForces(shown?.answer ?? {}, section) ? message("besides.ideal") : "";
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [
       valuesMarkup(answer, calculator.elsewhere, titles),

@@ -6,6 +6,9 @@ from copy import deepcopy
 
 import pytest
 
+from app.endpoint import LIGHT_POINTS, points
+from app.registry import CALCULATIONS
+
 pytestmark = pytest.mark.anyio
 
 PATH = "crank-planetary"
@@ -61,22 +64,28 @@ async def refused(api, body):
     return error["pointer"], error["code"]
 
 
+FORCES = (
+    "mechanism",
+    "load",
+    "contact",
+    "contact_law",
+    "deviations",
+    "crank_support",
+    "satellite_coupling",
+    "pin",
+)
+OWN = {
+    "pin_strength": (*FORCES, "fatigue"),
+    "output_efficiency": (*FORCES, "friction"),
+    "satellite_bearing": (*FORCES, "gear", "bearing"),
+    "crankshaft": (*FORCES, "gear", "crankshaft"),
+}
+
+
 def own(body, section):
-    """The body of a section's own endpoint."""
-    load, contact = body["load"], body["contact"]
-    turning = {"mechanism": body["mechanism"], "load": load}
-    if section == "pin_strength":
-        pin = {"diameter_mm": 2 * contact["pin_radius_mm"], "contact_length_mm": 20.0}
-        more = {"pin": pin | body["pin"], "fatigue": body["fatigue"], "include": ["deflection"]}
-        return turning | more
-    if section == "output_efficiency":
-        return turning | {"contact": contact, "friction": body["friction"]}
-    cranked = turning | {
-        "contact": {"eccentricity_mm": contact["eccentricity_mm"]},
-        "gear": body["gear"],
-    }
-    last = {"satellite_bearing": "bearing"}.get(section, section)
-    return cranked | {last: body[last]}
+    """The sections of a document that a section's own endpoint takes."""
+    parts = {name: body[name] for name in OWN[section] if name in body}
+    return parts | ({"include": ["deflection"]} if section == "pin_strength" else {})
 
 
 def without_time(section):
@@ -90,26 +99,59 @@ ALONE = changed(
 )
 """Of one satellite, which shares with none."""
 
+FEW = changed(ALONE, mechanism__pins=3, contact__hole_clearance_mm=0.02)
+BOTH = changed(DESIGN, mechanism__pins=3, contact__hole_clearance_mm=0.02)
+DEVIATIONS = {"deviations": {"pin_tangential_mm": [-0.02, 0.0, 0.01]}}
+PEAK = {"load__application_factor": 1.25, "load__peak_torque_Nm": 900.0}
+IDEAL = {
+    "plain": DESIGN,
+    "one satellite": ALONE,
+    "no pin": changed(pin=None, fatigue=None),
+    "factor": changed(load__application_factor=1.25),
+    "dynamic factor": changed(contact__dynamic_factor=1.25),
+    "peak": changed(**PEAK),
+    "reverse": changed(ALONE, mechanism__pins=5, load__torque_direction="reverse"),
+    "alternating": changed(load__torque_direction="alternating"),
+    "interference": changed(contact__hole_clearance_mm=-0.02),
+    "other pins": changed(pin__rotates=True, pin__material=None, pin__diameter_mm=14.0),
+}
+REAL = {
+    "clearance": changed(BOTH, pin=None, fatigue=None),
+    "materials": changed(FEW, contact__pin_material="brass", contact__hole_material="steel_s355"),
+    "deviations": changed(FEW, contact__hole_clearance_mm=None, **DEVIATIONS, **PEAK),
+    "law": changed(FEW, contact_law={"kind": "linear", "stiffness_N_per_mm": 1e5}),
+    "reverse": changed(FEW, **DEVIATIONS, load__torque_direction="reverse"),
+    "alternating": changed(FEW, **DEVIATIONS, **PEAK, load__torque_direction="alternating"),
+    "bearings give": changed(FEW, crank_support={"stiffness_N_per_mm": 1e5}),
+    "shares": changed(BOTH, satellite_coupling={"kind": "shares", "shares": [0.4, 0.6]}),
+    "sleeves": changed(FEW, friction__sleeve=True, pin__diameter_mm=11.0),
+}
+
+
+@pytest.mark.parametrize(
+    ("design", "forces"),
+    [(each, "ideal") for each in IDEAL.values()] + [(each, "real") for each in REAL.values()],
+    ids=[*(f"ideal, {name}" for name in IDEAL), *(f"real, {name}" for name in REAL)],
+)
+async def test_a_section_is_what_its_endpoint_answers(api, design, forces):
+    """Value by value, whichever forces it follows from; how pins fit is said once in a design."""
+    whole = await answered(api, design)
+    sections = [each for each in STRENGTH if each != "pin_strength" or "pin" in design]
+    for section in sections:
+        answer = await answered(api, own(design, section), section.replace("_", "-"))
+        expected = whole[section]
+        assert answer["forces"] == expected["forces"] == forces
+        warnings = whole.get("warnings", []) + expected.get("warnings", [])
+        assert answer.get("warnings", []) == warnings
+        one, other = ({**without_time(each), "warnings": None} for each in (answer, expected))
+        assert one == other
+
 
 @pytest.mark.parametrize("section", STRENGTH)
-@pytest.mark.parametrize(
-    "design",
-    [
-        ALONE,
-        changed(pin=None, fatigue=None),
-        changed(ALONE, load__application_factor=1.25, load__peak_torque_Nm=900.0),
-        changed(ALONE, load__application_factor=1.25),
-    ],
-    ids=["one", "no pin", "peak", "factor"],
-)
-async def test_a_section_is_what_its_endpoint_answers(api, section, design):
-    """Several satellites share by the stiffness of bending pins too."""
-    if section == "pin_strength" and "pin" not in design:
-        return
-    expected = await answered(api, own(design, section), section.replace("_", "-"))
-    for include in ([section], None):
-        answer = await answered(api, changed(design, include=include))
-        assert without_time(answer[section]) == without_time(expected)
+async def test_a_section_is_the_same_whatever_else_is_answered(api, section):
+    alone = await answered(api, changed(include=[section]))
+    together = await answered(api, DESIGN)
+    assert without_time(alone[section]) == without_time(together[section])
 
 
 STEEL = {"youngs_modulus_GPa": 206.0, "poissons_ratio": 0.3, "allowable_pressure_MPa": 700.0}
@@ -393,3 +435,187 @@ async def test_what_is_missing_is_pointed_to(api):
     pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
     assert "/pin/satellite_positions_mm" in pin["inputs"]
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]
+
+
+def single(section, body=DESIGN, /, **changes):
+    """The path and the body of a section's own endpoint."""
+    return section.replace("_", "-"), own(changed(body, **changes), section)
+
+
+@pytest.mark.parametrize("section", STRENGTH)
+async def test_what_the_forces_do_not_need_is_taken_and_not_used(api, section):
+    path, body = single(section, pin__rotates=False)
+    more = changed(
+        body,
+        load__include=["curves"],
+        load__samples=11,
+        contact__distribution_factor=1.3,
+        contact__hole_radius_mm=10.0,
+    )
+    one, other = [await answered(api, each, path) for each in (body, more)]
+    assert without_time(one) == without_time(other)
+
+
+@pytest.mark.parametrize(
+    ("section", "changes", "pointer", "code"),
+    [
+        (
+            "pin_strength",
+            {"contact": None, "pin__diameter_mm": 16.0, "pin__contact_length_mm": None},
+            "/pin/contact_length_mm",
+            "needed",
+        ),
+        ("pin_strength", {"requirements": {}}, "/requirements", "extra_forbidden"),
+        ("pin_strength", {"gear": {"kind": "none"}}, "/gear", "extra_forbidden"),
+        (
+            "satellite_bearing",
+            {"contact": {"eccentricity_mm": 2.0}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "contact": {"eccentricity_mm": 2.0}, "deviations": {}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "contact": {"eccentricity_mm": 2.0, "hole_clearance_mm": 0.1}},
+            "/contact/pin_radius_mm",
+            "needed_beside",
+        ),
+        (
+            "satellite_bearing",
+            {"contact__distribution_factor": 1.3, "contact_law": {}},
+            "/contact/distribution_factor",
+            "with_real_forces",
+        ),
+        (
+            "output_efficiency",
+            {"load__application_factor": 1.3, "contact__dynamic_factor": 1.2},
+            "/load/application_factor",
+            "only_one",
+        ),
+        (
+            "output_efficiency",
+            {"deviations": {"pin_radial_mm": [0.0]}},
+            "/deviations/pin_radial_mm",
+            "different_length",
+        ),
+        (
+            "crankshaft",
+            {"pin": None, "mechanism__pins": 60, "contact_law": {}},
+            "/mechanism/pins",
+            "too_many_pairs",
+        ),
+        (
+            "satellite_bearing",
+            {"pin": None, "contact__hole_clearance_mm": 60.0, "contact__eccentricity_mm": 55.0},
+            "/contact/eccentricity_mm",
+            "smaller_than",
+        ),
+        ("output_efficiency", {"friction__sleeve": True}, "/pin/diameter_mm", "no_sleeve"),
+    ],
+)
+async def test_what_a_section_cannot_take_alone_is_refused(api, section, changes, pointer, code):
+    path, body = single(section)
+    body.pop("include", None)
+    response = await api.post(path, json=changed(body, **changes))
+    assert response.status_code == 422, response.text
+    errors = [(each["pointer"], each["code"]) for each in response.json()["errors"]]
+    assert errors == [(pointer, code)]
+
+
+async def test_a_contact_law_of_pins_needs_their_contact(api):
+    path, body = single("pin_strength")
+    del body["contact"]
+    body["pin"] |= {"diameter_mm": 16.0, "contact_length_mm": 20.0}
+    assert (await answered(api, body, path))["forces"] == "ideal"
+    response = await api.post(path, json=body | {"contact_law": {}})
+    (error,) = response.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/contact", "needed_beside")
+
+
+async def test_fatigue_alone_is_for_a_life_without_end(api):
+    """A design that turns 1000 times has strength for that; its pins alone are judged for ever."""
+    slow = changed(
+        load__input_speed_rpm=1.0, requirements={"life_h": 20.0}, include=["pin_strength"]
+    )
+    whole = (await answered(api, slow))["pin_strength"]["fatigue"]
+    path, body = single("pin_strength", slow)
+    alone = (await answered(api, body, path))["fatigue"]
+    assert "finite_strength_MPa" in whole and "finite_strength_MPa" not in alone
+    assert alone["safety_factor"] < whole["safety_factor"]
+
+
+async def test_curves_and_figures_are_of_the_forces_that_are_answered(api):
+    """Their extremes are those of the answer, which takes them from its own samples."""
+    few = FEW | DEVIATIONS
+    path, body = single("output_efficiency", few)
+    answer = await answered(api, body | {"include": ["curves"], "samples": 2001}, path)
+    efficiency = answer["curves"]["efficiency"]
+    assert min(efficiency) == pytest.approx(answer["min_efficiency"], rel=1e-5)
+    assert max(efficiency) == pytest.approx(answer["max_efficiency"], rel=1e-5)
+    path, body = single("satellite_bearing", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    (satellite,), load = answer["satellites"], figure["data"][1]["y"]
+    assert max(load) == pytest.approx(satellite["peak_load_N"], rel=1e-3)
+    assert min(load) == pytest.approx(satellite["min_load_N"], rel=1e-2)
+    assert figure["layout"]["shapes"] == []
+    path, body = single("crankshaft", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    for bearing, trace in zip(answer["bearings"], figure["data"][1::2], strict=True):
+        assert max(trace["y"]) == pytest.approx(bearing["peak_N"], rel=1e-3)
+    path, body = single("pin_strength", few)
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    assert max(figure["data"][-1]["y"]) == pytest.approx(
+        answer["fatigue"]["max_stress_MPa"], rel=1e-3
+    )
+
+
+def test_only_real_forces_of_a_section_leave_the_event_loop():
+    for section in STRENGTH:
+        name, body = single(section, ALONE)
+        _, real = single(section, FEW)
+        request = CALCULATIONS[name].request
+        assert points(request.model_validate(body), drawn=False) <= LIGHT_POINTS
+        assert points(request.model_validate(real), drawn=False) > LIGHT_POINTS
+
+
+def test_fixes_of_a_loaded_design_leave_the_event_loop():
+    """Whatever its load includes."""
+    body = changed(pin=None, fatigue=None, gear=None, include=["fixes"])
+    read = CALCULATIONS[PATH].request.model_validate(body)
+    assert points(read, drawn=False) > LIGHT_POINTS
+
+
+async def test_real_curves_are_at_their_angles(api):
+    """The loss by the forces that `/load-sharing` solves there, which are nearly parallel."""
+    design = changed(
+        FEW | DEVIATIONS,
+        mechanism__initial_crank_angle_deg=30.0,
+        load__torque_direction="reverse",
+    )
+    path, body = single("output_efficiency", design)
+    answer = await answered(api, body | {"include": ["curves"], "samples": 13}, path)
+    load = {name: each for name, each in design["load"].items() if name != "input_speed_rpm"}
+    asked = {name: design[name] for name in ("mechanism", "contact", "pin", "deviations")}
+    material = {
+        name: design["pin"]["material"][name] for name in ("youngs_modulus_GPa", "poissons_ratio")
+    }
+    asked |= {"load": load, "pin": asked["pin"] | {"material": material}}
+    angles = answer["curves"]["crank_angle_deg"]
+    positions = (await answered(api, asked | {"crank_angle_deg": angles}, "load-sharing"))[
+        "positions"
+    ]
+    forces = [sum(map(sum, each["force_N"])) for each in positions]
+    power = [0.08 * answer["sliding_speed_m_per_s"] * each for each in forces]
+    assert answer["curves"]["loss_W"] == pytest.approx(power, rel=1e-3)
+    assert max(power) > 1.1 * min(power)
+    path, body = single("satellite_bearing", design)
+    across = (await answered(api, body, f"{path}/chart"))["data"][0]["x"]
+    assert max(across) < 0  # in reverse

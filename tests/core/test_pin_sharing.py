@@ -124,6 +124,7 @@ def loaded_one_by_one(forces: np.ndarray) -> SampledTurn:
         wave=np.array([0.0, 2.0, 4.0]),
         on_pins=np.column_stack((np.diag(forces), np.zeros(2)))[:, None] + 0j,
         on_satellites=np.zeros((2, 3), complex),
+        total=np.append(forces, 0.0),
         couple=np.zeros((2, 3)),
         crank_angles=(0.0, np.pi),
         error=1e-13,

@@ -386,19 +386,19 @@ def pin_strength(r: Draw) -> Body:
     torque.pop("include")
     torque.pop("samples", None)
     if r.chance(0.5):
-        torque["input_speed_rpm"] = r.number("PinLoadFields", "input_speed_rpm", (10, 3000))
+        torque["input_speed_rpm"] = r.number("DesignLoadFields", "input_speed_rpm", (10, 3000))
     for name, usual in (("application_factor", (0.5, 3)), ("peak_torque_Nm", (10, 1e4))):
         if r.chance(0.2):
-            torque[name] = r.number("PinLoadFields", name, usual)
+            torque[name] = r.number("DesignLoadFields", name, usual)
     if r.chance(0.3):
         torque["torque_direction"] = r.choice(("reverse", "alternating"))
     own = mechanism(r)
     angles = own.get("crank_angles_deg")
     satellites = own.get("satellites", 2) if angles is None else len(angles)
-    length = r.number("PinSectionFields", "contact_length_mm")
+    length = r.number("DesignPinFields", "contact_length_mm")
     places = [min(1e12, length * (0.51 + j * r.uniform(1, 1.5))) for j in range(satellites)]
     pin: Body = {
-        "diameter_mm": r.number("PinSectionFields", "diameter_mm"),
+        "diameter_mm": r.number("DesignPinFields", "diameter_mm"),
         "contact_length_mm": length,
         "satellite_positions_mm": places,
         "support": r.choice(("cantilever", "supported", "fixed")),
@@ -419,6 +419,46 @@ def pin_strength(r: Draw) -> Body:
             "criterion": r.choice(("goodman", "gerber", "soderberg", "fkm_haigh")),
         }
     return body | {"include": [each for each in ("deflection", "locus") if r.chance(0.3)]}
+
+
+def with_forces(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
+    """A calculation of strength or life, at times with all that its forces may follow from."""
+
+    def made(r: Draw) -> Body:
+        body = make(r)
+        own, torque = body["mechanism"], body["load"]
+        angles = own.get("crank_angles_deg")
+        satellites = own.get("satellites", 2) if angles is None else len(angles)
+        few = own["pins"] * satellites <= 6
+        sizes = body.get("contact", {})
+        if not few and "hole_radius_mm" in sizes:  # solved over the turn it takes long
+            fits = sizes["pin_radius_mm"] + sizes["eccentricity_mm"]
+            sizes["hole_radius_mm"] = min(sizes["hole_radius_mm"], fits)
+        if not r.chance(0.3):
+            return body
+        given = contact(r)
+        del given["hole_radius_mm"]
+        if "application_factor" in torque:
+            given.pop("dynamic_factor", None)
+        given["eccentricity_mm"] = r.number("RealContactFields", "eccentricity_mm")
+        body["contact"] = given | sizes
+        torque["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
+        if "peak_torque_Nm" not in torque and r.chance(0.2):
+            torque["peak_torque_Nm"] = r.number("DesignLoadFields", "peak_torque_Nm")
+        if few and r.chance(0.3):
+            body["contact"].pop("hole_radius_mm", None)
+            body["contact"]["hole_clearance_mm"] = given["eccentricity_mm"] * r.uniform(-0.02, 0.1)
+            if r.chance(0.3):
+                size = r.choice((1e-3, 0.02))
+                errors = [r.uniform(-size, size) for _ in range(own["pins"])]
+                body["deviations"] = {"pin_radial_mm": errors}
+            if r.chance(0.2):
+                body["contact_law"] = {"kind": r.choice(("hertz", "palmgren"))}
+            if r.chance(0.1):
+                body |= giving(r, {"satellites": satellites})
+        return body
+
+    return made
 
 
 def tolerance_study(r: Draw) -> Body:
@@ -586,12 +626,12 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "contact-force": contact_force,
     "hertz": hertz,
     "crank-planetary": crank_planetary,
-    "output-efficiency": output_efficiency,
+    "output-efficiency": with_forces(output_efficiency),
     "load-sharing": load_sharing,
-    "pin-strength": pin_strength,
+    "pin-strength": with_forces(pin_strength),
     "tolerance-study": tolerance_study,
-    "satellite-bearing": satellite_bearing,
-    "crankshaft": crankshaft,
+    "satellite-bearing": with_forces(satellite_bearing),
+    "crankshaft": with_forces(crankshaft),
     "roller-strength": judged_rollers,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

@@ -60,7 +60,7 @@ for (const [i, one] of cases.entries()) {
     for (const [section, values] of sections) {
       const { steps } = groups.find((group) => group.section === section);
       const worked = new Set(steps.map(({ name }) => name));
-      const aside = ["accuracy", "warnings", "lines", "forces_N", "peak_pair", "dead_centres_deg", "assembly", "crank_angle_deg",
+      const aside = ["accuracy", "warnings", "lines", "forces_N", "peak_pair", "dead_centres_deg", "assembly", "crank_angle_deg", "forces",
         "slope_B_mrad", "slope_C_mrad", "conformal_error", ...judged];
       const again = section === "meshing_load" ? ["total_length_mm"] : []; // worked with the lines
       const bodies = (values.safety ?? []).map(({ body }) => `safety_${body}`);

@@ -79,7 +79,7 @@ class DesignForces(GivenDesign):
             clearance=self.clearance or 0.0,
             pin_material=self.lasting("pin"),
             hole_material=self.lasting("hole"),
-            pin=self.pin,
+            pin=self.pin if self.pin and self.pin.satellite_positions else None,
             deviations=self.deviations or Deviations(),
             exact=self.support is None,
             support=self.support,

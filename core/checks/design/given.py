@@ -87,7 +87,7 @@ class GivenDesign:
         Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
         not given.
     life : float
-        Required life, s.
+        Required life, s; infinite where none is asked.
     min_efficiency : float or None
         Least efficiency of the output mechanism that is asked.
     max_wear : float or None
@@ -200,9 +200,9 @@ class GivenDesign:
     @property
     def loads_over_life(self) -> float | None:
         """How often a place of pin or hole is loaded over the required life, once a turn of the
-        satellite against its crank; None without a speed.
+        satellite against its crank; None without a speed, or without an end.
         """
-        if self.input_speed is None:
+        if self.input_speed is None or math.isinf(self.life):
             return None
         return self.input_speed * self.life / self.mechanism.crank_angle_per_wave
 
@@ -236,9 +236,10 @@ class GivenDesign:
     @property
     def pin_length(self) -> float:
         """Length of the contact along the pin, m."""
-        assert self.contact_length is not None
         given = None if self.pin is None else self.pin.contact_length
-        return self.contact_length if given is None else given
+        length = self.contact_length if given is None else given
+        assert length is not None
+        return length
 
     @property
     def sleeved(self) -> bool:

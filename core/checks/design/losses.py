@@ -5,11 +5,12 @@ from functools import cached_property
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.checks.design.contact import DesignContact
 from core.checks.design.refusals import known
 from core.checks.sections import Friction
 from core.errors import ImpossibleMechanism
-from core.output.losses import PinLosses, pin_losses
+from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy
 
@@ -49,19 +50,55 @@ class DesignLosses(DesignContact):
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
         )
-        if self.made is None:
+        if self.lossy_turn is None:
             return found
-        turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
         reference = self.output_torque / self.pin_circle_radius
-        return max(
-            (made_losses(losses=found, turn=turn, reference=reference) for turn in turns),
-            key=lambda each: each.mean_loss,
+        return made_losses(losses=found, turn=self.lossy_turn, reference=reference)
+
+    @cached_property
+    def lossy_turn(self) -> SampledTurn | None:
+        """Forces of the mechanism as it is made, of both directions those with the larger losses;
+        None where the ideal ones are judged.
+        """
+        if self.made is None:
+            return None
+        assert self.output_torque is not None
+        turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
+        return max(turns, key=lambda turn: float(turn.mean(turn.total)))
+
+    def loss_curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
+        """Loss and efficiency at crank angles.
+
+        Parameters
+        ----------
+        losses : PinLosses
+            Those of this design.
+        crank_angle : array, shape (n,)
+            Crank angles, rad.
+
+        Returns
+        -------
+        LossCurves
+        """
+        turn, mechanism = self.lossy_turn, self.driven
+        if turn is None:
+            return loss_curves(
+                losses=losses,
+                mechanism=mechanism,
+                force_exponent=self.force_exponent,
+                crank_angle=crank_angle,
+            )
+        wave = self.mechanism.wave_angle(crank_angle)
+        loss = (
+            losses.mean_loss
+            * turn.at(wave=wave, values=turn.total[None])[0]
+            / turn.mean(turn.total)
         )
+        return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
 
 
 def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
-    """Losses of a mechanism as it is made: all forces of a satellite act along its crank but for
-    its deviations, so that together they are what they do to it.
+    """Losses of a mechanism as it is made, by the sum of its forces.
 
     Parameters
     ----------
@@ -76,7 +113,7 @@ def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> Pi
     -------
     PinLosses
     """
-    total = np.abs(turn.on_satellites).sum(axis=0) / reference
+    total = turn.total / reference
     mean, least, largest = float(turn.mean(total)), float(total.min()), float(total.max())
     peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)

@@ -47,7 +47,7 @@ class DesignPins(DesignForces):
         where all are alike.
         """
         pin, force = self.pin, self.force
-        if pin is None or self.as_made or not isinstance(force, ContactForce):
+        if pin is None or not self.touching or self.as_made or not isinstance(force, ContactForce):
             return None
         length = self.pin_length
         far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
@@ -100,30 +100,32 @@ class DesignPins(DesignForces):
             return found
         return replace(found, cycles=self.loads_over_life)
 
+    @property
+    def loaded_pins(self) -> dict[str, Any]:
+        """The pins and what loads them, as arguments of `pin_stresses`."""
+        pin = self.pin
+        assert pin is not None
+        return self._forced | {
+            "application_factor": self.dynamic_factor,
+            "peak_torque": self.static_torque,
+            "diameter": pin.diameter,
+            "contact_length": self.pin_length,
+            "satellite_positions": pin.satellite_positions,
+            "material": pin.material,
+            "support": pin.support,
+            "span": pin.span,
+        }
+
     @cached_property
     def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
         """Stresses of the pins under the dynamic load; why they are not known; None without pins,
         or of too many.
         """
-        if not (self.loaded and self.touching and self.pin) or self.unmade:
+        if not (self.loaded and self.pin) or self.unmade:
             return None
         if self.pairs > MOST_PIN_PAIRS:
             return None
-        pin = self.pin
-        return known(
-            section="pin",
-            calculation=lambda: pin_stresses(
-                **self._forced,
-                application_factor=self.dynamic_factor,
-                peak_torque=self.static_torque,
-                diameter=pin.diameter,
-                contact_length=self.pin_length,
-                satellite_positions=pin.satellite_positions,
-                material=pin.material,
-                support=pin.support,
-                span=pin.span,
-            ),
-        )
+        return known(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
 
     @cached_property
     def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
@@ -136,13 +138,21 @@ class DesignPins(DesignForces):
         """Strength of the pins under the dynamic load, its static safety under the peak torque; why
         it is not known; None without pins, or of too many.
         """
+        return self.judged_pins()
+
+    def judged_pins(self, *, locus: bool = False) -> PinStrength | ImpossibleMechanism | None:
+        """The same, at will with the locus of the moment."""
         judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
         if pin is None or not isinstance(found, PinStrength):
             return found
-        if isinstance(judged, FatigueStrength):
+        if locus or isinstance(judged, FatigueStrength):
             assert isinstance(self._pin_stresses, PinStresses)
             found = self._pin_stresses.strength(
-                rotates=pin.rotates, fatigue=judged, input_speed=self.input_speed, deflection=True
+                rotates=pin.rotates,
+                fatigue=judged if isinstance(judged, FatigueStrength) else None,
+                input_speed=self.input_speed,
+                deflection=True,
+                locus=locus,
             )
         notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
         valid = pin.valid_diameter

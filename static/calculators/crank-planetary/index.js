@@ -255,7 +255,7 @@ export default {
   ],
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
-  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life"],
+  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },

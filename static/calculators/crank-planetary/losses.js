@@ -11,11 +11,11 @@ export const figure = { id: "losses", section: "output_efficiency", path: "/outp
 
 function lossBody(input) {
   const { mechanism, load, pin, friction: { coefficient, sleeve } } = chartOf(input);
-  const { contact_length_mm, pin_radius_mm, hole_radius_mm, eccentricity_mm } = input.contact;
+  const { contact_length_mm, pin_radius_mm, eccentricity_mm } = input.contact;
   return {
     mechanism, load,
     friction: { coefficient, sleeve },
-    contact: { contact_length_mm, pin_radius_mm, hole_radius_mm, eccentricity_mm },
+    contact: { contact_length_mm, pin_radius_mm, eccentricity_mm },
     ...(sleeve && { pin: { diameter_mm: pin.diameter_mm } }),
   };
 }
