@@ -84,6 +84,7 @@ PHYSICAL = frozenset(
         "at_most",
         "different_length",
         "different_sum",
+        "greater_than",
         "hole_disagrees",
         "beyond_support",
         "in_carrier",
