@@ -18,7 +18,7 @@ from app.calculations.contact_force import ContactForceResponse, contact_force_f
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
 from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
-from app.calculations.fatigue import FatigueFields
+from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
@@ -139,7 +139,7 @@ class CrankPlanetaryRequest(DesignFields):
     """
 
     mechanism: CyclogramRequest
-    fatigue: Maybe[FatigueFields] = None
+    fatigue: Maybe[PinFatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
     bearing: Maybe[BearingFields] = None

@@ -15,7 +15,7 @@ from app.calculations.design import (
     design_schema,
     forces_used,
 )
-from app.calculations.fatigue import FactorsOut, FatigueFields
+from app.calculations.fatigue import FactorsOut, PinFatigueFields
 from app.model import (
     AccuracyOut,
     Calculation,
@@ -56,7 +56,7 @@ class PinStrengthRequest(DesignFields):
 
     load: DesignLoadFields
     pin: DesignPinFields
-    fatigue: Maybe[FatigueFields] = None
+    fatigue: Maybe[PinFatigueFields] = None
     include: list[Literal["deflection", "locus"]] = Field(
         default=[], max_length=2, description="Optional results: what is not named is not computed."
     )
@@ -104,8 +104,8 @@ class PinFatigueOut(ResponseModel):
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
     finite_strength_MPa: Maybe[float] = result(
-        "Strength for the cycles of the life that a design has to reach, where they are fewer "
-        "than a million: it stands for the endurance limit in the safety.",
+        "Strength for the cycles of the life that is asked, where they are fewer than a million: it "
+        "stands for the endurance limit in the safety.",
         symbol="S_f",
         default=None,
     )

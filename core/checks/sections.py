@@ -83,6 +83,8 @@ class FatigueBasis:
         Endurance limit Se, Pa, all factors in it.
     criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
         How the mean stress counts.
+    life : float or None
+        Time that the part has to last, s; the required life where not given.
     """
 
     surface: Surface | None = None
@@ -94,6 +96,7 @@ class FatigueBasis:
     notch: tuple[float, float] | None = None
     endurance_limit: float | None = None
     criterion: Criterion = "goodman"
+    life: float | None = None
 
     def strength(self, pin: DesignPin) -> FatigueStrength | Notice:
         """What a pin's fatigue is judged by.

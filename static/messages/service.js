@@ -446,6 +446,10 @@ export default {
       "Exponent",
       "Force ∝ approachⁿ, for the power law."
     ],
+    "fatigue.life_h": [
+      "Life",
+      "Time that the pins have to last: for fewer than a million cycles their strength is above the endurance limit; the life of the requirements where not given."
+    ],
     "fatigue.reliability_percent": [
       "Reliability",
       "50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."

@@ -356,6 +356,21 @@ async def test_factor_and_peak_torque(api):
     )
 
 
+async def test_fatigue_over_the_required_life_or_its_own(api):
+    slow = {"load__input_speed_rpm": 10.0, "pin__diameter_mm": 12.0}
+    pins = [
+        (await answered(api, changed(ALONE, **slow, **life)))["pin_strength"]["fatigue"]
+        for life in (
+            {"requirements": {"life_h": 50.0}},
+            {"fatigue__life_h": 50.0},
+            {"fatigue__life_h": 50.0, "requirements": {"life_h": 500.0}},
+            {"requirements": {"life_h": 500.0}},
+        )
+    ]
+    assert pins[0] == pins[1] == pins[2]
+    assert pins[2]["finite_strength_MPa"] > pins[3]["finite_strength_MPa"]
+
+
 async def test_wear_over_the_required_life(api):
     body = changed(friction__life_h=None, requirements={"life_h": 3000.0})
     one, other = await answered(api, body), await answered(api, DESIGN)

@@ -1,5 +1,6 @@
 """Strength of the pins over REST."""
 
+import math
 from copy import deepcopy
 
 import pytest
@@ -60,6 +61,25 @@ async def test_named_factors_and_a_finite_life(api):
     assert answer["endurance_limit_MPa"] == pytest.approx(500 * product, rel=1e-12)
     assert factors["reliability"] == 0.753
     assert answer["life_h"] == pytest.approx(answer["cycles"] / (60 * 1575), rel=1e-12)
+
+
+async def test_a_life_that_is_asked_raises_the_strength(api):
+    """Shigley's line from f*Rm at a thousand cycles to Se at a million, by logarithms."""
+    body = judged(**LIMIT, life_h=10.0)
+    body["load"]["input_speed_rpm"] = 100.0
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    kpsi = 1000 / 6.894757293168361
+    short = 1000 * (1.06 - 2.8e-3 * kpsi + 6.9e-6 * kpsi**2)
+    down = math.log10(100 * 1.05 * 600 / 1e3) / 3
+    finite = 10 ** ((1 - down) * math.log10(short) + down * math.log10(300))
+    assert answer["finite_strength_MPa"] == pytest.approx(finite, rel=1e-12)
+    half = 306.704838 / 2
+    assert 1 / answer["safety_factor"] == pytest.approx(half / finite + half / 1000, rel=1e-7)
+    assert answer["endurance_limit_MPa"] == 300
+    body["fatigue"]["life_h"] = 1e6 / (60 * 105)
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    assert "finite_strength_MPa" not in answer
+    assert round(answer["safety_factor"], 6) == 1.504829
 
 
 @pytest.mark.parametrize(

@@ -197,19 +197,18 @@ class GivenDesign:
         start = self.mechanism.initial_crank_angle + math.pi
         return replace(self.mechanism, initial_crank_angle=start)
 
-    @property
-    def loads_over_life(self) -> float | None:
-        """How often a place of pin or hole is loaded over the required life, once a turn of the
-        satellite against its crank; None without a speed, or without an end.
+    def loads_over(self, life: float) -> float | None:
+        """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
+        against its crank; None without a speed, or without an end.
         """
-        if self.input_speed is None or math.isinf(self.life):
+        if self.input_speed is None or math.isinf(life):
             return None
-        return self.input_speed * self.life / self.mechanism.crank_angle_per_wave
+        return self.input_speed * life / self.mechanism.crank_angle_per_wave
 
     def lasting(self, body: Body) -> ElasticMaterial | None:
         """Material of pin or hole, its limit wanted for the loads over the life."""
         material = self.pin_material if body == "pin" else self.hole_material
-        return None if material is None else material.lasting(self.loads_over_life)
+        return None if material is None else material.lasting(self.loads_over(self.life))
 
     @cached_property
     def clearance(self) -> float | None:
