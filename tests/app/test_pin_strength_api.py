@@ -97,6 +97,36 @@ async def test_what_is_not_checked_is_said(api, body, code):
     assert ("fatigue" in answer) is (code == "short_pin")
 
 
+async def test_bounds_of_a_cage(api):
+    """A load in the middle: F/4*(L - b/2) free to tilt, F/(24*L)*(3*L^2 - b^2) built in."""
+    one = {PLACES: [26.0], "span_mm": 52.0}
+    body = changed(mechanism={"satellites": 1}, pin=one, include=["support_bounds"])
+    answer = (await api.post(PATH, json=body)).json()
+    force = answer["peak_force_N"] / 1e3
+    moments = force / 4 * (52 - 10), force / 24 / 52 * (3 * 52**2 - 20**2)
+    bounds = answer["support_bounds"]
+    assert [each["support"] for each in bounds] == ["supported", "fixed"]
+    assert [each["peak_moment_Nm"] for each in bounds] == pytest.approx(moments, rel=1e-9)
+    assert answer["peak_moment_Nm"] == pytest.approx(force * 26, rel=1e-9)
+
+
+@pytest.mark.parametrize("section", [None, "contact"])
+async def test_bounds_are_the_pins_in_these_supports(api, section):
+    """With the sharing by stiffness that they make, where there is a contact."""
+    body = changed(pin={"span_mm": 52.0}, include=["support_bounds", "deflection"])
+    if section:
+        sizes = {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0}
+        body["contact"] = sizes
+    bounds = (await api.post(PATH, json=body)).json()["support_bounds"]
+    for bound in bounds:
+        body["pin"]["support"], body["include"] = bound.pop("support"), ["deflection"]
+        alone = (await api.post(PATH, json=body)).json()
+        assert alone.pop("forces") == "ideal"
+        for each in (bound, alone):
+            del each["accuracy"]["run_time_us"]
+        assert bound == alone
+
+
 async def test_without_fatigue_asked_there_is_none(api):
     answer = (await api.post(PATH, json=changed(fatigue=None, include=[]))).json()
     assert not {"fatigue", "deflection", "warnings"} & {*answer}
@@ -115,6 +145,12 @@ PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_fact
         (changed(pin={PLACES: [9.0, 37.0]}), f"/pin/{PLACES}/0", "in_carrier"),
         (changed(pin={"support": "fixed"}), "/pin/span_mm", "needed_beside"),
         (changed(pin=SHORT), f"/pin/{PLACES}/1", "beyond_support"),
+        (changed(include=["support_bounds"]), "/pin/span_mm", "needed_for"),
+        (
+            changed(pin={"span_mm": 45.0}, include=["support_bounds"]),
+            f"/pin/{PLACES}/1",
+            "beyond_support",
+        ),
         (changed(fatigue={"surface_factor": 0.9}), "/fatigue/surface_factor", "only_one"),
         (judged(**PERCENT), "/fatigue/reliability_percent", "not_in_table"),
         (changed(mechanism={"pins": 2, "satellites": 1}, pin=ONE), "", "dead_centre"),
