@@ -37,6 +37,7 @@ TEXTS = (
     REFUSALS
     | IMPOSSIBLE
     | {
+        "below_working": "must be at least {limit:.9g}, the torque times its factor",
         "bool_type": "must be true or false",
         "dict_type": "must be an object",
         "different_sum": "must have lengths that add up to {field} and {other}, "
@@ -86,6 +87,7 @@ PHYSICAL = frozenset(
         "different_sum",
         "greater_than",
         "hole_disagrees",
+        "below_working",
         "beyond_support",
         "in_carrier",
         "infinite_line",

@@ -16,7 +16,9 @@ from core.errors import InvalidInput
 
 Result = TypeVar("Result")
 
-COMPARING = frozenset({"greater_than", "greater_than_equal", "less_than", "less_than_equal"})
+COMPARING = frozenset(
+    {"below_working", "greater_than", "greater_than_equal", "less_than", "less_than_equal"}
+)
 """Refusals whose `limit` is a value of the refused field, in its unit."""
 
 

@@ -2,6 +2,7 @@
 export default {
   "refusals": {
     "at_most": "must be at most {field}",
+    "below_working": "must be at least {limit}, the torque times its factor",
     "beyond_support": "must lie at least half a contact length before the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
@@ -668,7 +669,7 @@ export default {
     ],
     "peak_torque_Nm": [
       "Peak torque",
-      "Largest torque, for static strength; the torque times its factor where not given."
+      "Largest torque, for static strength, at least the torque times its factor; that where not given."
     ],
     "percentiles": [
       "Percentiles",
