@@ -19,6 +19,9 @@ NOTICES = {
     "numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once "
     "after an installation: the same numbers; larger studies in a moment.",
+    "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where "
+    "the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the "
+    "ratio of the ring's forces is made for.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
     "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel "

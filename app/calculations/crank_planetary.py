@@ -257,7 +257,7 @@ class CrankPlanetaryRequest(DesignFields):
             "pin": self.pin and self.contact and self.pin.pin(self.contact),
             "fatigue": self.fatigue and self.fatigue.basis(),
             "friction": self.friction and Friction(**self.friction.to_core()),
-            "gear": self.gear and self.gear.ring(),
+            "gear": self.gear and self.gear.ring(self.mechanism.teeth_difference),
             "bearing": self.bearing and RollingBearing(**self.bearing.to_core()),
             "crankshaft": self.crankshaft and self.crankshaft.to_shaft(),
             **({} if body is None else {"has_body": True, **body.to_core()}),

@@ -217,7 +217,7 @@ class Ring:
     module : float or None
         Module of involute teeth, m.
     teeth_difference : int or None
-        Teeth of the ring less those of a satellite.
+        Teeth, or pins, of the ring less those of a satellite; of pins where it is known.
     reference_pressure_angle : float or None
         Of the teeth, rad.
     ring_pin_circle_radius : float or None
@@ -269,6 +269,7 @@ class Ring:
                 eccentricity=eccentricity,
                 ratio=ratio,
                 ring_pin_circle_radius=self.ring_pin_circle_radius,
+                difference=self.teeth_difference,
             )
         return RingMesh(0.0, notices=(Notice("no_ring_force"),))
 

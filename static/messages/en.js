@@ -877,6 +877,12 @@ export default {
       why: "So close to its seat a pin is sheared more than bent, and the seat gives way.",
       mend: "Take the bending for a rough guide and look at the equivalent stress.",
     },
+    cycloid_difference: {
+      title: "Lobes cut off",
+      tests: "Whether the ring has one pin more than a satellite has lobes.",
+      why: "With a larger difference the branches of the cycloid cross and its tips are cut off: fewer pins carry, and the ratio of the ring's forces is another.",
+      mend: "Choose a difference of 1, or give the ratio of the forces.",
+    },
     no_ring_force: {
       title: "Ring left out",
       tests: "Whether the ring's force along the crank is known.",

@@ -65,6 +65,7 @@ export default {
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
+    "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
     "to_be_drawn": "must be at most {limit} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
@@ -78,6 +79,7 @@ export default {
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
+    "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the ring's forces is made for.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
     "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel follows from its tensile strength; else give the limit, and the tensile strength with it.",
     "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
@@ -953,7 +955,7 @@ export default {
     ],
     "teeth_difference": [
       "Difference of teeth",
-      "Teeth of the ring less those of a satellite."
+      "Teeth of the ring less those of a satellite; that of the mechanism's teeth where these are given."
     ],
     "tensile_strength_MPa": [
       "Tensile strength",

@@ -468,6 +468,8 @@ def fitting(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
         body = make(r)
         if r.chance(0.9):
             peak_of_all(body)
+            if "ring_teeth" in body["mechanism"]:
+                body.get("gear", {}).pop("teeth_difference", None)
         return body
 
     return made
