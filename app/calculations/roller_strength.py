@@ -516,8 +516,9 @@ def solve(body: RollerStrengthRequest) -> Values:
     tired, _ = run(body, lambda: body.tired(result, to_si("diameter_mm", body.diameter_mm)))
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
-    if isinstance(tired, Notice):
-        values["warnings"] = [warning(tired), *values.get("warnings", ())]
+    notices = (tired,) if isinstance(tired, Notice) else () if tired is None else tired.notices
+    if notices:
+        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values
 
 

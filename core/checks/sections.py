@@ -9,10 +9,13 @@ from core.crank.bearing_life import Bearing
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.errors import InvalidInput
 from core.fatigue import (
+    NOTCH_STRENGTHS,
+    SIZES,
     Criterion,
     Edition,
     EnduranceFactors,
     Surface,
+    beyond_range,
     endurance_limit,
     notch_factor,
     reliability_factor,
@@ -159,9 +162,14 @@ class FatigueBasis:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
         if self.endurance_limit is not None:
             return FatigueStrength(self.endurance_limit, tensile, yields, self.criterion)
+        beyond = beyond_range(code="size_beyond_range", value=diameter * 1e3, ends=SIZES)
         notch = self.fatigue_notch_factor
         if self.notch is not None:
             theoretical, radius = self.notch
+            strength = tensile / 1e6
+            beyond += beyond_range(
+                code="notch_beyond_strength", value=strength, ends=NOTCH_STRENGTHS
+            )
             notch = float(
                 notch_factor(
                     theoretical_factor=theoretical, radius=radius, tensile_strength=tensile
@@ -181,7 +189,7 @@ class FatigueBasis:
         size = size_factor(diameter=diameter)
         factors = EnduranceFactors(surface, size, reliability, notch)
         limit = float(endurance_limit(tensile_strength=tensile, factors=factors))
-        return FatigueStrength(limit, tensile, yields, self.criterion, factors)
+        return FatigueStrength(limit, tensile, yields, self.criterion, factors, notices=beyond)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

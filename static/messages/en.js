@@ -889,6 +889,24 @@ export default {
       why: "With involute teeth it adds to the force of the pins, with a ring of pins it opposes it: the life differs several times.",
       mend: "Give the teeth, the circle of the ring's pins, or the ratio of the forces.",
     },
+    life_beyond_strength: {
+      title: "Life beyond its range",
+      tests: "Whether the tensile strength is one that the line of finite life is a fit for.",
+      why: "Below and above, the strength at a thousand cycles is that of the nearest end of the fit: life and finite strength are a rough guide.",
+      mend: "Give a strength within the range, or judge by the endurance limit alone.",
+    },
+    notch_beyond_strength: {
+      title: "Notch beyond its range",
+      tests: "Whether the tensile strength is one that the notch's fit is made for.",
+      why: "Below and above, the sensitivity to the notch is that of the nearest end of the fit.",
+      mend: "Give the fatigue notch factor itself.",
+    },
+    size_beyond_range: {
+      title: "Size beyond its range",
+      tests: "Whether the diameter is one that the factor of the size is stated for.",
+      why: "Outside, the factor is extended, not tested: thick parts may be weaker.",
+      mend: "Give the endurance limit of the part itself.",
+    },
     steep_mesh: {
       title: "Steep teeth",
       tests: "Whether the operating pressure angle of the teeth is at most 55°.",

@@ -63,6 +63,44 @@ async def test_named_factors_and_a_finite_life(api):
     assert answer["life_h"] == pytest.approx(answer["cycles"] / (60 * 1575), rel=1e-12)
 
 
+NOTCHED = {"surface": "ground", "notch": {"theoretical_factor": 2.0, "radius_mm": 1.0}}
+LIMITED = {"endurance_limit_MPa": 50.0}
+LASTING = {"endurance_limit_MPa": 400.0}
+KPSI = 6.894757293168361
+LINE = 70 * KPSI, 200 * KPSI
+
+
+@pytest.mark.parametrize(
+    ("diameter", "strength", "fatigue", "beyond"),
+    [
+        (16.0, 490.0, NOTCHED, {}),
+        (16.0, 345.0, NOTCHED, {"life_beyond_strength": (345, *LINE)}),
+        (16.0, 335.0, NOTCHED, {
+            "notch_beyond_strength": (335, 340, 1700), "life_beyond_strength": (335, *LINE),
+        }),
+        (30.0, 1690.0, NOTCHED, {}),
+        (30.0, 1710.0, NOTCHED, {"notch_beyond_strength": (1710, 340, 1700)}),
+        (30.0, 1710.0, {"surface": "ground", "fatigue_notch_factor": 2.0}, {}),
+        (16.0, 1370.0, LIMITED, {}),
+        (16.0, 1390.0, LIMITED, {"life_beyond_strength": (1390, *LINE)}),
+        (16.0, 1390.0, LASTING, {}),
+        (16.0, 1390.0, LASTING | {"life_h": 1.0}, {"life_beyond_strength": (1390, *LINE)}),
+        (253.0, 1000.0, NOTCHED, {}),
+        (255.0, 1000.0, NOTCHED, {"size_beyond_range": (255, 2.79, 254)}),
+        (255.0, 1000.0, LIMITED, {}),
+    ],
+)  # fmt: skip
+async def test_formulas_outside_their_range_are_warned_of(api, diameter, strength, fatigue, beyond):
+    steel = REQUESTS[PATH]["pin"]["material"] | {"tensile_strength_MPa": strength}
+    body = changed(pin={"diameter_mm": diameter, "material": steel}) | {"fatigue": fatigue}
+    warnings = (await api.post(PATH, json=body)).json().get("warnings", ())
+    found = {each["code"]: each["params"] for each in warnings if "beyond" in each["code"]}
+    assert found == {
+        code: pytest.approx(dict(zip(("value", "low", "high"), numbers, strict=True)))
+        for code, numbers in beyond.items()
+    }
+
+
 async def test_a_life_that_is_asked_raises_the_strength(api):
     """Shigley's line from f*Rm at a thousand cycles to Se at a million, by logarithms."""
     body = judged(**LIMIT, life_h=10.0)
