@@ -37,6 +37,7 @@ TEXTS = (
     REFUSALS
     | IMPOSSIBLE
     | {
+        "below_working": "must be at least {limit:.9g}, the torque times its factor",
         "bool_type": "must be true or false",
         "dict_type": "must be an object",
         "different_sum": "must have lengths that add up to {field} and {other}, "
@@ -66,6 +67,7 @@ TEXTS = (
         "service_limit": "must be at most {limit}: this service takes no more",
         "string_type": "must be a text",
         "string_unicode": "is not valid text",
+        "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
         "to_be_drawn": "must be at most {limit:.3g} to be drawn",
         "too_long": "must have at most {limit} entries",
         "too_nested": "must hold at most {limit} lists and objects",
@@ -84,7 +86,9 @@ PHYSICAL = frozenset(
         "at_most",
         "different_length",
         "different_sum",
+        "greater_than",
         "hole_disagrees",
+        "below_working",
         "beyond_support",
         "in_carrier",
         "infinite_line",
@@ -102,6 +106,7 @@ PHYSICAL = frozenset(
         "service_limit",
         "smaller_than",
         "sum_not_one",
+        "teeth_disagree",
         "to_be_drawn",
         "too_few",
         "too_many_pairs",

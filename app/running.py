@@ -11,10 +11,15 @@ from pydantic import BaseModel
 from app.model import RequestModel, api_params
 from app.problems import ErrorItem, invalid_input, pointer
 from app.record import at_hand
-from app.units import core_name
+from app.units import core_name, from_si
 from core.errors import InvalidInput
 
 Result = TypeVar("Result")
+
+COMPARING = frozenset(
+    {"below_working", "greater_than", "greater_than_equal", "less_than", "less_than_equal"}
+)
+"""Refusals whose `limit` is a value of the refused field, in its unit."""
 
 
 def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
@@ -43,8 +48,12 @@ class refusals_named:  # noqa: N801  (a context manager; contextlib's cost three
     def __exit__(self, kind: object, error: BaseException | None, _: object) -> None:
         """Name the field that the core refuses."""
         if isinstance(error, InvalidInput):
-            place = pointer(path_of(self.body, error.parameter) or ())
-            raise invalid_input([ErrorItem(place, error.code, api_params(error.params))]) from error
+            path = path_of(self.body, error.parameter) or ()
+            params = api_params(error.params)
+            if error.code in COMPARING:
+                field = next((part for part in reversed(path) if isinstance(part, str)), "")
+                params["limit"] = from_si(field, params["limit"])
+            raise invalid_input([ErrorItem(pointer(path), error.code, params)]) from error
 
 
 def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:

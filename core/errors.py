@@ -7,6 +7,7 @@ with other names; here it is worded in English, with the core's names and SI uni
 
 REFUSALS = {
     "at_most": "must be at most {field}",
+    "below_working": "must be at least {limit:g}, the torque times its factor",
     "beyond_support": "must lie at least half a contact length before the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "

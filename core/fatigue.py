@@ -10,6 +10,7 @@ from typing import Literal
 
 from core.arrays import Number, check_not_negative, check_positive, larger, smaller, where
 from core.errors import InvalidInput
+from core.results import Notice
 
 Surface = Literal["ground", "machined", "hot_rolled", "forged"]
 Edition = Literal["shigley_9", "shigley_11"]
@@ -42,6 +43,38 @@ ENDURING = 1e6
 
 _KPSI = 6.894757293168361e6
 """1000 pounds a square inch, Pa."""
+
+NOTCH_STRENGTHS = 340.0, 1700.0
+"""Tensile strengths that the notch's fit is made for, MPa."""
+
+SIZES = 2.79, 254.0
+"""Diameters that the factor of the size is stated for, mm."""
+
+LINE_STRENGTHS = 70 * _KPSI / 1e6, 200 * _KPSI / 1e6
+"""Tensile strengths that the fit of the line of finite life is made for, MPa."""
+
+
+def beyond_range(*, code: str, value: float, ends: tuple[float, float]) -> tuple[Notice, ...]:
+    """Notice of a value outside the range of a formula.
+
+    Parameters
+    ----------
+    code : str
+        Of the notice.
+    value : float
+        The value.
+    ends : tuple of float
+        Ends of the range, in the same unit.
+
+    Returns
+    -------
+    tuple of Notice
+        One, or none.
+    """
+    low, high = ends
+    if low <= value <= high:
+        return ()
+    return (Notice(code, {"value": value, "low": low, "high": high}),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +144,7 @@ def size_factor(*, diameter: Number) -> Number:
     Returns
     -------
     float or array
-        At most 1; stated for 2.79 mm to 254 mm.
+        At most 1; stated for `SIZES`.
 
     Notes
     -----
@@ -162,7 +195,7 @@ def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength
     radius : float or array
         Radius r of the notch, m, > 0.
     tensile_strength : float or array
-        Tensile strength Rm, Pa; held to 340 to 1700 MPa, for which the fit is made.
+        Tensile strength Rm, Pa; held to `NOTCH_STRENGTHS`.
 
     Returns
     -------
@@ -179,7 +212,8 @@ def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength
     """
     check_positive(radius=radius, tensile_strength=tensile_strength)
     check_not_negative(theoretical_factor=theoretical_factor - 1)
-    strength = smaller(larger(tensile_strength / 1e6, 340.0), 1700.0)
+    low, high = NOTCH_STRENGTHS
+    strength = smaller(larger(tensile_strength / 1e6, low), high)
     root = 1.24 + strength * (-2.25e-3 + strength * (1.60e-6 - 4.11e-10 * strength))
     return 1 + (theoretical_factor - 1) / (1 + root / (radius * 1e3) ** 0.5)
 
@@ -281,7 +315,8 @@ def utilisation(
 def strength_fraction(*, tensile_strength: float) -> float:
     """Share f of the tensile strength that steel stands for 1000 cycles.
 
-    ``f = 1.06 - 2.8e-3*S + 6.9e-6*S^2`` of the strength S in kpsi, held to 70 to 200.
+    ``f = 1.06 - 2.8e-3*S + 6.9e-6*S^2`` of the strength S in kpsi, held to 70 to 200, which is
+    `LINE_STRENGTHS`.
 
     Parameters
     ----------
@@ -428,6 +463,8 @@ class FatigueStrength:
         What the limit was made of; None where it was given.
     cycles : float or None
         Cycles that the part has to stand; None: as many as there are.
+    notices : tuple of Notice
+        Ranges of formulas that the limit is outside of.
     """
 
     endurance_limit: float
@@ -436,6 +473,7 @@ class FatigueStrength:
     criterion: Criterion = "goodman"
     factors: EnduranceFactors | None = None
     cycles: float | None = None
+    notices: tuple[Notice, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("endurance_limit", "tensile_strength"):
@@ -488,6 +526,8 @@ class CycleFatigue:
         By the criterion: all stresses may grow by this factor.
     cycles : float or None
         Cycles that the part stands; None within the endurance limit: as many as there are.
+    notices : tuple of Notice
+        Ranges of formulas that it is outside of.
     """
 
     max_stress: float
@@ -499,6 +539,7 @@ class CycleFatigue:
     factors: EnduranceFactors | None
     safety_factor: float
     cycles: float | None
+    notices: tuple[Notice, ...] = ()
 
 
 def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> CycleFatigue:
@@ -530,14 +571,20 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
         endurance=strength.endurance_limit,
         tensile_strength=strength.tensile_strength,
     )
+    finite = strength.finite
+    notices = strength.notices
+    if finite is not None or cycles < math.inf:  # the line counts
+        tensile = strength.tensile_strength / 1e6
+        notices += beyond_range(code="life_beyond_strength", value=tensile, ends=LINE_STRENGTHS)
     return CycleFatigue(
         max_stress=largest,
         min_stress=least,
         amplitude=amplitude,
         mean=mean,
         endurance_limit=strength.endurance_limit,
-        finite_strength=strength.finite,
+        finite_strength=finite,
         factors=strength.factors,
         safety_factor=1 / float(strength.utilisation(amplitude, mean)),
         cycles=cycles if cycles < math.inf else None,
+        notices=notices,
     )

@@ -19,6 +19,9 @@ NOTICES = {
     "numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once "
     "after an installation: the same numbers; larger studies in a moment.",
+    "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where "
+    "the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the "
+    "ratio of the ring's forces is made for.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or "
     "interference would not be seen.",
     "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel "
@@ -43,8 +46,12 @@ NOTICES = {
     "formulas are those of small deflections.",
     "large_rotation": "The output turns by {share:.2g} of the eccentricity under load: clearance "
     "or compliance is large for such a mechanism.",
+    "life_beyond_strength": "The line of finite life is a fit for tensile strengths of {low:.4g} "
+    "to {high:.4g} MPa; of {value:.4g} MPa its end is taken.",
     "no_ring_force": "The ring's force along the crank is left out: with involute teeth bearings "
     "carry more, with a ring of pins less.",
+    "notch_beyond_strength": "The factor of the notch is a fit for tensile strengths of {low:.4g} "
+    "to {high:.4g} MPa; of {value:.4g} MPa its end is taken.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for "
     "the others is left out, 1 to 2 % of the largest force.",
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life "
@@ -58,6 +65,8 @@ NOTICES = {
     "{high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "
     "centrifugally cast CuSn12-C-GZ is a material of its own.",
+    "size_beyond_range": "The factor of the size is stated for diameters of {low:.4g} to "
+    "{high:.4g} mm; it is {value:.4g} mm.",
     "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a "
     "short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "

@@ -85,7 +85,8 @@ peak_torque = partial(
     default=None,
     **SIZE,
     step=10,
-    help="Largest torque, for static strength; the torque times its factor where not given.",
+    help="Largest torque, for static strength, at least the torque times its factor; that where "
+    "not given.",
 )
 
 

@@ -18,7 +18,7 @@ from app.calculations.contact_force import ContactForceResponse, contact_force_f
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
 from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
-from app.calculations.fatigue import FatigueFields
+from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
@@ -139,7 +139,7 @@ class CrankPlanetaryRequest(DesignFields):
     """
 
     mechanism: CyclogramRequest
-    fatigue: Maybe[FatigueFields] = None
+    fatigue: Maybe[PinFatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
     bearing: Maybe[BearingFields] = None
@@ -257,7 +257,7 @@ class CrankPlanetaryRequest(DesignFields):
             "pin": self.pin and self.contact and self.pin.pin(self.contact),
             "fatigue": self.fatigue and self.fatigue.basis(),
             "friction": self.friction and Friction(**self.friction.to_core()),
-            "gear": self.gear and self.gear.ring(),
+            "gear": self.gear and self.gear.ring(self.mechanism.teeth_difference),
             "bearing": self.bearing and RollingBearing(**self.bearing.to_core()),
             "crankshaft": self.crankshaft and self.crankshaft.to_shaft(),
             **({} if body is None else {"has_body": True, **body.to_core()}),

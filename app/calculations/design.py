@@ -136,7 +136,9 @@ def given_schema(parts: Iterable[str]) -> dict[str, Any]:
 
 
 def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """One factor of the load, satellites that give in one way, pins inside sleeves."""
+    """One factor of the load, satellites that give in one way, pins inside sleeves, the difference
+    of teeth of a mechanism without them.
+    """
     request_schema(schema, model)
     factors = given_schema(("load/application_factor", "contact/dynamic_factor"))
     schema["allOf"] = [*schema.get("allOf", ()), {"not": {"anyOf": [factors, BOTH]}}]
@@ -144,6 +146,12 @@ def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
         sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
         rule = {"properties": {"friction": sleeve}, "required": ["friction"]}
         schema["allOf"].append({"if": rule, "then": {"required": ["pin"]}})
+    if "gear" in model.model_fields:
+        teeth = {"properties": {"kind": {"const": "involute"}}, "required": ["kind"]}
+        toothless = given_schema(("gear", "mechanism/ratio"))
+        toothless["properties"]["gear"] = teeth
+        needed = {"properties": {"gear": {"required": ["teeth_difference"]}}}
+        schema["allOf"].append({"if": toothless, "then": needed})
 
 
 class DesignFields(GivingFields):
@@ -176,6 +184,13 @@ class DesignFields(GivingFields):
         friction = getattr(self, "friction", None)
         if friction is not None and friction.sleeve and self.pin is None:
             raise field_error("pin", "needed_beside", field="sleeve")
+        return self
+
+    @model_validator(mode="after")
+    def _teeth_agree(self) -> Self:
+        gear = getattr(self, "gear", None)
+        if gear is not None:
+            gear.refuse_other_teeth(self.mechanism.teeth_difference)
         return self
 
     @model_validator(mode="after")

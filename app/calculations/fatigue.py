@@ -118,6 +118,23 @@ class FatigueFields(RequestModel):
         return FatigueBasis(**own)
 
 
+class PinFatigueFields(FatigueFields):
+    """What the fatigue of a pin is judged by, which is loaded once a turn of the crank against the
+    output.
+    """
+
+    life_h: Maybe[float] = quantity(
+        "Life",
+        symbol="L",
+        group="fatigue",
+        default=None,
+        **SIZE,
+        step=500,
+        help="Time that the pins have to last: for fewer than a million cycles their strength is "
+        "above the endurance limit; the life of the requirements where not given.",
+    )
+
+
 class FactorsOut(ResponseModel):
     """What the endurance limit is made of: k_a·k_b·k_e·S_e′/K_f."""
 

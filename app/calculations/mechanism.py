@@ -163,6 +163,13 @@ class MechanismFields(RequestModel):
                 "pins", self.pins, "too_many_pairs", **self.most_pins(MAX_DRAWN_PAIRS)
             )
 
+    @property
+    def teeth_difference(self) -> int | None:
+        """Teeth of the ring less those of a satellite, where they are given."""
+        if self.satellite_teeth is None or self.ring_teeth is None:
+            return None
+        return self.ring_teeth - self.satellite_teeth
+
     def ratio_given(self) -> float:
         """Ratio u, as such or by the numbers of teeth.
 

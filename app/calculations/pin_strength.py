@@ -1,7 +1,9 @@
 """Strength of the pins: request, answer, figure."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal, Self
 
 import numpy as np
@@ -14,8 +16,9 @@ from app.calculations.design import (
     ForcesUsed,
     design_schema,
     forces_used,
+    given_schema,
 )
-from app.calculations.fatigue import FactorsOut, FatigueFields
+from app.calculations.fatigue import FactorsOut, PinFatigueFields
 from app.model import (
     AccuracyOut,
     Calculation,
@@ -32,6 +35,7 @@ from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from core.checks.design.pins import MOST_PIN_PAIRS
+from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
 
 ALONE = ("diameter_mm", "contact_length_mm", "material")
@@ -40,6 +44,9 @@ ALONE = ("diameter_mm", "contact_length_mm", "material")
 TOUCHING = ("contact_law", "deviations", "crank_support", "satellite_coupling")
 """Sections that say something of a contact."""
 
+BOUNDS: tuple[Support, ...] = ("supported", "fixed")
+"""Supports between which the truth of a cage lies."""
+
 
 def _pin_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """What a pin without a contact has to say, and what needs a contact."""
@@ -47,6 +54,10 @@ def _pin_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     schema["dependentRequired"] = {name: ["contact"] for name in TOUCHING}
     schema["if"] = {"not": {"required": ["contact"]}}
     schema["then"] = {"properties": {"pin": {"required": [*ALONE]}}}
+    bounds = {"properties": {"include": {"contains": {"const": "support_bounds"}}}}
+    schema["allOf"].append(
+        {"if": bounds | {"required": ["include"]}, "then": given_schema(("pin/span_mm",))}
+    )
 
 
 class PinStrengthRequest(DesignFields):
@@ -56,9 +67,9 @@ class PinStrengthRequest(DesignFields):
 
     load: DesignLoadFields
     pin: DesignPinFields
-    fatigue: Maybe[FatigueFields] = None
-    include: list[Literal["deflection", "locus"]] = Field(
-        default=[], max_length=2, description="Optional results: what is not named is not computed."
+    fatigue: Maybe[PinFatigueFields] = None
+    include: list[Literal["deflection", "locus", "support_bounds"]] = Field(
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
 
     model_config = ConfigDict(json_schema_extra=_pin_schema)
@@ -75,6 +86,12 @@ class PinStrengthRequest(DesignFields):
                 raise field_error("contact", "needed_beside", field=name)
         return self
 
+    @model_validator(mode="after")
+    def _span_of_bounds(self) -> Self:
+        if "support_bounds" in self.include and self.pin.span_mm is None:
+            raise field_error("pin/span_mm", "needed_for", section="support_bounds")
+        return self
+
     def parts(self) -> dict[str, Any]:
         """The pin and its fatigue in SI units."""
         return super().parts() | {"fatigue": self.fatigue and self.fatigue.basis()}
@@ -82,8 +99,23 @@ class PinStrengthRequest(DesignFields):
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
         found = self.design.judged_pins(locus=locus or "locus" in self.include)
-        strength = self.fitted(found, MOST_PIN_PAIRS)
+        return self._asked(self.fitted(found, MOST_PIN_PAIRS))
+
+    def _asked(self, strength: PinStrength) -> PinStrength:
         return strength if "deflection" in self.include else replace(strength, deflection=None)
+
+    def solve_held(self, support: Support) -> PinStrength:
+        """Strength of the pin in other supports, under the forces that these make."""
+        design = self.design
+        assert design.pin is not None
+        held = replace(design, pin=replace(design.pin, support=support))
+        return self._asked(self.found(held.pin_strength, MOST_PIN_PAIRS))
+
+    def bounds(self) -> Iterator[Values]:
+        """Strength of the pin in the supports between which the truth of a cage lies."""
+        for support in BOUNDS:
+            found = run(self, partial(self.solve_held, support))
+            yield SupportBoundOut.values(*found, support=support)
 
 
 class PinFatigueOut(ResponseModel):
@@ -104,8 +136,8 @@ class PinFatigueOut(ResponseModel):
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
     finite_strength_MPa: Maybe[float] = result(
-        "Strength for the cycles of the life that a design has to reach, where they are fewer "
-        "than a million: it stands for the endurance limit in the safety.",
+        "Strength for the cycles of the life that is asked, where they are fewer than a million: "
+        "it stands for the endurance limit in the safety.",
         symbol="S_f",
         default=None,
     )
@@ -144,10 +176,9 @@ class MomentLocusOut(ResponseModel):
     stress_MPa: list[float] = result("Stress in the worst direction.", symbol="σ")
 
 
-class PinStrengthResponse(ResponseModel):
-    """Bending, shear, static safety, fatigue and deflection of the pins."""
+class PinStrengthOut(ResponseModel):
+    """Bending, shear, static safety, fatigue and deflection of the pins in their supports."""
 
-    forces: ForcesUsed = forces_used()
     peak_force_N: float = result("Largest contact force over the turn.", symbol="F_max")
     peak_moment_Nm: float = result("Largest bending moment of any section.", symbol="M")
     peak_moment_position_mm: float = result("That section, from the carrier's face.", symbol="x")
@@ -162,9 +193,31 @@ class PinStrengthResponse(ResponseModel):
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
-    locus: Maybe[MomentLocusOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
+
+
+class SupportBoundOut(PinStrengthOut):
+    """The same pin in one of the supports between which the truth of a cage lies."""
+
+    support: Support = result("At both ends free to tilt (supported), or built in (fixed).")
+
+
+class PinStrengthResponse(PinStrengthOut):
+    """Bending, shear, static safety, fatigue and deflection of the pins."""
+
+    forces: ForcesUsed = forces_used()
+    locus: Maybe[MomentLocusOut] = None
+    support_bounds: Maybe[list[SupportBoundOut]] = result(
+        "Of pins held at both ends: free to tilt, then built in, whatever their support is; the "
+        "truth of a cage lies between them, and the worse is on the safe side.",
+        default=None,
+    )
+
+    @classmethod
+    def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the strength; `support_bounds` are given."""
+        return super().values(result, run_time_us, **({"support_bounds": None} | given))
 
 
 def strength_figure(found: PinStrength, theme: Theme) -> Figure:
@@ -226,7 +279,9 @@ def strength_figure(found: PinStrength, theme: Theme) -> Figure:
 
 def solve(body: PinStrengthRequest) -> Values:
     """Strength of the pins: bending, shear, static safety, fatigue by the true stress cycle."""
-    return PinStrengthResponse.values(*run(body, body.solve), forces=body.forces)
+    strength = run(body, body.solve)
+    bounds = [*body.bounds()] if "support_bounds" in body.include else None
+    return PinStrengthResponse.values(*strength, forces=body.forces, support_bounds=bounds)
 
 
 def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:

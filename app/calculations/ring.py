@@ -8,17 +8,21 @@ from app.model import SIZE, Forms, Maybe, RequestModel, Whole, field_error, quan
 from app.units import to_si
 from core.checks.sections import Ring
 from core.checks.sections import RingKind as Kind
-from core.crank.ring_mesh import RingMesh
 
 NEEDED: dict[Kind | None, tuple[str, ...]] = {
-    "involute": ("module_mm", "teeth_difference"),
+    "involute": ("module_mm",),
     "cycloid": ("ring_pin_circle_radius_mm",),
     "none": (),
     None: (),
 }
 """What each kind of ring needs; a ratio that is given needs nothing."""
 
-OPTIONAL: dict[Kind | None, tuple[str, ...]] = {"involute": ("reference_pressure_angle_deg",)}
+OPTIONAL: dict[Kind | None, tuple[str, ...]] = {
+    "involute": ("teeth_difference", "reference_pressure_angle_deg")
+}
+"""What it may have besides; the difference of teeth is that of the mechanism where this has teeth,
+and needed where it has none.
+"""
 
 REFERENCE_ANGLE_DEG = 20.0
 
@@ -69,7 +73,8 @@ class RingFields(RequestModel):
         default=None,
         ge=1,
         le=1000,
-        help="Teeth of the ring less those of a satellite.",
+        help="Teeth of the ring less those of a satellite; that of the mechanism's teeth where "
+        "these are given.",
     )
     reference_pressure_angle_deg: Maybe[float] = quantity(
         "Reference pressure angle",
@@ -114,13 +119,38 @@ class RingFields(RequestModel):
                 raise field_error(name, "of_another_kind", kind=self.kind or get_args(Kind)[-1])
         return self
 
-    def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
-        """The ring's force on a satellite."""
-        return self.ring().mesh(eccentricity=eccentricity, ratio=ratio)
+    def refuse_other_teeth(self, difference: int | None) -> None:
+        """Refuse involute teeth without a difference, or with another than the mechanism's.
 
-    def ring(self) -> Ring:
-        """The ring in SI units."""
+        Raises
+        ------
+        PydanticCustomError
+            If they are.
+        """
+        if self.kind != "involute":
+            return
+        given, name = self.teeth_difference, "gear/teeth_difference"
+        if difference is None and given is None:
+            raise field_error(name, "needed_beside", field="ratio")
+        # a ring without more teeth than its satellites is refused by itself
+        if given and difference and difference > 0 and given != difference:
+            raise field_error(name, "teeth_disagree", expected=difference)
+
+    def ring(self, difference: int | None) -> Ring:
+        """The ring in SI units.
+
+        Parameters
+        ----------
+        difference : int or None
+            Of the mechanism's teeth, where it has them.
+
+        Returns
+        -------
+        Ring
+        """
         own = self.to_core()
+        if difference is not None:
+            own["teeth_difference"] = difference
         if self.kind == "involute":
             own.setdefault("reference_pressure_angle", to_si("angle_deg", REFERENCE_ANGLE_DEG))
         return Ring(**own)

@@ -521,8 +521,9 @@ def solve(body: RollerStrengthRequest) -> Values:
     judged, _ = run(body, lambda: body.judge(result, tired))
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
-    if isinstance(tired, Notice):
-        values["warnings"] = [warning(tired), *values.get("warnings", ())]
+    notices = (tired,) if isinstance(tired, Notice) else () if tired is None else tired.notices
+    if notices:
+        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values
 
 

@@ -131,7 +131,7 @@ class CrankedRequest(DesignFields):
 
     def parts(self) -> dict[str, Any]:
         """Pin and ring in SI units."""
-        return super().parts() | {"gear": self.gear.ring()}
+        return super().parts() | {"gear": self.gear.ring(self.mechanism.teeth_difference)}
 
 
 class SatelliteBearingRequest(CrankedRequest):

@@ -494,6 +494,8 @@ def solve(body: ShaftDeflectionRequest) -> Values:
     )
     unknown = body.no_fatigue()
     notices = (() if contact is None else contact.notices) + (() if unknown is None else (unknown,))
+    if strength is not None and strength.fatigue is not None:
+        notices += strength.fatigue.notices
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values

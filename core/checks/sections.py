@@ -9,10 +9,13 @@ from core.crank.bearing_life import Bearing
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.errors import InvalidInput
 from core.fatigue import (
+    NOTCH_STRENGTHS,
+    SIZES,
     Criterion,
     Edition,
     EnduranceFactors,
     Surface,
+    beyond_range,
     endurance_limit,
     notch_factor,
     reliability_factor,
@@ -83,6 +86,8 @@ class FatigueBasis:
         Endurance limit Se, Pa, all factors in it.
     criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
         How the mean stress counts.
+    life : float or None
+        Time that the part has to last, s; the required life where not given.
     """
 
     surface: Surface | None = None
@@ -94,6 +99,7 @@ class FatigueBasis:
     notch: tuple[float, float] | None = None
     endurance_limit: float | None = None
     criterion: Criterion = "goodman"
+    life: float | None = None
 
     def strength(self, pin: DesignPin) -> FatigueStrength | Notice:
         """What a pin's fatigue is judged by.
@@ -156,9 +162,14 @@ class FatigueBasis:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
         if self.endurance_limit is not None:
             return FatigueStrength(self.endurance_limit, tensile, yields, self.criterion)
+        beyond = beyond_range(code="size_beyond_range", value=diameter * 1e3, ends=SIZES)
         notch = self.fatigue_notch_factor
         if self.notch is not None:
             theoretical, radius = self.notch
+            strength = tensile / 1e6
+            beyond += beyond_range(
+                code="notch_beyond_strength", value=strength, ends=NOTCH_STRENGTHS
+            )
             notch = float(
                 notch_factor(
                     theoretical_factor=theoretical, radius=radius, tensile_strength=tensile
@@ -178,7 +189,7 @@ class FatigueBasis:
         size = size_factor(diameter=diameter)
         factors = EnduranceFactors(surface, size, reliability, notch)
         limit = float(endurance_limit(tensile_strength=tensile, factors=factors))
-        return FatigueStrength(limit, tensile, yields, self.criterion, factors)
+        return FatigueStrength(limit, tensile, yields, self.criterion, factors, notices=beyond)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -214,7 +225,7 @@ class Ring:
     module : float or None
         Module of involute teeth, m.
     teeth_difference : int or None
-        Teeth of the ring less those of a satellite.
+        Teeth, or pins, of the ring less those of a satellite; of pins where it is known.
     reference_pressure_angle : float or None
         Of the teeth, rad.
     ring_pin_circle_radius : float or None
@@ -266,6 +277,7 @@ class Ring:
                 eccentricity=eccentricity,
                 ratio=ratio,
                 ring_pin_circle_radius=self.ring_pin_circle_radius,
+                difference=self.teeth_difference,
             )
         return RingMesh(0.0, notices=(Notice("no_ring_force"),))
 

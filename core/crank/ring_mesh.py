@@ -95,7 +95,11 @@ def involute_mesh(
 
 
 def cycloid_mesh(
-    *, eccentricity: Number, ratio: Number, ring_pin_circle_radius: Number
+    *,
+    eccentricity: Number,
+    ratio: Number,
+    ring_pin_circle_radius: Number,
+    difference: int | None = None,
 ) -> RingMesh:
     """A ring of pins: the force along the crank opposes that of the satellite's pins.
 
@@ -110,6 +114,8 @@ def cycloid_mesh(
         Ratio u, > 0.
     ring_pin_circle_radius : float or array
         Radius of the circle of the ring's pins, m, above ``e*(u + 1)``.
+    difference : int, optional
+        Pins of the ring less lobes of a satellite; above 1 it has a notice.
 
     Returns
     -------
@@ -145,7 +151,13 @@ def cycloid_mesh(
     summed = 4 / np.pi * (small ** (2 * orders - 1) / (4 * orders**2 - 1)).sum(axis=-1)
     large = np.maximum(k, SERIES)
     closed = (2 - 2 * (1 - large) * (1 + large) / large * np.arctanh(large)) / (np.pi * large)
-    return RingMesh(_plain(-np.where(k < SERIES, summed, closed)), None, 64 * ROUNDING)
+    crossed = (difference or 1) > 1
+    return RingMesh(
+        _plain(-np.where(k < SERIES, summed, closed)),
+        None,
+        64 * ROUNDING,
+        (Notice("cycloid_difference", {"difference": difference}),) if crossed else (),
+    )
 
 
 def _plain(value: Number) -> Number:

@@ -201,13 +201,15 @@ class PinStresses:
         bent = max(found, key=lambda each: each.bent)
         worst = max(found, key=lambda each: each.equivalent)
         most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
-        cycle, seen, notices = None, worst.place, []
+        cycle, seen = None, worst.place
+        notices: list[Notice] = []
         if fatigue is not None:
             worst, cycle = _fatigue(pin, found, fatigue, rotates)
             seen = cycle.position
             if input_speed is not None and cycle.cycles is not None:
                 frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
                 cycle = replace(cycle, life=cycle.cycles / frequency)
+            notices += cycle.notices
             if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
                 notices.append(Notice("low_cycle_fatigue"))
         if min(positions) < pin.diameter / 2:

@@ -880,11 +880,35 @@ export default {
       why: "So close to its seat a pin is sheared more than bent, and the seat gives way.",
       mend: "Take the bending for a rough guide and look at the equivalent stress.",
     },
+    cycloid_difference: {
+      title: "Lobes cut off",
+      tests: "Whether the ring has one pin more than a satellite has lobes.",
+      why: "With a larger difference the branches of the cycloid cross and its tips are cut off: fewer pins carry, and the ratio of the ring's forces is another.",
+      mend: "Choose a difference of 1, or give the ratio of the forces.",
+    },
     no_ring_force: {
       title: "Ring left out",
       tests: "Whether the ring's force along the crank is known.",
       why: "With involute teeth it adds to the force of the pins, with a ring of pins it opposes it: the life differs several times.",
       mend: "Give the teeth, the circle of the ring's pins, or the ratio of the forces.",
+    },
+    life_beyond_strength: {
+      title: "Life beyond its range",
+      tests: "Whether the tensile strength is one that the line of finite life is a fit for.",
+      why: "Below and above, the strength at a thousand cycles is that of the nearest end of the fit: life and finite strength are a rough guide.",
+      mend: "Give a strength within the range, or judge by the endurance limit alone.",
+    },
+    notch_beyond_strength: {
+      title: "Notch beyond its range",
+      tests: "Whether the tensile strength is one that the notch's fit is made for.",
+      why: "Below and above, the sensitivity to the notch is that of the nearest end of the fit.",
+      mend: "Give the fatigue notch factor itself.",
+    },
+    size_beyond_range: {
+      title: "Size beyond its range",
+      tests: "Whether the diameter is one that the factor of the size is stated for.",
+      why: "Outside, the factor is extended, not tested: thick parts may be weaker.",
+      mend: "Give the endurance limit of the part itself.",
     },
     steep_mesh: {
       title: "Steep teeth",

@@ -2,6 +2,7 @@
 export default {
   "refusals": {
     "at_most": "must be at most {field}",
+    "below_working": "must be at least {limit}, the torque times its factor",
     "beyond_support": "must lie at least half a contact length before the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
@@ -64,6 +65,7 @@ export default {
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
+    "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
     "to_be_drawn": "must be at most {limit} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
@@ -77,6 +79,7 @@ export default {
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
+    "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the ring's forces is made for.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",
     "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel follows from its tensile strength; else give the limit, and the tensile strength with it.",
     "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press fit alone takes half of the strength and more.",
@@ -88,7 +91,9 @@ export default {
     "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the formulas are those of small deflections.",
     "large_rotation": "The output turns by {share} of the eccentricity under load: clearance or compliance is large for such a mechanism.",
+    "life_beyond_strength": "The line of finite life is a fit for tensile strengths of {low} to {high} MPa; of {value} MPa its end is taken.",
     "no_ring_force": "The ring's force along the crank is left out: with involute teeth bearings carry more, with a ring of pins less.",
+    "notch_beyond_strength": "The factor of the notch is a fit for tensile strengths of {low} to {high} MPa; of {value} MPa its end is taken.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for the others is left out, 1 to 2 % of the largest force.",
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
@@ -96,6 +101,7 @@ export default {
     "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches along a narrow strip, where pressure times speed is higher.",
     "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
+    "size_beyond_range": "The factor of the size is stated for diameters of {low} to {high} mm; it is {value} mm.",
     "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
@@ -446,6 +452,10 @@ export default {
       "Exponent",
       "Force ∝ approachⁿ, for the power law."
     ],
+    "fatigue.life_h": [
+      "Life",
+      "Time that the pins have to last: for fewer than a million cycles their strength is above the endurance limit; the life of the requirements where not given."
+    ],
     "fatigue.reliability_percent": [
       "Reliability",
       "50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."
@@ -664,7 +674,7 @@ export default {
     ],
     "peak_torque_Nm": [
       "Peak torque",
-      "Largest torque, for static strength; the torque times its factor where not given."
+      "Largest torque, for static strength, at least the torque times its factor; that where not given."
     ],
     "percentiles": [
       "Percentiles",
@@ -948,7 +958,7 @@ export default {
     ],
     "teeth_difference": [
       "Difference of teeth",
-      "Teeth of the ring less those of a satellite."
+      "Teeth of the ring less those of a satellite; that of the mechanism's teeth where these are given."
     ],
     "tensile_strength_MPa": [
       "Tensile strength",

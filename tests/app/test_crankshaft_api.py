@@ -62,6 +62,12 @@ async def test_what_cannot_be_is_refused(api, fields, pointer, code):
     ]
 
 
+async def test_the_limit_of_a_place_is_in_its_unit(api):
+    refused = await api.post(PATH, json=changed(bearing_positions_mm=[62.0, 0.0]))
+    (error,) = refused.json()["errors"]
+    assert (error["params"], error["detail"]) == ({"limit": 62}, "must be greater than 62")
+
+
 async def test_the_figure_shows_both_bearings(api):
     figure = (await api.post(f"{PATH}/chart", json=REQUESTS[PATH])).json()
     assert [each["name"] for each in figure["data"]] == [*["Bearing A"] * 2, *["Bearing B"] * 2]

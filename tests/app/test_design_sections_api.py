@@ -356,6 +356,55 @@ async def test_factor_and_peak_torque(api):
     )
 
 
+@pytest.mark.parametrize("path", [PATH, *(each.replace("_", "-") for each in STRENGTH)])
+@pytest.mark.parametrize(
+    ("torque", "limit"),
+    [
+        ({"output_torque_Nm": 500.0}, 500.0),
+        ({"output_torque_Nm": 500.0, "application_factor": 1.25}, 625.0),
+        ({"input_torque_Nm": 30.0, "efficiency": 0.9, "application_factor": 1.25}, 675.0),
+    ],
+)
+async def test_a_peak_below_the_working_torque_is_refused(api, path, torque, limit):
+    body = DESIGN if path == PATH else own(DESIGN, path.replace("-", "_"))
+    load = {"pin_circle_radius_mm": 50.0, "input_speed_rpm": 1500.0, **torque}
+    low = await api.post(path, json=body | {"load": load | {"peak_torque_Nm": 0.999 * limit}})
+    (error,) = low.json()["errors"]
+    assert (low.status_code, error["pointer"]) == (422, "/load/peak_torque_Nm")
+    assert (error["code"], error["params"]) == ("below_working", {"limit": pytest.approx(limit)})
+    await answered(api, body | {"load": load | {"peak_torque_Nm": limit}}, path)
+
+
+async def test_no_fix_sets_a_peak_below_the_working_torque(api):
+    """The pins fail under the working torque too: less of a peak cures nothing."""
+    body = changed(ALONE, pin__diameter_mm=8.0, load__peak_torque_Nm=900.0)
+    body |= {"include": ["fixes"], "fixes_for": "failed", "bearing": None}
+
+    async def cures(**changes):
+        fixes = (await answered(api, changed(body, bearing=None, **changes)))["fixes"]
+        return {each["pointer"]: each["to"] for each in fixes if each["code"] == "pin_static"}
+
+    none = await cures()
+    assert none and "/load/peak_torque_Nm" not in none
+    some = await cures(pin__diameter_mm=18.0, load__peak_torque_Nm=1500.0)
+    assert 500 <= some["/load/peak_torque_Nm"] < 1500
+
+
+async def test_fatigue_over_the_required_life_or_its_own(api):
+    slow = {"load__input_speed_rpm": 10.0, "pin__diameter_mm": 12.0}
+    pins = [
+        (await answered(api, changed(ALONE, **slow, **life)))["pin_strength"]["fatigue"]
+        for life in (
+            {"requirements": {"life_h": 50.0}},
+            {"fatigue__life_h": 50.0},
+            {"fatigue__life_h": 50.0, "requirements": {"life_h": 500.0}},
+            {"requirements": {"life_h": 500.0}},
+        )
+    ]
+    assert pins[0] == pins[1] == pins[2]
+    assert pins[2]["finite_strength_MPa"] > pins[3]["finite_strength_MPa"]
+
+
 async def test_wear_over_the_required_life(api):
     body = changed(friction__life_h=None, requirements={"life_h": 3000.0})
     one, other = await answered(api, body), await answered(api, DESIGN)

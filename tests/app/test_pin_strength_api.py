@@ -1,5 +1,6 @@
 """Strength of the pins over REST."""
 
+import math
 from copy import deepcopy
 
 import pytest
@@ -62,6 +63,63 @@ async def test_named_factors_and_a_finite_life(api):
     assert answer["life_h"] == pytest.approx(answer["cycles"] / (60 * 1575), rel=1e-12)
 
 
+NOTCHED = {"surface": "ground", "notch": {"theoretical_factor": 2.0, "radius_mm": 1.0}}
+LIMITED = {"endurance_limit_MPa": 50.0}
+LASTING = {"endurance_limit_MPa": 400.0}
+KPSI = 6.894757293168361
+LINE = 70 * KPSI, 200 * KPSI
+
+
+@pytest.mark.parametrize(
+    ("diameter", "strength", "fatigue", "beyond"),
+    [
+        (16.0, 490.0, NOTCHED, {}),
+        (16.0, 345.0, NOTCHED, {"life_beyond_strength": (345, *LINE)}),
+        (16.0, 335.0, NOTCHED, {
+            "notch_beyond_strength": (335, 340, 1700), "life_beyond_strength": (335, *LINE),
+        }),
+        (30.0, 1690.0, NOTCHED, {}),
+        (30.0, 1710.0, NOTCHED, {"notch_beyond_strength": (1710, 340, 1700)}),
+        (30.0, 1710.0, {"surface": "ground", "fatigue_notch_factor": 2.0}, {}),
+        (16.0, 1370.0, LIMITED, {}),
+        (16.0, 1390.0, LIMITED, {"life_beyond_strength": (1390, *LINE)}),
+        (16.0, 1390.0, LASTING, {}),
+        (16.0, 1390.0, LASTING | {"life_h": 1.0}, {"life_beyond_strength": (1390, *LINE)}),
+        (253.0, 1000.0, NOTCHED, {}),
+        (255.0, 1000.0, NOTCHED, {"size_beyond_range": (255, 2.79, 254)}),
+        (255.0, 1000.0, LIMITED, {}),
+    ],
+)  # fmt: skip
+async def test_formulas_outside_their_range_are_warned_of(api, diameter, strength, fatigue, beyond):
+    steel = REQUESTS[PATH]["pin"]["material"] | {"tensile_strength_MPa": strength}
+    body = changed(pin={"diameter_mm": diameter, "material": steel}) | {"fatigue": fatigue}
+    warnings = (await api.post(PATH, json=body)).json().get("warnings", ())
+    found = {each["code"]: each["params"] for each in warnings if "beyond" in each["code"]}
+    assert found == {
+        code: pytest.approx(dict(zip(("value", "low", "high"), numbers, strict=True)))
+        for code, numbers in beyond.items()
+    }
+
+
+async def test_a_life_that_is_asked_raises_the_strength(api):
+    """Shigley's line from f*Rm at a thousand cycles to Se at a million, by logarithms."""
+    body = judged(**LIMIT, life_h=10.0)
+    body["load"]["input_speed_rpm"] = 100.0
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    kpsi = 1000 / 6.894757293168361
+    short = 1000 * (1.06 - 2.8e-3 * kpsi + 6.9e-6 * kpsi**2)
+    down = math.log10(100 * 1.05 * 600 / 1e3) / 3
+    finite = 10 ** ((1 - down) * math.log10(short) + down * math.log10(300))
+    assert answer["finite_strength_MPa"] == pytest.approx(finite, rel=1e-12)
+    half = 306.704838 / 2
+    assert 1 / answer["safety_factor"] == pytest.approx(half / finite + half / 1000, rel=1e-7)
+    assert answer["endurance_limit_MPa"] == 300
+    body["fatigue"]["life_h"] = 1e6 / (60 * 105)
+    answer = (await api.post(PATH, json=body)).json()["fatigue"]
+    assert "finite_strength_MPa" not in answer
+    assert round(answer["safety_factor"], 6) == 1.504829
+
+
 @pytest.mark.parametrize(
     ("body", "code"),
     [
@@ -75,6 +133,36 @@ async def test_what_is_not_checked_is_said(api, body, code):
     answer = (await api.post(PATH, json=body)).json()
     assert code in [each["code"] for each in answer["warnings"]]
     assert ("fatigue" in answer) is (code == "short_pin")
+
+
+async def test_bounds_of_a_cage(api):
+    """A load in the middle: F/4*(L - b/2) free to tilt, F/(24*L)*(3*L^2 - b^2) built in."""
+    one = {PLACES: [26.0], "span_mm": 52.0}
+    body = changed(mechanism={"satellites": 1}, pin=one, include=["support_bounds"])
+    answer = (await api.post(PATH, json=body)).json()
+    force = answer["peak_force_N"] / 1e3
+    moments = force / 4 * (52 - 10), force / 24 / 52 * (3 * 52**2 - 20**2)
+    bounds = answer["support_bounds"]
+    assert [each["support"] for each in bounds] == ["supported", "fixed"]
+    assert [each["peak_moment_Nm"] for each in bounds] == pytest.approx(moments, rel=1e-9)
+    assert answer["peak_moment_Nm"] == pytest.approx(force * 26, rel=1e-9)
+
+
+@pytest.mark.parametrize("section", [None, "contact"])
+async def test_bounds_are_the_pins_in_these_supports(api, section):
+    """With the sharing by stiffness that they make, where there is a contact."""
+    body = changed(pin={"span_mm": 52.0}, include=["support_bounds", "deflection"])
+    if section:
+        sizes = {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0}
+        body["contact"] = sizes
+    bounds = (await api.post(PATH, json=body)).json()["support_bounds"]
+    for bound in bounds:
+        body["pin"]["support"], body["include"] = bound.pop("support"), ["deflection"]
+        alone = (await api.post(PATH, json=body)).json()
+        assert alone.pop("forces") == "ideal"
+        for each in (bound, alone):
+            del each["accuracy"]["run_time_us"]
+        assert bound == alone
 
 
 async def test_without_fatigue_asked_there_is_none(api):
@@ -95,6 +183,12 @@ PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_fact
         (changed(pin={PLACES: [9.0, 37.0]}), f"/pin/{PLACES}/0", "in_carrier"),
         (changed(pin={"support": "fixed"}), "/pin/span_mm", "needed_beside"),
         (changed(pin=SHORT), f"/pin/{PLACES}/1", "beyond_support"),
+        (changed(include=["support_bounds"]), "/pin/span_mm", "needed_for"),
+        (
+            changed(pin={"span_mm": 45.0}, include=["support_bounds"]),
+            f"/pin/{PLACES}/1",
+            "beyond_support",
+        ),
         (changed(fatigue={"surface_factor": 0.9}), "/fatigue/surface_factor", "only_one"),
         (judged(**PERCENT), "/fatigue/reliability_percent", "not_in_table"),
         (changed(mechanism={"pins": 2, "satellites": 1}, pin=ONE), "", "dead_centre"),

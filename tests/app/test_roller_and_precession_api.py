@@ -232,6 +232,16 @@ async def test_what_is_hardly_known_is_warned_of(api, path):
 TIRED = {"tensile_strength_MPa": 900, "fatigue": {"surface": "machined"}}
 
 
+async def test_fatigue_outside_a_formula_is_warned_of(api):
+    strong = {"tensile_strength_MPa": 1750, "fatigue": {"surface": "machined"}}
+    strong["fatigue"]["notch"] = {"theoretical_factor": 2, "radius_mm": 1}
+    rollers = ROLLERS | {"stress_concentration": 1} | strong
+    for path, body in (("roller-strength", rollers), ("precession/shaft-deflection", SHAFT)):
+        answer = (await api.post(path, json=body | strong)).json()
+        codes = [each["code"] for each in answer["warnings"]]
+        assert codes.count("notch_beyond_strength") == 1, path
+
+
 async def test_fatigue_of_rollers_where_asked(api):
     """The stress of 508.487 MPa comes and goes; the factor of the notch counts once."""
     plain = (await api.post("roller-strength", json=ROLLERS)).json()

@@ -1,5 +1,6 @@
 """Bearings of the satellites over REST."""
 
+import math
 from copy import deepcopy
 
 import pytest
@@ -45,6 +46,38 @@ async def test_a_ring_of_pins_relieves_the_bearings(api):
     given = changed(gear={"radial_force_ratio": answer["radial_force_ratio"]})
     again = (await api.post(PATH, json=given)).json()
     assert again["satellites"][0]["peak_load_N"] == answer["satellites"][0]["peak_load_N"]
+
+
+TEETH = {"pins": 6, "satellites": 2, "satellite_teeth": 40, "ring_teeth": 42}
+INVOLUTE = {"kind": "involute", "module_mm": 1.9}
+
+
+async def test_the_difference_is_that_of_the_teeth(api):
+    """cos(alpha_w) = m*(z3 - z2)*cos(alpha)/(2*e)."""
+    cosine = 1.9 * 2 * math.cos(math.radians(20)) / (2 * 2)
+    for gear in (INVOLUTE, INVOLUTE | {"teeth_difference": 2}):
+        answer = (await api.post(PATH, json=changed(mechanism=TEETH, gear=gear))).json()
+        angle = math.radians(answer["operating_pressure_angle_deg"])
+        assert math.cos(angle) == pytest.approx(cosine, rel=1e-12)
+
+
+async def test_pins_with_another_difference_than_one_are_warned_of(api):
+    ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
+    for teeth, codes in ((TEETH, ["cycloid_difference"]), (TEETH | {"ring_teeth": 41}, [])):
+        ring["ring_pin_circle_radius_mm"] *= 2
+        answer = (await api.post(PATH, json=changed(mechanism=teeth, gear=ring))).json()
+        assert [each["code"] for each in answer.get("warnings", ())] == codes
+
+
+async def test_other_teeth_than_those_of_the_mechanism_are_refused(api):
+    wrong = INVOLUTE | {"teeth_difference": 1}
+    refused = await api.post(PATH, json=changed(mechanism=TEETH, gear=wrong))
+    (error,) = refused.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/gear/teeth_difference", "teeth_disagree")
+    assert error["params"] == {"expected": 2}
+    fewer = changed(mechanism=TEETH | {"ring_teeth": 40}, gear=wrong)
+    (error,) = (await api.post(PATH, json=fewer)).json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "larger_than")
 
 
 @pytest.mark.parametrize(

@@ -404,7 +404,7 @@ FAILING: dict[str, CrankDesign] = {
     "pressure_angle": part(WHOLE, "gear", module=2.2e-3),
     "gear_room": WHOLE,
     "bearing_life": rigid(life=5000 * 3600.0),
-    "bearing_static": rigid(static_safety=5.0, peak_torque=600.0),
+    "bearing_static": rigid(static_safety=2.0, peak_torque=1000.0),
     "system_life": part(rigid(), "bearing", weibull_slope=1.1),
     "crank_bearing_life": part(
         rigid(), "crankshaft", bearings=(RollingBearing(kind="roller", dynamic_rating=15e3),) * 2

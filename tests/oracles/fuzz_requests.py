@@ -461,6 +461,37 @@ def with_forces(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
     return made
 
 
+def fitting(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
+    """A design whose parts mostly agree with each other: what is too small is made larger."""
+
+    def made(r: Draw) -> Body:
+        body = make(r)
+        if r.chance(0.9):
+            peak_of_all(body)
+            if "ring_teeth" in body["mechanism"]:
+                body.get("gear", {}).pop("teeth_difference", None)
+        return body
+
+    return made
+
+
+def peak_of_all(body: Body) -> None:
+    """No peak torque below the working one."""
+    load = body["load"]
+    if "peak_torque_Nm" not in load:
+        return
+    torque = load.get("output_torque_Nm")
+    if torque is None:
+        own = body["mechanism"]
+        ratio = own.get("ratio")
+        if ratio is None:
+            ratio = own["satellite_teeth"] / (own["ring_teeth"] - own["satellite_teeth"])
+        torque = load["input_torque_Nm"] * load["efficiency"] * ratio
+    factor = body.get("contact", {}).get("dynamic_factor", 1.0)
+    working = torque * load.get("application_factor", factor)
+    load["peak_torque_Nm"] = min(1e12, max(load["peak_torque_Nm"], working))
+
+
 def tolerance_study(r: Draw) -> Body:
     """A few pieces of a real design."""
     body = real_design(r)
@@ -625,13 +656,13 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "cyclogram": lambda r: range_shown(r, mechanism(r)),
     "contact-force": contact_force,
     "hertz": hertz,
-    "crank-planetary": crank_planetary,
-    "output-efficiency": with_forces(output_efficiency),
+    "crank-planetary": fitting(crank_planetary),
+    "output-efficiency": fitting(with_forces(output_efficiency)),
     "load-sharing": load_sharing,
-    "pin-strength": with_forces(pin_strength),
+    "pin-strength": fitting(with_forces(pin_strength)),
     "tolerance-study": tolerance_study,
-    "satellite-bearing": with_forces(satellite_bearing),
-    "crankshaft": with_forces(crankshaft),
+    "satellite-bearing": fitting(with_forces(satellite_bearing)),
+    "crankshaft": fitting(with_forces(crankshaft)),
     "roller-strength": judged_rollers,
     "precession/contact-line": contact_line,
     "precession/meshing-load": meshing_load,

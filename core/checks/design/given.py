@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import Literal
 
 from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
+from core.errors import InvalidInput
 from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
@@ -15,6 +16,9 @@ from core.output.sampled_turn import Direction
 from core.output.satellite_support import SatelliteSupport
 
 Body = Literal["pin", "hole"]
+
+TYPED = 1e-9
+"""Part of a torque that is lost where its limit is written down."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,7 +74,8 @@ class GivenDesign:
     input_speed : float or None
         Speed of the crank, rad/s.
     peak_torque : float or None
-        Largest torque, for static strength, N*m; the torque times `dynamic_factor` where not given.
+        Largest torque, for static strength, N*m, at least the torque times `dynamic_factor`; that
+        where not given.
     fatigue : FatigueBasis or None
         What the fatigue of the pins is judged by.
     friction : Friction or None
@@ -104,6 +109,11 @@ class GivenDesign:
         Largest diameter of the reducer that is asked, m.
     max_unbalance, max_unbalance_couple : float or None
         Largest force, N, and couple, N*m, of the satellites' masses that are asked.
+
+    Raises
+    ------
+    InvalidInput
+        If the peak torque is below the working one.
     """
 
     pins: int
@@ -159,6 +169,13 @@ class GivenDesign:
     max_unbalance: float | None = None
     max_unbalance_couple: float | None = None
 
+    def __post_init__(self) -> None:
+        if self.output_torque is None or self.peak_torque is None:
+            return
+        working = self.output_torque * self.dynamic_factor
+        if self.peak_torque < working * (1 - TYPED):
+            raise InvalidInput("peak_torque", self.peak_torque, "below_working", limit=working)
+
     @cached_property
     def mechanism(self) -> Mechanism:
         """Pins and cranks."""
@@ -197,19 +214,18 @@ class GivenDesign:
         start = self.mechanism.initial_crank_angle + math.pi
         return replace(self.mechanism, initial_crank_angle=start)
 
-    @property
-    def loads_over_life(self) -> float | None:
-        """How often a place of pin or hole is loaded over the required life, once a turn of the
-        satellite against its crank; None without a speed, or without an end.
+    def loads_over(self, life: float) -> float | None:
+        """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
+        against its crank; None without a speed, or without an end.
         """
-        if self.input_speed is None or math.isinf(self.life):
+        if self.input_speed is None or math.isinf(life):
             return None
-        return self.input_speed * self.life / self.mechanism.crank_angle_per_wave
+        return self.input_speed * life / self.mechanism.crank_angle_per_wave
 
     def lasting(self, body: Body) -> ElasticMaterial | None:
         """Material of pin or hole, its limit wanted for the loads over the life."""
         material = self.pin_material if body == "pin" else self.hole_material
-        return None if material is None else material.lasting(self.loads_over_life)
+        return None if material is None else material.lasting(self.loads_over(self.life))
 
     @cached_property
     def clearance(self) -> float | None:

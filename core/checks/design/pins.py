@@ -98,7 +98,9 @@ class DesignPins(DesignForces):
         found = named(section="fatigue", calculation=lambda: basis.strength(pin))
         if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
             return found
-        return replace(found, cycles=self.loads_over_life)
+        return replace(
+            found, cycles=self.loads_over(self.life if basis.life is None else basis.life)
+        )
 
     @property
     def loaded_pins(self) -> dict[str, Any]:

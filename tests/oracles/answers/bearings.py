@@ -31,7 +31,9 @@ def request(r: Draw) -> Body:
     gear: Body = {"kind": kind}
     if kind == "involute":
         cosine = mpf(r.uniform(0.4, 0.99)) / mp.cos(mp.radians(20))
-        gear |= {"module_mm": max(r.rounded(float(2 * e * cosine)), 1e-12), "teeth_difference": 1}
+        difference = own["ring_teeth"] - own["satellite_teeth"] if "ring_teeth" in own else 1
+        module = float(2 * e * cosine) / difference
+        gear |= {"module_mm": max(r.rounded(module), 1e-12), "teeth_difference": difference}
     elif kind == "cycloid":
         radius = e * float(ratio(own) + 1) / r.uniform(0.01, 0.99)
         gear["ring_pin_circle_radius_mm"] = max(r.rounded(radius), 1e-12)
@@ -47,7 +49,8 @@ def request(r: Draw) -> Body:
     if r.chance(0.3):
         load["application_factor"] = r.decimal(0.5, 3)
     if r.chance(0.3):
-        load["peak_torque_Nm"] = r.size(1, 1e4)
+        working = load["output_torque_Nm"] * load.get("application_factor", 1.0)
+        load["peak_torque_Nm"] = r.rounded(working * r.uniform(1.1, 4))
     return {
         "mechanism": own,
         "load": load,

@@ -60,7 +60,8 @@ def request(r: Draw) -> Body:
     if r.chance(0.3):
         load["application_factor"] = r.decimal(0.5, 3)
     if r.chance(0.3):
-        load["peak_torque_Nm"] = r.size(1, 1e4)
+        working = load["output_torque_Nm"] * load.get("application_factor", 1.0)
+        load["peak_torque_Nm"] = r.rounded(working * r.uniform(1.1, 4))
     return {
         "mechanism": own,
         "load": load,
