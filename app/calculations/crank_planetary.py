@@ -326,7 +326,8 @@ class CrankPlanetaryRequest(GivingFields):
 
     def _too_many(self, section: Section) -> InvalidInput:
         """Refusal of more pairs than a section is calculated for."""
-        limit = self.mechanism.most_pins(MOST_PAIRS[section])
+        most = MOST_PAIRS.get(section, MOST_PIN_PAIRS)  # others are of few because of bending pins
+        limit = self.mechanism.most_pins(most)
         return InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
 
     def solve_sharing(self) -> RealForces:

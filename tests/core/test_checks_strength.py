@@ -17,12 +17,15 @@ from core.fixes.changes import value_of, vary
 from core.fixes.crank import crank_fixes
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_law import LinearLaw
-from tests.oracles.checks import REF, WHOLE, says
+from core.output.losses import PinLosses
+from tests.oracles.checks import REF, WHOLE, compliance, says
 
 PEAK = 1e4 / 3
 MODULUS = math.pi * 0.016**3 / 32
 ONE = replace(WHOLE, satellites=1, output_torque=250.0)
 """Of one satellite, which has nobody to share with."""
+EVEN = replace(WHOLE, pin=replace(WHOLE.pin, satellite_positions=(0.015, 0.015)))  # type: ignore[type-var]
+"""Of two satellites that share alike."""
 
 
 def part(design: CrankDesign, section: str, **changes: Any) -> CrankDesign:
@@ -188,7 +191,7 @@ def test_friction() -> None:
         "wear": (0.118125e-3, "max_wear"),
     }
     for code, (value, limit) in values.items():
-        nobody = CRANK[code](WHOLE)
+        nobody = CRANK[code](EVEN)
         assert (nobody.status, nobody.missing) == ("not_asked", (limit,))
         assert nobody.value == pytest.approx(value, rel=1e-9)
         keep = "above" if code == "efficiency" else "below"
@@ -196,29 +199,57 @@ def test_friction() -> None:
             asked = value / share if keep == "above" else share * value
             if keep == "above" and asked >= 1:
                 asked = 0.95
-            found = CRANK[code](replace(WHOLE, **{limit: asked}))
+            found = CRANK[code](replace(EVEN, **{limit: asked}))
             assert (found.status, found.limit) == (status, asked)
-        unknown = CRANK[code](replace(WHOLE, **{limit: asked}, input_speed=None))
+        unknown = CRANK[code](replace(EVEN, **{limit: asked}, input_speed=None))
         assert (unknown.status, unknown.reason) == ("not_checked", "speed_missing")
         assert unknown.missing == ("input_speed",)
-        unknown = CRANK[code](replace(WHOLE, **{limit: asked}, eccentricity=None))
+        unknown = CRANK[code](replace(EVEN, **{limit: asked}, eccentricity=None))
         assert (unknown.reason, unknown.missing) == ("eccentricity_missing", ("eccentricity",))
-    used = CRANK["efficiency"](replace(WHOLE, min_efficiency=0.9))
+    used = CRANK["efficiency"](replace(EVEN, min_efficiency=0.9))
     assert used.utilisation == pytest.approx((1 - efficiency) / 0.1)
     assert used.torque_reserve is None
-    rate = part(replace(WHOLE, max_wear=1e-4), "friction", wear_rate=None)
+    rate = part(replace(EVEN, max_wear=1e-4), "friction", wear_rate=None)
     assert CRANK["wear"](rate).missing == ("friction.wear_rate",)
 
 
 def test_wear_over_the_required_life() -> None:
-    design = part(replace(WHOLE, max_wear=1e-3, life=6000 * 3600.0), "friction", life=None)
+    design = part(replace(EVEN, max_wear=1e-3, life=6000 * 3600.0), "friction", life=None)
     assert CRANK["wear"](design).value == pytest.approx(2 * 0.118125e-3, rel=1e-9)
 
 
+def test_pv_and_wear_are_those_of_the_worse_sharing() -> None:
+    """The near satellite's by stiffness: deflections of 1 N by hand, with shear; means stay."""
+    b, bending, sheared = 0.02, 210e9 * math.pi * 0.016**4 / 64, 210e9 / 2.6 * math.pi * 0.008**2
+
+    def softness(z: float) -> float:
+        bent = (z**3 / 3 + b**3 / 384) / bending + 10 / 9 * (z - b / 8) / sheared
+        return bent + float(compliance(1.25 * PEAK))
+
+    near, far = 1 / softness(0.015), 1 / softness(0.037)
+    more = 2 * near / (near + far)
+    one, even = (replace(each, dynamic_factor=1.25).losses for each in (WHOLE, EVEN))
+    assert isinstance(one, PinLosses) and isinstance(even, PinLosses)
+    assert one.peak_force == pytest.approx(more * PEAK, rel=1e-9)
+    for name in ("peak_pv", "pin_wear", "hole_wear"):
+        assert getattr(one, name) == pytest.approx(more * getattr(even, name), rel=1e-9)
+    for name in ("mean_pv", "mean_loss", "efficiency", "min_efficiency", "friction_couple"):
+        assert getattr(one, name) == getattr(even, name)
+    assert even.accuracy.relative_error < one.accuracy.relative_error < 1e-11
+    worn = replace(WHOLE, dynamic_factor=1.25, max_wear=2e-4)
+    assert CRANK["wear"](worn).value == pytest.approx(more * 0.118125e-3, rel=1e-9)
+    assert CRANK["wear"](worn).status == "fail"
+    many = CRANK["wear"](replace(worn, pins=251))
+    assert (many.status, many.reason) == ("not_checked", "too_large")
+    assert CRANK["wear"](
+        part(replace(worn, pins=251), "pin", satellite_positions=(0.02, 0.02))
+    ).value
+
+
 def test_pv_is_that_of_a_bush() -> None:
-    bare = CRANK["pv"](replace(WHOLE, max_pv=1e6))
+    bare = CRANK["pv"](replace(EVEN, max_pv=1e6))
     assert (bare.status, bare.reason) == ("not_applicable", "no_bush")
-    sleeved = part(part(WHOLE, "pin", diameter=0.011), "friction", sleeve=True)
+    sleeved = part(part(EVEN, "pin", diameter=0.011), "friction", sleeve=True)
     value = 3.4361169648638348e6
     for limit, status in ((1.2 * value, "pass"), (0.9 * value, "fail")):
         found = CRANK["pv"](replace(sleeved, max_pv=limit))
@@ -385,7 +416,8 @@ def test_as_made_the_forces_are_those() -> None:
         one, other = ideal[code], made[code]
         assert one.value is not None and other.value is not None
         assert one.value != pytest.approx(other.value, rel=1e-3) and other.rough and not one.rough
-    assert made["wear"].value > 2 * ideal["wear"].value  # type: ignore[operator]
+    assert made["wear"].value > ideal["wear"].value  # type: ignore[operator]
+    assert made["wear"].value > 2 * 0.118125e-3  # of equal sharing
 
 
 FAILING: dict[str, CrankDesign] = {

@@ -24,22 +24,13 @@ from core.output.contact_law import (
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import EdgeLoad, pin_stresses
 from core.output.real_turn import made
-from tests.oracles.checks import PRESSURE, WHOLE
+from tests.oracles.checks import PRESSURE, WHOLE, compliance
 from tests.oracles.pin import bend
 from tests.oracles.real_mechanisms import UNLIKE
 
 LENGTH, PIN, HOLE, E, NU = 0.02, 0.008, 0.010, 210e9, 0.3
 PEAK = 1e4 / 3
 GRID = 2 * np.pi * np.arange(72_000) / 72_000
-
-
-def compliance(force: Any) -> Any:
-    """Approach over force, m/N: to the pin's axis, and the hole's radius deep."""
-    softness = (1 - NU**2) / E
-    half_width = np.sqrt(4 * force * PIN * HOLE / (HOLE - PIN) * 2 * softness / (np.pi * LENGTH))
-    pin = 2 * np.log(4 * PIN / half_width) - 1
-    hole = 2 * np.log(2 * HOLE / half_width) - NU / (1 - NU)
-    return softness * (pin + hole) / (np.pi * LENGTH)
 
 
 def even_force(forces: NDArray[Any], positions: tuple[float, ...], **held: Any) -> NDArray[Any]:
