@@ -517,3 +517,31 @@ def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:
     sleeved = part(WHOLE, "pin", diameter=0.011)
     assert vary(design=sleeved, variable="pin_radius", value=0.01).pin == sleeved.pin
     assert vary(design=sleeved, variable="pin.diameter", value=0.01).pin.diameter == 0.01  # type: ignore[union-attr]
+
+
+def test_a_thicker_pin_in_its_sleeve_lowers_the_pressure() -> None:
+    """It slopes less; the next standard size would leave no room for the sleeve."""
+    sleeved = part(part(WHOLE, "pin", diameter=0.011), "friction", sleeve=True)
+    code, design = "contact_pressure_hole", replace(sleeved, output_torque=100.0)
+    fixes = {each.variable: each for each in crank_fixes(design=design, codes=[code])}
+    fix, standard = fixes["pin.diameter"], fixes["pin_radius"]
+    assert fix.status == "solved" and 0.012 < fix.after < 0.016 and not fix.standard
+    assert standard.standard
+    for value, met in ((fix.after, True), (fix.exact * 0.999, False)):
+        found = CRANK[code](vary(design=design, variable="pin.diameter", value=value))
+        assert (found.torque_reserve >= 1.1) == met  # type: ignore[operator]
+    # without the rest of the design that needs the sleeve a standard pin does
+    plain = replace(design, friction=None)
+    (fix,) = (
+        each for each in crank_fixes(design=plain, codes=[code]) if each.variable == "pin.diameter"
+    )
+    assert fix.standard and fix.after == 0.016
+
+
+@pytest.mark.parametrize("code", ["contact_pressure_hole", "contact_conformity", "wear"])
+def test_what_hangs_on_the_bending_of_the_pins_says_so(code: str) -> None:
+    inputs = set(CRANK[code](WHOLE).kind.inputs)
+    assert inputs >= {"pin.diameter", "pin.satellite_positions", "pin.support", "pin.span"}
+    for change in ({"diameter": 0.0155}, {"satellite_positions": (0.015, 0.04)}):
+        changed = part(WHOLE, "pin", **change)
+        assert CRANK[code](changed).value != pytest.approx(CRANK[code](WHOLE).value, rel=1e-3)
