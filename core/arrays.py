@@ -38,6 +38,7 @@ def _either(plain: Callable[[float], float], many: Callable[[Any], Any]) -> Call
 sqrt = _either(math.sqrt, np.sqrt)
 atan = _either(math.atan, np.arctan)
 atanh = _either(math.atanh, np.arctanh)
+log = _either(math.log, np.log)
 log1p = _either(math.log1p, np.log1p)
 
 

@@ -244,7 +244,8 @@ class CrankPlanetaryRequest(DesignFields):
     def solve_strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
         found = getattr(self.design, STRENGTH[section])
-        return self.found(found, MOST_PAIRS.get(section, MAX_PAIRS))
+        most = MOST_PAIRS.get(section, MOST_PIN_PAIRS)  # others are of few because of bending pins
+        return self.found(found, most)
 
     def solve_sharing(self) -> RealForces:
         """Forces of the mechanism as it is made, under the torque itself."""

@@ -159,12 +159,9 @@ NOT_CONSIDERED = {
 
 _FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
 _HOLE = ("pin_radius", "hole_radius", "hole_clearance")
-_CONTACT = (*_FORCE, "contact_length", *_HOLE, "dynamic_factor")
+_FACTORS = ("dynamic_factor", "application_factor")
 _LOADS = ("input_speed", "ratio", "requirements.life")
-_PIN = (
-    *_FORCE,
-    "dynamic_factor",
-    "application_factor",
+_BEAM = (
     "pin.diameter",
     "pin.satellite_positions",
     "pin.support",
@@ -172,6 +169,9 @@ _PIN = (
     "pin.contact_length",
     "pin.material",
 )
+"""Of pins, by whose bending satellites share the load and contacts press on their edges."""
+_CONTACT = (*_FORCE, "contact_length", *_HOLE, *_FACTORS, *_BEAM)
+_PIN = (*_FORCE, *_FACTORS, *_BEAM)
 _FATIGUE = (
     "fatigue.surface",
     "fatigue.surface_factor",
@@ -191,7 +191,7 @@ _RING = (
     "gear.ring_pin_circle_radius",
     "gear.radial_force_ratio",
 )
-_BEARING = (*_FORCE, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
+_BEARING = (*_FORCE, *_BEAM, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
 _BALANCE = (
     "input_speed",
     "eccentricity",
@@ -341,12 +341,13 @@ CHECKS = {
     "pv": Kind(
         "Pressure times sliding speed", "friction", "MPa_m_per_s", "p·v ≤ (pv)_all",
         "Above it the surfaces get hot and wear fast.",
-        (*_FORCE, *_TURNING, "friction.sleeve", "pin_radius", "contact_length", "max_pv"), "user",
+        (*_FORCE, *_BEAM, *_TURNING, "friction.sleeve", "pin_radius", "contact_length",
+         "max_pv"), "user",
     ),
     "wear": Kind(
         "Wear of pins and holes", "friction", "mm", "h ≤ h_max",
         "Above it the output has more play than is asked before the end of its life.",
-        (*_FORCE, *_TURNING, "friction.wear_rate", "friction.life", "pin_radius",
+        (*_FORCE, *_BEAM, *_TURNING, "friction.wear_rate", "friction.life", "pin_radius",
          "contact_length", "max_wear"), "archard_1953",
     ),
     "pressure_angle": Kind(
@@ -380,8 +381,9 @@ CHECKS = {
     "crank_bearing_life": Kind(
         "Life of the crankshaft's bearings", "crankshaft", "h", "L_10h ≥ L",
         "Otherwise a bearing of the crankshaft fails before the life that is asked.",
-        (*_FORCE, *_TURNING, *_RING, "crankshaft.bearings", "crankshaft.satellite_positions",
-         "crankshaft.bearing_positions", "requirements.life"), "iso_281_life", keep="above",
+        (*_FORCE, *_BEAM, *_TURNING, *_RING, "crankshaft.bearings",
+         "crankshaft.satellite_positions", "crankshaft.bearing_positions", "requirements.life"),
+        "iso_281_life", keep="above",
     ),
     "unbalance_force": Kind(
         "Unbalanced force of the satellites", "crankshaft", "N", "|Σ m·e·ω²| ≤ F_U",

@@ -157,13 +157,15 @@ class Cure:
 
     def by(self, exact: float, found: Solution, status: FixStatus) -> Fix:
         """The fix by a value, with its rounding and its side effects."""
-        after, standard = exact, False
+        sizes: list[tuple[float, bool]] = []
         if self.variable not in WHOLE and status != "not_enough":
-            for size, is_standard in _sizes(self.variable, exact, exact >= self.before):
-                if any(start <= size <= end for start, end in found.intervals):
-                    after, standard = size, is_standard
-                    break
-        verdict = self.whole_list(after)
+            sizes = _sizes(self.variable, exact, exact >= self.before)
+        within = (
+            (size, is_standard)
+            for size, is_standard in sizes
+            if any(start <= size <= end for start, end in found.intervals)
+        )
+        after, standard, verdict = self._made([*within, (exact, False)])
         effects = tuple(
             SideEffect(code=each.code, before=old, after=each)
             for each in verdict.checks
@@ -175,6 +177,16 @@ class Cure:
         return Fix(
             self.code, self.variable, self.before, after, exact, standard, status, outcome, effects
         )
+
+    def _made(self, sizes: list[tuple[float, bool]]) -> tuple[float, bool, Verdict]:
+        """The first size that makes a design, whether it is a standard one, and the verdict."""
+        (size, standard), *others = sizes
+        try:
+            return size, standard, self.whole_list(size)
+        except CalculationError:  # as where a pin is as thick as its sleeve
+            if not others:
+                raise
+            return self._made(others)
 
 
 def fix_of(*, cure: Cure, change: Change) -> Fix | None:

@@ -4,6 +4,7 @@ from core.checks.pins import PIN_FATIGUE
 from core.checks.pins import PINS as PIN_CHECKS
 
 _STRESS = (
+    "pin.diameter",
     "contact_length",
     "pin_radius",
     "pin_circle_radius",
@@ -96,6 +97,7 @@ WHOLE = {"pins", "satellites", "rollers"}
 """Inputs that are whole numbers."""
 
 GROWTH = {
+    "pin.diameter": 2.0,
     "contact_length": 1.0,
     "pin_radius": 1.8,
     "pin_circle_radius": 1.0,

@@ -3,11 +3,11 @@
 import math
 from dataclasses import dataclass
 
-from core.arrays import check_positive
+from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.pin_beam import SHEAR_COEFFICIENT, Support
-from core.output.sharing_kernel import HERTZ, LINEAR, POWER, Law, alone, pair_law
+from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -160,20 +160,20 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
 def contact_compliance(
     *,
     law: ContactLaw,
-    force: float,
+    force: Number,
     contact_length: float,
     pin_radius: float,
     hole_radius: float,
     pin: ElasticMaterial | None = None,
     hole: ElasticMaterial | None = None,
-) -> float:
+) -> Number:
     """Approach of a contact over its force: the secant of its law.
 
     Parameters
     ----------
     law : ContactLaw
         The law.
-    force : float
+    force : float or array
         Force F, N, > 0.
     contact_length, pin_radius, hole_radius : float
         Length b and radii, m.
@@ -182,7 +182,7 @@ def contact_compliance(
 
     Returns
     -------
-    float
+    float or array
         m/N; times the force it is the approach.
 
     Examples
@@ -205,7 +205,11 @@ def contact_compliance(
         law=law, contact_length=contact_length, hole_radius=hole_radius, pin=pin, hole=hole
     )
     a, b, _ = pair_law(kind, constants, pin_radius, hole_radius - pin_radius, 0.0)
-    return alone(kind, force, a, b, exponent) / force
+    if kind == LINEAR:
+        return a + 0.0 * force
+    if kind == HERTZ:
+        return b * larger(a / b - log(force), HERTZ_END)
+    return (force / a) ** (1 / exponent) / force
 
 
 def law_kind(law: ContactLaw) -> tuple[int, float]:

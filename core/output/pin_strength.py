@@ -7,27 +7,31 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, Number, check_positive
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, Support
+from core.output.pin_beam import PinBeam, Support, face_load_factor
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH
-from core.output.pin_turn import PinTurn, combine, pin_turn
+from core.output.pin_search import ENOUGH, largest
+from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
+
+IDLE = 1e-12
+"""Forces below this part of the largest bear no line load that counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,16 +47,31 @@ class PinDeflection:
     slope : float
         Largest rotation of the section there over the turn, rad; between two supports it may be
         small, and is as good as the deflection over the distance to the nearer one.
-    slopes, forces : tuple of float, K
-        Largest rotation at each satellite, rad, and its largest force, N: what
-        `core.output.pin_beam.face_load_factor` is made of.
     """
 
     satellite: int
     deflection: float
     slope: float
-    slopes: tuple[float, ...]
-    forces: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class EdgeLoad:
+    """The contact with the largest line load at an end of its length, where the pins slope.
+
+    Attributes
+    ----------
+    force : float
+        Even force that would have this line load, N: the contact's own times its
+        `core.output.pin_beam.face_load_factor`.
+    satellite : int
+        Number of the satellite, from 1.
+    pin : int or None
+        Number of the pin, from 1; None where all are alike.
+    """
+
+    force: float
+    satellite: int
+    pin: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,6 +252,60 @@ class PinStresses:
             pin=worst.loads.pin,
             accuracy=accuracy,
             notices=(*notices, *poorly_known(accuracy)),
+        )
+
+    def edge_load(
+        self, *, contact_length: float, compliance: Callable[[Number], Number], factor: float = 1.0
+    ) -> EdgeLoad:
+        """The largest line load of a contact: each force with the slope of its pin at that angle.
+
+        The slope that counts is that in the plane of the force; the pin's turn across it skews the
+        contact, which moves its ends apart by the second order only.
+
+        Parameters
+        ----------
+        contact_length : float
+            Length b of the contact, m, > 0.
+        compliance : callable
+            Approach of a level contact over its force, m/N, of forces, N.
+        factor : float
+            Factor on all forces, > 0.
+
+        Returns
+        -------
+        EdgeLoad
+        """
+        pin, z = self.pin, self.pin.positions
+        own, slopes = np.eye(len(z)), pin.beam.slope(z[:, None], z)
+
+        def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+            force = np.abs(forces)
+            felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
+            even = face_load_factor(
+                slope=np.abs((turned * forces.conj()).real) / felt,
+                contact_length=contact_length,
+                approach=felt * compliance(felt),
+            )
+            found: FloatArray = force * even
+            return found
+
+        loads = [each.loads for each in self.cases]
+        found = np.array(
+            [
+                largest(
+                    turn=each.turn,
+                    arms=(factor * each.unit * own, factor * each.unit * slopes),
+                    measure=edge,
+                )
+                for each in loads
+            ]
+        )
+        case, satellite = np.unravel_index(int(found.argmax()), found.shape)
+        alike = all(each.pin == loads[0].pin for each in loads)
+        return EdgeLoad(
+            force=float(found[case, satellite]),
+            satellite=int(satellite) + 1,
+            pin=None if alike else loads[case].pin,
         )
 
 
@@ -583,15 +656,10 @@ def _deflection(cases: list[_Stresses]) -> PinDeflection:
     """Deflection and rotation where a pin bends most in the middle of a satellite."""
     worst = max(cases, key=lambda each: float(each.deflections.max()))
     satellite = int(worst.deflections.argmax())
-    slopes, forces = (
-        np.max([getattr(each, name) for each in cases], axis=0) for name in ("slopes", "forces")
-    )
     return PinDeflection(
         satellite=satellite + 1,
         deflection=float(worst.deflections[satellite]),
         slope=float(worst.slopes[satellite]),
-        slopes=tuple(slopes.tolist()),
-        forces=tuple(forces.tolist()),
     )
 
 

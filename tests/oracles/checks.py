@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from core.checks.check import Check
@@ -56,6 +57,17 @@ WHOLE = replace(
 LINE_LOAD, MODULUS = 1e4 / 3 / 0.02, 210e9 / 1.82
 PRESSURE = math.sqrt(LINE_LOAD * MODULUS * 25 / math.pi)
 RATIO = math.sqrt(4 * LINE_LOAD / (math.pi * MODULUS * 25)) / 0.008
+
+
+def compliance(force: Any) -> Any:
+    """Approach over force of its contact, m/N, Hertz as in the theory: to the pin's axis, and the
+    hole's radius deep.
+    """
+    softness, pin, hole, length = 0.91 / 210e9, 0.008, 0.010, 0.02
+    half_width = np.sqrt(4 * force * pin * hole / (hole - pin) * 2 * softness / (np.pi * length))
+    inner = 2 * np.log(4 * pin / half_width) - 1
+    outer = 2 * np.log(2 * hole / half_width) - 0.3 / 0.7
+    return softness * (inner + outer) / (np.pi * length)
 
 
 def says(check: Check, **expected: Any) -> None:

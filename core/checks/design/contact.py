@@ -6,8 +6,7 @@ from functools import cached_property
 from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
 from core.hertz import HertzContact, hertz
-from core.output.pin_beam import face_load_factor
-from core.output.pin_strength import PinStrength
+from core.output.pin_strength import EdgeLoad, PinStresses
 
 
 class DesignContact(DesignPins):
@@ -20,13 +19,13 @@ class DesignContact(DesignPins):
         """
         if self.judged_forces is None:
             return None
-        if self.pin is not None and not isinstance(self.pin_loads, PinStrength):
+        if self.pin is not None and not isinstance(self._pin_stresses, PinStresses):
             return None
         return self.contact_at(self.edge_factor(1.0))
 
     def edge_factor(self, factor: float) -> float:
         """Largest line load of a contact over the mean one of the largest force: where pins bend,
-        by the worse of equal and stiffness sharing, and by their slope.
+        by the worse of equal and stiffness sharing, and by their slope at that angle.
 
         Parameters
         ----------
@@ -37,27 +36,21 @@ class DesignContact(DesignPins):
         -------
         float
         """
-        return max(self._edges(factor), default=(1.0, 0))[0]
-
-    def _edges(self, factor: float) -> list[tuple[float, int]]:
-        """The same of each satellite, with its number."""
-        loads, judged = self.pin_loads if self.pin else None, self.judged_forces
-        if not isinstance(loads, PinStrength) or loads.deflection is None or judged is None:
-            return []
-        base = self.dynamic_factor * getattr(judged, "peak_force", 0.0)
+        edge, judged = self._edge(factor), self.judged_forces
+        if edge is None or judged is None:
+            return 1.0
         if isinstance(judged, RealForces):
-            base = judged.force
-        edges = []
-        bent = zip(loads.deflection.forces, loads.deflection.slopes, strict=True)
-        for satellite, (force, slope) in enumerate(bent, 1):
-            if not force > 0:
-                continue
-            approach = factor * force * self._compliance(factor * force)
-            even = face_load_factor(
-                slope=factor * slope, contact_length=self.contact_length or 0.0, approach=approach
-            )
-            edges.append((float(even) * force / base, satellite))
-        return edges
+            return edge.force / (factor * judged.force)
+        return edge.force / (factor * self.dynamic_factor * judged.peak_force)
+
+    def _edge(self, factor: float) -> EdgeLoad | None:
+        """The contact with that line load, under so many times the forces; None without pins."""
+        if not isinstance(self._pin_stresses, PinStresses):
+            return None
+        assert self.contact_length is not None
+        return self._pin_stresses.edge_load(
+            contact_length=self.contact_length, compliance=self._compliance, factor=factor
+        )
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
@@ -97,10 +90,12 @@ class DesignContact(DesignPins):
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
-        if edges := self._edges(1.0):
-            satellite = max(edges)[1]
-            known = isinstance(force, RealForces) and force.place["satellite"] == satellite
-            return force.place if known else {"satellite": satellite}  # type: ignore[union-attr]
+        if edge := self._edge(1.0):
+            at: dict[str, float] = {"satellite": edge.satellite}
+            if edge.pin is not None:
+                at["pin"] = edge.pin
+            known = isinstance(force, RealForces) and at.items() <= force.place.items()
+            return force.place if known else at  # type: ignore[union-attr]
         if isinstance(force, RealForces):
             return force.place
         if force is None:

@@ -1,4 +1,9 @@
-"""Friction and wear of the pins under the forces."""
+"""Friction and wear of the pins under the forces.
+
+Of bending pins the largest force, and pv and wear by it, are those of the worse of equal and
+stiffness sharing, as of the pins themselves; the means, loss and efficiency are those of equal
+sharing.
+"""
 
 from dataclasses import replace
 from functools import cached_property
@@ -11,6 +16,7 @@ from core.checks.design.refusals import known
 from core.checks.sections import Friction
 from core.errors import ImpossibleMechanism
 from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
+from core.output.pin_strength import PinStrength
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy
 
@@ -21,12 +27,12 @@ class DesignLosses(DesignContact):
     @cached_property
     def losses(self) -> PinLosses | ImpossibleMechanism | None:
         """Friction and wear of the pins under the torque; why they are not known; None where
-        friction, speed or eccentricity is not given.
+        friction, speed or eccentricity is not given, or of pins with too many pairs.
         """
         friction = self.friction
         if friction is None or not (self.loaded and self.input_speed and self.eccentricity):
             return None
-        if self.unmade:
+        if self.unmade or (self.pair_stiffness and not isinstance(self.pin_loads, PinStrength)):
             return None
         inside = self.pin.diameter if friction.sleeve and self.pin else None
         life = self.life if friction.life is None else friction.life
@@ -50,10 +56,15 @@ class DesignLosses(DesignContact):
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
         )
-        if self.lossy_turn is None:
+        if self.lossy_turn is not None:
+            reference = self.output_torque / self.pin_circle_radius
+            return made_losses(losses=found, turn=self.lossy_turn, reference=reference)
+        if not self.pair_stiffness:
             return found
-        reference = self.output_torque / self.pin_circle_radius
-        return made_losses(losses=found, turn=self.lossy_turn, reference=reference)
+        loads = self.pin_loads
+        assert isinstance(loads, PinStrength)
+        peak = loads.peak_force / (self.dynamic_factor * float(found.peak_force))
+        return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
 
     @cached_property
     def lossy_turn(self) -> SampledTurn | None:
@@ -97,6 +108,35 @@ class DesignLosses(DesignContact):
         return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
 
 
+def peaking(*, losses: PinLosses, peak: float, error: float) -> PinLosses:
+    """Losses whose largest force is so many times as large, and pv and wear with it.
+
+    Parameters
+    ----------
+    losses : PinLosses
+        The losses.
+    peak : float
+        Largest force over that of the losses.
+    error : float
+        Relative error of the forces.
+
+    Returns
+    -------
+    PinLosses
+    """
+    pin, hole = (
+        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
+    )
+    return replace(
+        losses,
+        peak_force=losses.peak_force * peak,
+        peak_pv=losses.peak_pv * peak,
+        pin_wear=pin,
+        hole_wear=hole,
+        accuracy=replace(losses.accuracy, relative_error=error + losses.accuracy.relative_error),
+    )
+
+
 def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
     """Losses of a mechanism as it is made, by the sum of its forces.
 
@@ -118,22 +158,16 @@ def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> Pi
     peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)
     share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
-    pin, hole = (
-        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
-    )
-    error = turn.error + losses.accuracy.relative_error
+    peaks = peaking(losses=losses, peak=peak, error=turn.error)
+    error = peaks.accuracy.relative_error
     return replace(
-        losses,
+        peaks,
         mean_total_force_ratio=mean,
         mean_loss=losses.mean_loss * part,
         efficiency=1 / (1 + share * mean),
         min_efficiency=1 / (1 + share * largest),
         max_efficiency=1 / (1 + share * least),
-        peak_force=losses.peak_force * peak,
-        peak_pv=losses.peak_pv * peak,
         mean_pv=losses.mean_pv * part,
         friction_couple=losses.friction_couple * part,
-        pin_wear=pin,
-        hole_wear=hole,
         accuracy=Accuracy("sampling", error, turn.evaluations),
     )

@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
+from core.arrays import Number
 from core.checks.design.forces import DesignForces
 from core.checks.design.refusals import known, named
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -25,7 +26,7 @@ ALIKE = 64 * ROUNDING
 class DesignPins(DesignForces):
     """Forces that bending pins share, and the strength of these."""
 
-    def _compliance(self, force: float) -> float:
+    def _compliance(self, force: Number) -> Number:
         """Approach of a contact over its force, m/N."""
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None

@@ -1,0 +1,183 @@
+"""The line load at the end of a contact, where its pin slopes, by all angles of a fine grid.
+
+The forces are as printed, the pin is one of finite elements, the approach Hertz's as in the theory.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from core.checks.crank_planetary import CRANK
+from core.materials import ElasticMaterial
+from core.output.contact_law import (
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PowerLaw,
+    contact_compliance,
+)
+from core.output.mechanism import Mechanism
+from core.output.pin_strength import EdgeLoad, pin_stresses
+from core.output.real_turn import made
+from tests.oracles.checks import PRESSURE, WHOLE, compliance
+from tests.oracles.pin import bend
+from tests.oracles.real_mechanisms import UNLIKE
+
+LENGTH, PIN, HOLE, E, NU = 0.02, 0.008, 0.010, 210e9, 0.3
+PEAK = 1e4 / 3
+GRID = 2 * np.pi * np.arange(72_000) / 72_000
+
+
+def even_force(forces: NDArray[Any], positions: tuple[float, ...], **held: Any) -> NDArray[Any]:
+    """Forces of the satellites on pins, (K, ...), to those that would load the edge evenly."""
+    bents = [
+        bend(
+            support=held.get("support", "cantilever"),
+            diameter=0.016,
+            contact_length=LENGTH,
+            youngs_modulus=E,
+            poissons_ratio=NU,
+            span=held.get("span"),
+            loads=[(other, int(other == z)) for other in positions],
+        )
+        for z in positions
+    ]
+    arms = np.array([[float(bent.slope[bent.at(z)]) for bent in bents] for z in positions])
+    slopes = np.tensordot(arms, forces, 1)
+    size = np.abs(forces)
+    felt = np.where(size > 0, size, 1.0)
+    steep = np.abs((slopes * forces.conj()).real) / felt * LENGTH / (felt * compliance(felt))
+    return size * np.where(steep < 2, 1 + steep / 2, np.sqrt(2 * steep))
+
+
+def ideal_forces(
+    mechanism: Mechanism, exponent: float, stiffness: tuple[float, ...]
+) -> NDArray[Any]:
+    """On one pin over the turn, N, shape (K, n)."""
+    pins = mechanism.pins
+    angles = np.array(mechanism.crank_angles)[:, None] + 2 * np.pi * np.arange(pins) / pins
+    cosines = np.maximum(np.cos(GRID + angles[..., None]), 0)
+    shares = np.array(stiffness)[:, None, None] * cosines**exponent
+    force = 1e4 * shares / (shares * cosines).sum(axis=(0, 1))
+    return force[:, 0] * np.exp(1j * (GRID + angles[:, :1]))
+
+
+def edge_load(mechanism: Mechanism, positions: tuple[float, ...], **others: Any) -> EdgeLoad:
+    """As a design asks for it."""
+    loaded = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016}
+    factor = others.pop("factor", 1.0)
+    stresses = pin_stresses(
+        mechanism=mechanism,
+        **loaded,
+        contact_length=LENGTH,
+        satellite_positions=positions,
+        material=ElasticMaterial(E, NU),
+        **others,
+    )
+    return stresses.edge_load(contact_length=LENGTH, compliance=compliance, factor=factor)
+
+
+TWO = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+THREE = Mechanism.evenly_spaced(pins=5, satellites=3, ratio=20.0)
+APART = Mechanism(pins=3, crank_angles=(0.0, math.radians(80)), ratio=20.0)
+NEAR = (0.015, 0.037)
+CASES: dict[str, tuple[Mechanism, tuple[float, ...], float, tuple[float, ...], dict[str, Any]]] = {
+    "equal is worse": (TWO, NEAR, 1.0, (3.0, 1.0), {}),
+    "stiffness is worse": (TWO, NEAR, 1.0, (1.0, 1.5), {}),
+    "near is worse": (TWO, (0.015, 0.019), 1.0, (3.0, 1.0), {}),
+    "three at once": (THREE, (0.015, 0.037, 0.059), 1.0, (1.0, 2.0, 2.0), {}),
+    "across each other": (APART, NEAR, 0.5, (3.0, 1.0), {}),
+    "a power": (THREE, (0.012, 0.014, 0.016), 1.5, (3.0, 2.0, 1.0), {}),
+    "supported": (TWO, NEAR, 1.0, (1.0, 1.2), {"support": "supported", "span": 0.06}),
+    "fixed": (THREE, (0.01, 0.03, 0.05), 1.0, (1.0, 1.5, 1.2), {"support": "fixed", "span": 0.08}),
+}
+
+
+@pytest.mark.parametrize("factor", [1.0, 0.1])
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_force_counts_with_the_slope_at_its_angle_and_sharing(case: Any, factor: float) -> None:
+    mechanism, positions, exponent, stiffness, held = case
+    found = edge_load(
+        mechanism,
+        positions,
+        force_exponent=exponent,
+        pair_stiffness=stiffness,
+        factor=factor,
+        **held,
+    )
+    by_grid = [
+        even_force(factor * ideal_forces(mechanism, exponent, each), positions, **held).max(axis=1)
+        for each in ((1.0,) * len(positions), stiffness)
+    ]
+    worst = float(np.max(by_grid))
+    assert worst * (1 - 1e-12) <= found.force <= worst * (1 + 1e-4)
+    assert found.satellite == np.argmax(np.max(by_grid, axis=0)) + 1
+    assert found.pin is None
+
+
+@pytest.mark.parametrize(
+    ("law", "approach"),
+    [
+        (LinearLaw(1e8), 4e-5),
+        (PowerLaw(1.5, 500.0, 2e-5), 2e-5 * 8 ** (2 / 3)),
+        (PalmgrenLaw(), 3.84e-8 * 4000**0.9 / 20**0.8),
+        (HertzLaw(), 4000 * compliance(4000.0)),
+    ],
+)
+def test_the_approach_under_4_kN(law: ContactLaw, approach: float) -> None:
+    steel = ElasticMaterial(E, NU)
+    bodies: dict[str, Any] = {"pin": steel, "hole": steel, "contact_length": LENGTH}
+    bodies |= {"pin_radius": PIN, "hole_radius": HOLE}
+    assert 4000 * contact_compliance(law=law, force=4000.0, **bodies) == pytest.approx(approach)
+    many = contact_compliance(law=law, force=np.array([4000.0, 1.0]), **bodies)
+    assert 4000 * many[0] == pytest.approx(approach) and many.shape == (2,)
+
+
+def test_of_pins_made_unlike_the_worst_counts() -> None:
+    """All samples of all pins."""
+    real = made(UNLIKE)
+    found = edge_load(UNLIKE.mechanism, NEAR, made=real)
+    each = even_force(real(500.0).on_pins, NEAR).max(axis=2)
+    satellite, pin = np.unravel_index(each.argmax(), each.shape)
+    assert found.force == pytest.approx(each.max(), rel=1e-12)
+    assert (found.satellite, found.pin) == (satellite + 1, pin + 1)
+
+
+def test_the_pressure_of_the_reference_design() -> None:
+    """One satellite at a time loads a pin: the far one by its equal share, 3.4185221273 mrad (F10),
+    where the near one has at most its larger share by stiffness, 1.77 times as much.
+    """
+    far = math.sqrt(2 * 3.4185221273e-3 * LENGTH / (PEAK * compliance(PEAK)))
+    assert WHOLE.edge_factor(1.0) == pytest.approx(far, rel=1e-9)
+    found = CRANK["contact_pressure_hole"](WHOLE)
+    assert found.value == pytest.approx(PRESSURE * math.sqrt(far), rel=1e-9)
+    assert found.at == {"satellite": 2}
+    more = replace(WHOLE, dynamic_factor=1.25)
+    steep = math.sqrt(2 * 3.4185221273e-3 * LENGTH / (PEAK * compliance(1.25 * PEAK)))
+    assert more.edge_factor(1.0) == pytest.approx(steep, rel=1e-9)
+    assert WHOLE.edge_factor(1.25) == pytest.approx(steep, rel=1e-9)
+    assert CRANK["contact_pressure_hole"](more).value == pytest.approx(
+        PRESSURE * math.sqrt(1.25 * steep), rel=1e-9
+    )
+
+
+def test_the_place_of_the_pressure_of_pins_made_unlike() -> None:
+    """The larger force is in the middle between two supports, where the pin has hardly a slope."""
+    between = replace(
+        WHOLE.pin, satellite_positions=(0.05, 0.015), diameter=0.03, support="supported", span=0.1
+    )  # type: ignore[type-var]
+    design = replace(
+        WHOLE, pins=4, deviations=UNLIKE.deviations, law=UNLIKE.law, hole_radius=0.01001,
+        pin=between,
+    )  # fmt: skip
+    largest = design.judged_forces.place  # type: ignore[union-attr]
+    assert (largest["satellite"], largest["pin"]) == (1, 4) and "crank_angle" in largest
+    assert design.peak == {"satellite": 2, "pin": 1}
+    near = replace(design, pin=replace(between, satellite_positions=(0.015, 0.05)))  # type: ignore[type-var]
+    largest = near.judged_forces.place  # type: ignore[union-attr]
+    assert near.peak == largest and "crank_angle" in largest
