@@ -128,3 +128,9 @@ export function figureText(id, params) {
 
 /** What the model of a calculation leaves out, in words. */
 export const neglectedIn = (about) => (about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail);
+
+/** What a section's own calculation leaves out and the whole design does not: the forces as it is made, or those that bending pins share. */
+export function countedIn({ load_sharing: real, pin_strength: pins }, section) {
+  const bends = pins && (real || section !== "output_efficiency"); // whose sum of ideal forces does not hang on who carries them
+  return [...(real ? ["clearance", "deviations"] : []), ...(bends ? ["pin_bending"] : []), ...(real || bends ? ["equal_discs"] : [])];
+}

@@ -24,7 +24,7 @@ from app.model import (
     warning,
 )
 from app.running import run
-from app.sources import OVSYANNIKOV_2019
+from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,
     Figure,
@@ -540,6 +540,6 @@ CALCULATION = Calculation(
     answer=RollerStrengthResponse,
     solve=solve,
     figure=figure,
-    sources=(OVSYANNIKOV_2019,),
+    sources=(OVSYANNIKOV_2019, SHIGLEY),
     neglects=("contact_compliance", "roller_tilt", "equal_discs"),
 )

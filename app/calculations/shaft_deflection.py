@@ -22,7 +22,7 @@ from app.model import (
     warning,
 )
 from app.running import run
-from app.sources import KHATETOVSKY_2020
+from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from core.checks.check import Verdict
@@ -513,6 +513,6 @@ CALCULATION = Calculation(
     answer=ShaftDeflectionResponse,
     solve=solve,
     figure=figure,
-    sources=(KHATETOVSKY_2020,),
+    sources=(KHATETOVSKY_2020, JOHNSON_1985, SHIGLEY),
     neglects=("shear", "bearing_elasticity", "friction"),
 )

@@ -371,7 +371,7 @@ export default {
   accuracy: {
     title: "Accuracy, sources, errata",
     model: "What the model leaves out",
-    modelWhy: "This counts for more than any digit below: with a usual clearance, say, one pair may carry half as much again.",
+    modelWhy: "This counts for more than any digit below. What is off or not given is left out besides: with a usual clearance, say, one pair may carry half as much again.",
     numbers: "How exact the numbers of the model are",
     sources: "Sources",
     tradeOff: "Error against run time: how many right digits of the model's answer each method gives, and for how long it computes. Left and low is better. For a design all methods below 0.1 % are equally good.",

@@ -108,7 +108,7 @@ export default {
   },
   "neglected": {
     "bearing_elasticity": "play and elasticity of the bearings",
-    "bodies_rigid": "what discs, hole walls and carrier deform",
+    "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -125,8 +125,9 @@ export default {
     "roller_tilt": "the tilt of the rollers against the discs",
     "seat_compliance": "the give of the pin's seats",
     "seals": "losses of seals, bearings and teeth",
-    "second_flange": "a second flange at the other end of the pins",
-    "shear": "the shear of the shaft"
+    "shaft_bearings": "play and elasticity of the crankshaft's bearings",
+    "shear": "the shear of the shaft",
+    "tilt": "the tilt of satellites in their bearings, and of pins and holes by errors"
   },
   "figures": {
     "across_crank": "Across the crank",

@@ -4,7 +4,7 @@ import { quantityParts, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
-import { neglectedIn } from "../service_texts.js";
+import { countedIn, neglectedIn } from "../service_texts.js";
 import { following, stale } from "../store.js";
 import { createDrawingView } from "./drawing.js";
 import { createFigure } from "./figure.js";
@@ -26,12 +26,6 @@ function stacked({ data, layout }) {
       xaxis2: { ...xaxis2, domain: [0, 1] }, yaxis2: { ...yaxis2, domain: [0, 0.42] },
     },
   };
-}
-
-/** What a section's own calculation leaves out and the whole design does not: the forces as it is made, or those that bending pins share. */
-function countedIn({ load_sharing: real, pin_strength: pins }, section) {
-  const bends = pins && section !== "output_efficiency"; // whose sum of forces does not hang on who carries them
-  return [...(real ? ["clearance", "deviations"] : []), ...(bends ? ["pin_bending"] : []), ...(real || bends ? ["equal_discs"] : [])];
 }
 
 /** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */

@@ -4,7 +4,7 @@ import { afterEach, test } from "node:test";
 import { Problem } from "../../static/lib/api.js";
 import { LANGUAGES, message, useLanguage } from "../../static/messages/index.js";
 import service from "../../static/messages/service.js";
-import { problemText, refusalTexts, warningText } from "../../static/service_texts.js";
+import { countedIn, problemText, refusalTexts, warningText } from "../../static/service_texts.js";
 
 afterEach(() => useLanguage("en"));
 
@@ -88,4 +88,15 @@ test("what is no refusal of a field says what it says", async () => {
   assert.match(problemText(busy, TITLES), /^Сервіс зайнятий/);
   assert.match(problemText(long, TITLES), /довше, ніж дозволяє сервіс/);
   assert.deepEqual([busy.passing, long.passing], [true, false]); // the same would take as long again
+});
+
+test("a section leaves out what its own calculation does, but for what the whole design counts", () => {
+  const [losses, bearing] = ["output_efficiency", "satellite_bearing"];
+  assert.deepEqual(countedIn({}, losses), []);
+  assert.deepEqual(countedIn({ pin_strength: {} }, losses), []);
+  assert.deepEqual(countedIn({ pin_strength: {} }, bearing), ["pin_bending", "equal_discs"]);
+  assert.deepEqual(countedIn({ load_sharing: {} }, losses), ["clearance", "deviations", "equal_discs"]);
+  for (const section of [losses, bearing]) {
+    assert.deepEqual(countedIn({ load_sharing: {}, pin_strength: {} }, section), ["clearance", "deviations", "pin_bending", "equal_discs"]);
+  }
 });
