@@ -898,12 +898,6 @@ export default {
       why: "Thicker steel hardens less deep: it is weaker than the table says.",
       mend: "Give the strengths of the material at this size.",
     },
-    pv_not_conformal: {
-      title: "pv not that of a bush",
-      tests: "Whether the pins carry sleeves, on whose bores the pressure spreads as in a bush.",
-      why: "A bare pin in a hole larger by the eccentricity touches along a narrow strip; limits of pv are those of bushes, with the projected area.",
-      mend: "Use sleeves, or judge the contact by its Hertz pressure.",
-    },
     short_roller: {
       title: "Short roller",
       tests: "Whether the roller's cylinder is at least as long as its diameter.",
