@@ -435,6 +435,8 @@ def _is_list(value: Any) -> bool:
 class AccuracyOut(BaseModel):
     """How the numbers were got, how wrong they may be, and what they cost."""
 
+    model_config = ConfigDict(json_schema_extra=_complete_schema)
+
     method: str = Field(description="How the numbers were got, in English.")
     method_code: str = Field(
         description="The same by code.", json_schema_extra={"enum": [*METHODS]}
@@ -443,7 +445,7 @@ class AccuracyOut(BaseModel):
         description="Bound or estimate of the relative error; from 1 on nothing is known."
     )
     evaluations: int = Field(description="Evaluations of the function behind the method.")
-    run_time_us: float = Field(description="Run time of the calculation, microseconds.")
+    run_time_us: float = Field(description="Run time of the calculation.")
 
 
 def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:

@@ -169,6 +169,7 @@ class RollerStrengthRequest(JudgedFields):
         **SIZE,
         step=1,
         default=210.0,
+        help="Modulus of elasticity of the material.",
     )
     poissons_ratio: Maybe[float] = quantity(
         "Poisson's ratio",
@@ -178,6 +179,7 @@ class RollerStrengthRequest(JudgedFields):
         ge=0,
         lt=0.5,
         step=0.01,
+        help="Lateral strain over the strain along a tension.",
     )
     shear_modulus_GPa: Maybe[float] = quantity(
         "Shear modulus",

@@ -44,8 +44,17 @@ Limit = Callable[[float], FatigueStrength]
 class ShaftSectionFields(RequestModel):
     """A stretch of the shaft with one diameter."""
 
-    length_mm: float = quantity("Length", symbol="", group="shaft", **SIZE, step=1)
-    diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
+    length_mm: float = quantity(
+        "Length",
+        symbol="",
+        group="shaft",
+        **SIZE,
+        step=1,
+        help="Length of this stretch of the shaft.",
+    )
+    diameter_mm: float = quantity(
+        "Diameter", symbol="", group="shaft", **SIZE, step=1, help="Diameter of the shaft there."
+    )
 
 
 class LineContactFields(RequestModel):
@@ -130,6 +139,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         default=210.0,
         **SIZE,
         step=1,
+        help="Modulus of elasticity of the material.",
     )
 
     yield_strength_MPa: Maybe[float] = quantity(

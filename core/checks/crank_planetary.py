@@ -197,8 +197,8 @@ def crank_checks(design: CrankDesign) -> Verdict:
         "contact": not design.touching,
         "satellite_body": not design.has_body,
         "clearance": not real,
-        "contact_life_pin": pressed and not life_considered(design, "pin"),
-        "contact_life_hole": pressed and not life_considered(design, "hole"),
+        "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
+        "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
     }
     return verdict(

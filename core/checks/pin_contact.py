@@ -177,8 +177,20 @@ def _conformity(design: CrankDesign) -> Check:
     return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
 
 
-def life_considered(design: CrankDesign, body: Body) -> bool:
-    """Whether the limit of the pressure, if one is known, is that over the life."""
+def life_considered(*, design: CrankDesign, body: Body) -> bool:
+    """Whether the limit of the pressure of a body, if one is known, is that over the life.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    body : {"pin", "hole"}
+        Whose surface.
+
+    Returns
+    -------
+    bool
+    """
     limit = _material(design, body).limit
     return limit is None or limit.life_factor is not None
 

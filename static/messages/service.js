@@ -532,7 +532,7 @@ export default {
     ],
     "length_mm": [
       "Length",
-      ""
+      "Length of this stretch of the shaft."
     ],
     "life_curve": [
       "Life curve",
@@ -724,7 +724,7 @@ export default {
     ],
     "poissons_ratio": [
       "Poisson's ratio",
-      ""
+      "Lateral strain over the strain along a tension."
     ],
     "position_angle_deg": [
       "Position angle",
@@ -872,7 +872,7 @@ export default {
     ],
     "shaft.diameter_mm": [
       "Diameter",
-      ""
+      "Diameter of the shaft there."
     ],
     "shaft_diameter_mm": [
       "Shaft diameter",
@@ -1012,7 +1012,7 @@ export default {
     ],
     "youngs_modulus_GPa": [
       "Young's modulus",
-      ""
+      "Modulus of elasticity of the material."
     ],
     "z_max_mm": [
       "Working length to",

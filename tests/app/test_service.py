@@ -192,6 +192,31 @@ async def test_the_description_is_enough_for_a_form(api):
             assert described.get("x-unit", "") == shown_unit(field), f"{name}.{field}"
 
 
+async def test_every_input_says_what_it_is(api):
+    """Where a field is a section of a request, the section's own words do."""
+    schema = (await api.get("openapi.json")).json()
+    models = schema["components"]["schemas"]
+    bodies = [
+        operation["post"]["requestBody"]["content"]["application/json"]["schema"]
+        for operation in schema["paths"].values()
+        if "post" in operation
+    ]
+    reached: set[str] = set()
+    rest = re.findall(r"schemas/(\w+)", json.dumps(bodies))
+    while rest:
+        if (name := rest.pop()) not in reached:
+            reached.add(name)
+            rest += re.findall(r"schemas/(\w+)", json.dumps(models[name]))
+    fields = [
+        (name, field, described)
+        for name in reached
+        for field, described in models[name].get("properties", {}).items()
+        if "$ref" not in described
+    ]
+    assert len(fields) > 200
+    assert [(name, field) for name, field, each in fields if not each.get("description")] == []
+
+
 async def test_refusals_are_part_of_the_description(api):
     operation = (await api.get("openapi.json")).json()["paths"]["/api/v1/cyclogram"]["post"]
     assert set(operation["responses"]) == {"200", "413", "415", "422", "503"}
