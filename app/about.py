@@ -160,7 +160,10 @@ class CalculationOut(ResponseModel):
     chart: Maybe[str] = Field(default=None, description="Path of its figure.")
     batched: bool = Field(description="Whether batches take it.")
     sources: list[str] = Field(description="Where its formulas come from.")
-    model: list[NeglectedOut] = Field(description="What its model leaves out.")
+    model: list[NeglectedOut] = Field(
+        description="What its model leaves out with all of its sections given; what sections that "
+        "are not given leave out besides is `not_considered` in the answer."
+    )
 
     @classmethod
     def of(cls, each: Calculation) -> "CalculationOut":

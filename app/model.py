@@ -348,7 +348,7 @@ class Calculation:
     sources : tuple of str
         Where its formulas come from.
     neglects : tuple of str
-        What its model leaves out, keys of `NEGLECTED`.
+        What its model leaves out with all of its sections given, keys of `NEGLECTED`.
     batched : bool
         Whether batches take it.
     reporting : callable, optional
@@ -371,7 +371,7 @@ class Calculation:
 
 NEGLECTED = {
     "bearing_elasticity": "play and elasticity of the bearings",
-    "bodies_rigid": "what discs, hole walls and carrier deform",
+    "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -388,8 +388,9 @@ NEGLECTED = {
     "roller_tilt": "the tilt of the rollers against the discs",
     "seat_compliance": "the give of the pin's seats",
     "seals": "losses of seals, bearings and teeth",
-    "second_flange": "a second flange at the other end of the pins",
+    "shaft_bearings": "play and elasticity of the crankshaft's bearings",
     "shear": "the shear of the shaft",
+    "tilt": "the tilt of satellites in their bearings, and of pins and holes by errors",
 }
 """What models leave out, by code."""
 
@@ -434,6 +435,8 @@ def _is_list(value: Any) -> bool:
 class AccuracyOut(BaseModel):
     """How the numbers were got, how wrong they may be, and what they cost."""
 
+    model_config = ConfigDict(json_schema_extra=_complete_schema)
+
     method: str = Field(description="How the numbers were got, in English.")
     method_code: str = Field(
         description="The same by code.", json_schema_extra={"enum": [*METHODS]}
@@ -442,7 +445,7 @@ class AccuracyOut(BaseModel):
         description="Bound or estimate of the relative error; from 1 on nothing is known."
     )
     evaluations: int = Field(description="Evaluations of the function behind the method.")
-    run_time_us: float = Field(description="Run time of the calculation, microseconds.")
+    run_time_us: float = Field(description="Run time of the calculation.")
 
 
 def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:

@@ -17,6 +17,7 @@ SHIGLEY = (
     "Budynas, Nisbett: Shigley's Mechanical Engineering Design, 9th (2011) and 11th edition, ch. 6"
 )
 ISO_281 = "ISO 281:2007, Rolling bearings: dynamic load ratings and rating life"
+ISO_6336 = "ISO 6336-2 and ISO 6336-5, Load capacity of gears: pitting, strength of materials"
 ISO_286 = "ISO 286-1:2010, ISO code system for tolerances on linear sizes"
 JANSEN_1999 = "Jansen 1999, Analysis of variance designs for model output"
 ARCHARD_1953 = "Archard 1953, Contact and Rubbing of Flat Surfaces"

@@ -34,6 +34,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "rpm": ("rpm", math.pi / 30),
     "W": ("W", 1.0),
     "h": ("h", 3600.0),
+    "us": ("µs", 1e-6),
 }
 """Suffix of a name: unit as shown, and its size in SI units; the longer of two that end alike
 first."""

@@ -102,7 +102,7 @@ STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
 def _measured(points: list[WorkPoint]) -> tuple[float, float]:
     """Largest error and median run time of a method over the designs."""
     error = max(max(point.relative_error, ROUNDING) for point in points)
-    return error, statistics.median(point.run_time_us for point in points)
+    return error, 1e6 * statistics.median(point.run_time for point in points)
 
 
 def main(designs: int = DESIGNS) -> int:

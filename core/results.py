@@ -59,8 +59,6 @@ NOTICES = {
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the "
     "mechanism can be assembled only by force.",
-    "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches "
-    "along a narrow strip, where pressure times speed is higher.",
     "reference_depth": "The reference depth is {ratio:.3g} times the hole's radius; from {low} to "
     "{high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "

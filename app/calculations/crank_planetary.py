@@ -24,7 +24,6 @@ from app.calculations.load_sharing_answer import OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
-from app.calculations.real_design import LEFT_OUT
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
@@ -42,7 +41,19 @@ from app.model import (
 )
 from app.running import run
 from app.settings import Settings
-from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
+from app.sources import (
+    ARCHARD_1953,
+    HARRIS,
+    ISO_281,
+    ISO_6336,
+    JOHNSON_1985,
+    PERSSON_1964,
+    SHIGLEY,
+    WANG_2016,
+    YANCHEVSKIY_2021,
+    YANCHEVSKY_2018,
+    ZYL,
+)
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
@@ -561,6 +572,29 @@ CALCULATION = Calculation(
     answer=CrankPlanetaryResponse,
     solve=solve,
     figure=figure,
-    sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
-    neglects=LEFT_OUT,
+    sources=(
+        YANCHEVSKIY_2021,
+        YANCHEVSKY_2018,
+        ZYL,
+        JOHNSON_1985,
+        PERSSON_1964,
+        HARRIS,
+        ISO_6336,
+        SHIGLEY,
+        WANG_2016,
+        ARCHARD_1953,
+        ISO_281,
+    ),
+    neglects=(
+        "bodies_rigid",
+        "edge_pressure",
+        "fretting",
+        "friction_on_forces",
+        "heat",
+        "lubricant_film",
+        "seals",
+        "seat_compliance",
+        "shaft_bearings",
+        "tilt",
+    ),
 )

@@ -52,6 +52,7 @@ class MaterialFields(RequestModel):
         group="material",
         **SIZE,
         step=1,
+        help="Modulus of elasticity of the material.",
     )
     poissons_ratio: float = quantity(
         "Poisson's ratio",
@@ -60,6 +61,7 @@ class MaterialFields(RequestModel):
         ge=0,
         lt=0.5,
         step=0.01,
+        help="Lateral strain over the strain along a tension.",
     )
     allowable_pressure_MPa: Maybe[float] = quantity(
         "Allowable pressure",

@@ -185,7 +185,10 @@ class OutputEfficiencyResponse(ResponseModel):
     min_efficiency: float = result("Least efficiency", "η_min", "Least over the turn.")
     max_efficiency: float = result("Largest efficiency", "η_max", "Largest over the turn.")
     peak_pv_MPa_m_per_s: float = result(
-        "Peak pv", "(pv)_max", "Largest force over the projected area 2·r·b, times e·ω."
+        "Peak pv",
+        "(pv)_max",
+        "Largest force over the projected area 2·r·b, times e·ω, as limits of bushes mean it: "
+        "a bare pin touches its wider hole along a narrow strip, where it is higher.",
     )
     mean_pv_MPa_m_per_s: float = result(
         "Mean pv", "(pv)_m", "The same with the mean force of all pairs over the turn."
@@ -311,7 +314,6 @@ CALCULATION = Calculation(
         "friction_on_forces",
         "heat",
         "lubricant_film",
-        "pin_bending",
         "seals",
     ),
 )

@@ -40,13 +40,12 @@ def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
 
 
 LEFT_OUT = (
-    "bearing_elasticity",
     "bodies_rigid",
     "edge_pressure",
     "friction",
     "heat",
     "misalignment",
-    "second_flange",
+    "shaft_bearings",
 )
 """What the model leaves out."""
 

@@ -24,7 +24,7 @@ from app.model import (
     warning,
 )
 from app.running import run
-from app.sources import OVSYANNIKOV_2019
+from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,
     Figure,
@@ -169,6 +169,7 @@ class RollerStrengthRequest(JudgedFields):
         **SIZE,
         step=1,
         default=210.0,
+        help="Modulus of elasticity of the material.",
     )
     poissons_ratio: Maybe[float] = quantity(
         "Poisson's ratio",
@@ -178,6 +179,7 @@ class RollerStrengthRequest(JudgedFields):
         ge=0,
         lt=0.5,
         step=0.01,
+        help="Lateral strain over the strain along a tension.",
     )
     shear_modulus_GPa: Maybe[float] = quantity(
         "Shear modulus",
@@ -541,6 +543,6 @@ CALCULATION = Calculation(
     answer=RollerStrengthResponse,
     solve=solve,
     figure=figure,
-    sources=(OVSYANNIKOV_2019,),
+    sources=(OVSYANNIKOV_2019, SHIGLEY),
     neglects=("contact_compliance", "roller_tilt", "equal_discs"),
 )

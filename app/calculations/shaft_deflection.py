@@ -22,7 +22,7 @@ from app.model import (
     warning,
 )
 from app.running import run
-from app.sources import KHATETOVSKY_2020
+from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from core.checks.check import Verdict
@@ -44,8 +44,17 @@ Limit = Callable[[float], FatigueStrength]
 class ShaftSectionFields(RequestModel):
     """A stretch of the shaft with one diameter."""
 
-    length_mm: float = quantity("Length", symbol="", group="shaft", **SIZE, step=1)
-    diameter_mm: float = quantity("Diameter", symbol="", group="shaft", **SIZE, step=1)
+    length_mm: float = quantity(
+        "Length",
+        symbol="",
+        group="shaft",
+        **SIZE,
+        step=1,
+        help="Length of this stretch of the shaft.",
+    )
+    diameter_mm: float = quantity(
+        "Diameter", symbol="", group="shaft", **SIZE, step=1, help="Diameter of the shaft there."
+    )
 
 
 class LineContactFields(RequestModel):
@@ -130,6 +139,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         default=210.0,
         **SIZE,
         step=1,
+        help="Modulus of elasticity of the material.",
     )
 
     yield_strength_MPa: Maybe[float] = quantity(
@@ -515,6 +525,6 @@ CALCULATION = Calculation(
     answer=ShaftDeflectionResponse,
     solve=solve,
     figure=figure,
-    sources=(KHATETOVSKY_2020,),
+    sources=(KHATETOVSKY_2020, JOHNSON_1985, SHIGLEY),
     neglects=("shear", "bearing_elasticity", "friction"),
 )

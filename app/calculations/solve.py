@@ -106,7 +106,7 @@ class SolveRequest(RequestModel):
         "crank-planetary",
         "roller-strength",
         "precession/shaft-deflection",
-    ]
+    ] = Field(description="Which calculation is asked.")
     input: dict[str, Any] = Field(description="That calculation's request.")
     variable: VariableFields
     target: TargetFields

@@ -48,7 +48,9 @@ class Study(RequestModel):
 class PeakForceStudy(Study):
     """Peak of the contact force."""
 
-    calculation: Literal["contact-force", "peak_force"]
+    calculation: Literal["contact-force", "peak_force"] = Field(
+        description="Whose methods are compared."
+    )
     input: ContactForceRequest
 
     def solve(self) -> WorkPrecision:
@@ -61,7 +63,7 @@ class PeakForceStudy(Study):
 class TotalForceStudy(Study):
     """Mean of the total force, to which the mean loss is proportional."""
 
-    calculation: Literal["output-efficiency"]
+    calculation: Literal["output-efficiency"] = Field(description="Whose methods are compared.")
     input: OutputEfficiencyRequest
 
     def solve(self) -> WorkPrecision:
@@ -86,7 +88,9 @@ class PinStrengthStudy(Study):
 class ContactLineStudy(Study):
     """Total length of the contact lines."""
 
-    calculation: Literal["precession/contact-line", "contact_line_length"]
+    calculation: Literal["precession/contact-line", "contact_line_length"] = Field(
+        description="Whose methods are compared."
+    )
     input: ContactLineRequest
 
     def solve(self) -> WorkPrecision:
@@ -99,7 +103,9 @@ class ContactLineStudy(Study):
 class MeshingLoadStudy(Study):
     """Force of the mesh."""
 
-    calculation: Literal["precession/meshing-load", "meshing_load"]
+    calculation: Literal["precession/meshing-load", "meshing_load"] = Field(
+        description="Whose methods are compared."
+    )
     input: MeshingLoadRequest
 
     def solve(self) -> WorkPrecision:
@@ -117,7 +123,9 @@ class MeshingLoadStudy(Study):
 class RollerSharingStudy(Study):
     """Forces of the swinging rollers."""
 
-    calculation: Literal["roller-strength", "roller_sharing"]
+    calculation: Literal["roller-strength", "roller_sharing"] = Field(
+        description="Whose methods are compared."
+    )
     input: RollerStrengthRequest
 
     def solve(self) -> WorkPrecision:
@@ -137,7 +145,9 @@ class RollerSharingStudy(Study):
 class ShaftDeflectionStudy(Study):
     """Deflection of the shaft at C."""
 
-    calculation: Literal["precession/shaft-deflection", "shaft_deflection"]
+    calculation: Literal["precession/shaft-deflection", "shaft_deflection"] = Field(
+        description="Whose methods are compared."
+    )
     input: ShaftDeflectionRequest
 
     def solve(self) -> WorkPrecision:
@@ -156,7 +166,7 @@ class ShaftDeflectionStudy(Study):
 class LoadSharingStudy(Study):
     """Peak force with clearance and errors; of a torque that alternates its driving direction."""
 
-    calculation: Literal["load-sharing"]
+    calculation: Literal["load-sharing"] = Field(description="Whose methods are compared.")
     input: LoadSharingRequest
 
     def solve(self) -> WorkPrecision:
@@ -167,7 +177,7 @@ class LoadSharingStudy(Study):
 class ToleranceSamplingStudy(Study):
     """The highest percentile asked of the first quantity, its mean where none is."""
 
-    calculation: Literal["tolerance-study"]
+    calculation: Literal["tolerance-study"] = Field(description="Whose methods are compared.")
     input: ToleranceStudyRequest
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -234,7 +244,7 @@ class WorkPointOut(ResponseModel):
     setting_code: str = result("The same by code.")
     setting_value: float = result("Its value.")
     relative_error: float = result("Error against the reference, relative.")
-    run_time_us: float = result("Run time, microseconds.")
+    run_time_us: float = result("Run time.")
     evaluations: int = result("Evaluations of the function behind the method.")
 
     @classmethod
@@ -248,7 +258,6 @@ class WorkPointOut(ResponseModel):
             setting=SETTINGS[code].format(value=value),
             setting_code=code,
             setting_value=value,
-            run_time_us=result.run_time_us,
         )
 
 

@@ -190,13 +190,15 @@ def crank_checks(design: CrankDesign) -> Verdict:
     Verdict
     """
     tables = crank_tables(design)
-    real = design.loaded and design.touching and isinstance(design.judged_forces, RealForces)
+    pressed = design.loaded and design.touching
+    real = pressed and isinstance(design.judged_forces, RealForces)
     absent = {
         "load": not design.loaded,
         "contact": not design.touching,
         "satellite_body": not design.has_body,
         "clearance": not real,
-        "contact_life": design.loaded and design.touching and not life_considered(design),
+        "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
+        "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
     }
     return verdict(

@@ -177,10 +177,22 @@ def _conformity(design: CrankDesign) -> Check:
     return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
 
 
-def life_considered(design: CrankDesign) -> bool:
-    """Whether every limit of the pressure that is known is that over the life."""
-    limits = [_material(design, body).limit for body in ("pin", "hole")]
-    return all(each is None or each.life_factor is not None for each in limits)
+def life_considered(*, design: CrankDesign, body: Body) -> bool:
+    """Whether the limit of the pressure of a body, if one is known, is that over the life.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    body : {"pin", "hole"}
+        Whose surface.
+
+    Returns
+    -------
+    bool
+    """
+    limit = _material(design, body).limit
+    return limit is None or limit.life_factor is not None
 
 
 CONTACT: dict[str, Callable[[CrankDesign], Check]] = {

@@ -468,7 +468,7 @@ def pin_losses(
         * (pin_radius / pin_circle_radius)
         * total.mean,
         accuracy=accuracy,
-        notices=(Notice("pv_not_conformal"),) * (diameter is None) + poorly_known(accuracy),
+        notices=poorly_known(accuracy),
     )
 
 

@@ -47,8 +47,8 @@ class WorkPoint:
         Its setting: number of samples, nodes, steps.
     relative_error : float
         Measured relative error against the reference, dimensionless.
-    run_time_us : float
-        Median run time, microseconds.
+    run_time : float
+        Median run time, s.
     evaluations : int
         Evaluations of the function behind the method.
     """
@@ -56,7 +56,7 @@ class WorkPoint:
     method: str
     setting: Setting
     relative_error: float
-    run_time_us: float
+    run_time: float
     evaluations: int
 
 
@@ -132,7 +132,7 @@ def measured(
         start = time.perf_counter_ns()
         with np.errstate(all="ignore"):  # a method may fail here: it is left out below
             value = calculate()
-        times.append((time.perf_counter_ns() - start) / 1000)
+        times.append((time.perf_counter_ns() - start) * 1e-9)
     components = [value] if isinstance(value, (int, float)) else list(value)
     if not all(math.isfinite(each) for each in components):
         return None
@@ -144,7 +144,7 @@ def measured(
         method=method,
         setting=setting,
         relative_error=float(off / size),
-        run_time_us=statistics.median(times),
+        run_time=statistics.median(times),
         evaluations=evaluations,
     )
 

@@ -35,11 +35,11 @@ FEWEST_POSITIONS = 3
 
 @dataclass(frozen=True, slots=True)
 class _Sampled:
-    """The pieces at one grid: its values, the estimate from all, and what it took, microseconds."""
+    """The pieces at one grid: its values, the estimate from all, and what it took, s."""
 
     values: FloatArray
     estimate: float
-    run_time_us: float
+    run_time: float
 
 
 def _estimate(values: FloatArray, percent: float | None) -> float:
@@ -57,7 +57,7 @@ def _sampled(study: Study, positions: int, percent: float | None) -> _Sampled:
     pieces = own.pieces()
     began = time.perf_counter_ns()
     values = own.values(pieces)[0][:, 0]
-    spent = (time.perf_counter_ns() - began) / 1000
+    spent = (time.perf_counter_ns() - began) * 1e-9
     return _Sampled(values, _estimate(values, percent), spent)
 
 
@@ -130,7 +130,7 @@ def _line(
             method=method,
             setting=("pieces", pieces),
             relative_error=math.hypot(grid.estimate - exact, scatter) / (abs(exact) or 1.0),
-            run_time_us=grid.run_time_us * pieces / count,
+            run_time=grid.run_time * pieces / count,
             evaluations=pieces * positions,
         )
         for pieces, scatter in scatters.items()

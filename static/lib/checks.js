@@ -67,7 +67,7 @@ export function checkRow(check, titles) {
     value: amount(value, unit),
     limit: limit === undefined ? "" : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
     used: utilisation,
-    formula: check.formula ?? "",
+    formula: (check.formula ?? "").replace(/\d+\.\d+/g, (number) => formatNumber(Number(number), 15)),
     source: [
       criterion && (said("criteria", criterion) ?? criterion),
       source && (said(criterion ? "limitSources" : "checkSources", sourceCode) ?? said(criterion ? "checkSources" : "limitSources", sourceCode) ?? source),
@@ -136,6 +136,13 @@ export function groupsOf({ checks = [] }) {
 export function notConsidered({ not_considered: codes = [] }) {
   if (codes.length === 0) return "";
   return message("checks.notConsidered", { what: codes.map((code) => said("notConsidered", code) ?? code).join("; ") });
+}
+
+/** Why a verdict's word is what it is, in words. */
+export function wordNote(judged) {
+  const word = wordOf(judged);
+  if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
+  return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
 }
 
 /** Why a verdict knows no largest torque, in words. */

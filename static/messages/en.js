@@ -23,7 +23,7 @@ export default {
     "strength.surface": ["In the holes", "The pins themselves, or sleeves that roll there: then the pin's radius above is theirs, and the pin inside is thinner."],
     "strength.diameter": ["Diameter of the pin inside", "Diameter of the steel pin inside its sleeve."],
     "strength.on": ["Strength of the pins", "Bending, shear, fatigue and deflection of the pins; with clearance and errors the pins bend there too."],
-    "strength.fatigue": ["Fatigue by", "What makes the endurance limit of the part: its surface with the fatigue notch factor K_f or the shape of the notch; or the limit itself."],
+    "strength.fatigue": ["Fatigue by", "What makes the endurance limit of the part: its surface with the fatigue notch factor or the shape of the notch; or the limit itself."],
     "losses.on": ["Friction and wear", "Losses, efficiency, pv and wear of pins and holes."],
     "bearings.on": ["Ring and bearings of the satellites", "What ring and pins load the bearings on the cranks with, and how long these last."],
     "crank.on": ["Crankshaft", "Reactions and life of the shaft's own bearings, and its balance; needs the ring."],
@@ -74,7 +74,7 @@ export default {
     tabs: ["Alt 1 …", "Open a calculator"],
     help: ["?", "This help"],
   },
-  calculator: { "crank-planetary": "Crank planetary", rollers: "Swinging rollers", precession: "Precessional gear" },
+  calculator: { "crank-planetary": "Crank-planetary reducer", rollers: "Swinging rollers", precession: "Precessional gear" },
   examples: {
     label: "Example",
     own: "Own values",
@@ -89,7 +89,7 @@ export default {
     exact: "Exact", first_order: "First order, as in the papers", class: "ISO class", limits: "Limits",
     ranked: "Ranked", plain: "Not asked",
     true: "Yes", false: "No", bare: "Bare pins", sleeved: "Sleeves on the pins",
-    notch_factor: "Surface and K_f", notch: "Surface and notch", endurance_limit: "Endurance limit",
+    notch_factor: "Surface and notch factor", notch: "Surface and notch", endurance_limit: "Endurance limit",
     ground: "Ground", machined: "Machined", hot_rolled: "Hot-rolled", forged: "Forged",
     goodman: "Goodman", gerber: "Gerber", soderberg: "Soderberg", fkm_haigh: "Haigh, by FKM",
     shigley_9: "9th", shigley_11: "11th",
@@ -324,7 +324,7 @@ export default {
   verdictWord: {
     pass: "Works", marginal: "Marginal", fail: "Does not work", incomplete: "Not known", impossible: "Not possible",
     passNote: "looked at: {groups}", marginalNote: "the reserve is small, or within the model's error; looked at: {groups}",
-    failNote: "a check is not met", incompleteNote: "something asked is not known, or nothing asked could break", impossibleNote: "it cannot be built; the numbers mean nothing",
+    failNote: "a check is not met", incompleteNote: { one: "{count} check is open", other: "{count} checks are open" }, nothingNote: "nothing that was looked at could break", impossibleNote: "it cannot be built; the numbers mean nothing",
   },
   status: {
     pass: "met", marginal: "marginal", fail: "not met", not_checked: "not checked", not_asked: "not asked", not_applicable: "does not apply",
@@ -371,7 +371,7 @@ export default {
   accuracy: {
     title: "Accuracy, sources, errata",
     model: "What the model leaves out",
-    modelWhy: "This counts for more than any digit below: with a usual clearance, say, one pair may carry half as much again.",
+    modelWhy: "This counts for more than any digit below. What is off or not given is left out besides: with a usual clearance, say, one pair may carry half as much again.",
     numbers: "How exact the numbers of the model are",
     sources: "Sources",
     tradeOff: "Error against run time: how many right digits of the model's answer each method gives, and for how long it computes. Left and low is better. For a design all methods below 0.1 % are equally good.",
@@ -921,12 +921,6 @@ export default {
       tests: "Whether the pin is as thin as the strengths of its material hold for.",
       why: "Thicker steel hardens less deep: it is weaker than the table says.",
       mend: "Give the strengths of the material at this size.",
-    },
-    pv_not_conformal: {
-      title: "pv not that of a bush",
-      tests: "Whether the pins carry sleeves, on whose bores the pressure spreads as in a bush.",
-      why: "A bare pin in a hole larger by the eccentricity touches along a narrow strip; limits of pv are those of bushes, with the projected area.",
-      mend: "Use sleeves, or judge the contact by its Hertz pressure.",
     },
     short_roller: {
       title: "Short roller",

@@ -98,7 +98,6 @@ export default {
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the mechanism can be assembled only by force.",
-    "pv_not_conformal": "The pv is that of a bush on its pin: a bare pin in a larger hole touches along a narrow strip, where pressure times speed is higher.",
     "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
     "size_beyond_range": "The factor of the size is stated for diameters of {low} to {high} mm; it is {value} mm.",
@@ -114,7 +113,7 @@ export default {
   },
   "neglected": {
     "bearing_elasticity": "play and elasticity of the bearings",
-    "bodies_rigid": "what discs, hole walls and carrier deform",
+    "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -131,8 +130,9 @@ export default {
     "roller_tilt": "the tilt of the rollers against the discs",
     "seat_compliance": "the give of the pin's seats",
     "seals": "losses of seals, bearings and teeth",
-    "second_flange": "a second flange at the other end of the pins",
-    "shear": "the shear of the shaft"
+    "shaft_bearings": "play and elasticity of the crankshaft's bearings",
+    "shear": "the shear of the shaft",
+    "tilt": "the tilt of satellites in their bearings, and of pins and holes by errors"
   },
   "figures": {
     "across_crank": "Across the crank",
@@ -542,7 +542,7 @@ export default {
     ],
     "length_mm": [
       "Length",
-      ""
+      "Length of this stretch of the shaft."
     ],
     "life_curve": [
       "Life curve",
@@ -734,7 +734,7 @@ export default {
     ],
     "poissons_ratio": [
       "Poisson's ratio",
-      ""
+      "Lateral strain over the strain along a tension."
     ],
     "position_angle_deg": [
       "Position angle",
@@ -882,7 +882,7 @@ export default {
     ],
     "shaft.diameter_mm": [
       "Diameter",
-      ""
+      "Diameter of the shaft there."
     ],
     "shaft_diameter_mm": [
       "Shaft diameter",
@@ -1022,7 +1022,7 @@ export default {
     ],
     "youngs_modulus_GPa": [
       "Young's modulus",
-      ""
+      "Modulus of elasticity of the material."
     ],
     "z_max_mm": [
       "Working length to",
@@ -1349,7 +1349,8 @@ export default {
     "bearing": "bearings of the satellites",
     "clearance": "load sharing with clearance and deviations",
     "contact": "pins and holes",
-    "contact_life": "life of the contact",
+    "contact_life_hole": "life of the holes under their contact pressure",
+    "contact_life_pin": "life of the pins under their contact pressure",
     "crankshaft": "crankshaft and balance of masses",
     "deflection": "deflection of the shaft, of which no limit is asked",
     "fatigue": "fatigue",

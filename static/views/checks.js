@@ -3,13 +3,13 @@ import { checkRow, fixRow, judgedOf, percent } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
-import { barMarkup, sign } from "./parts.js";
+import { barMarkup, sign, symbolMarkup } from "./parts.js";
 
 const AT_ONCE = 6; // rows in sight; the rest is folded
 const FIXES = 4;
 
 function detailsMarkup({ why, formula, source, place, reason }) {
-  return html`<div class="check-more">${[reason, why, formula, source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</div>`;
+  return html`<div class="check-more">${[reason, why, formula && symbolMarkup(formula), source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</div>`;
 }
 
 function missingMarkup(missing, titleAt) {

@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, decisive, groupsOf, judgedOf, levelOfWord, notConsidered, torqueUnknown, wordOf } from "../lib/checks.js";
+import { checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -25,7 +25,7 @@ function wordMarkup({ phase, numbers }, judged) {
   const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
   const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad" }[phase];
   return html`<p class="word ${level ?? ""}">${sign(level)}${text}</p>
-    <p class="note">${word ? message(`verdictWord.${word}Note`, { groups: groupsOf(judged) }) : message(`state.${numbers}Note`)}</p>`;
+    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}</p>`;
 }
 
 function governingMarkup(judged, titles) {

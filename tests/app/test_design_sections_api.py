@@ -203,7 +203,7 @@ async def test_the_life_of_the_contact(api, material, limit, factor, rpm):
         assert check["missing"] == ["/load/input_speed_rpm"]
     elif factor is None:
         assert check["reason"]["code"] == "no_life_curve"
-        assert "contact_life" in answer["not_considered"]
+    assert ("contact_life_hole" in answer["not_considered"]) == (factor is None)
 
 
 async def test_bending_pins_share_by_stiffness(api):
@@ -480,7 +480,8 @@ async def test_what_is_missing_is_pointed_to(api):
         "crank_bearing_life": ["/crankshaft/bearings"],
     }.items():
         assert missing[code] == pointers, code
-    assert answer["not_considered"] == ["satellite_body", "clearance", "contact_life", "gear"]
+    lives = ["contact_life_pin", "contact_life_hole"]
+    assert answer["not_considered"] == ["satellite_body", "clearance", *lives, "gear"]
     pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
     assert "/pin/satellite_positions_mm" in pin["inputs"]
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]

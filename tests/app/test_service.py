@@ -12,6 +12,7 @@ import httpx
 import pytest
 
 from app import VERSION, main, observability
+from app.calculations.crank_planetary import CrankPlanetaryRequest
 from app.main import create_app
 from app.problems import KINDS
 from app.settings import Settings
@@ -87,6 +88,26 @@ async def test_no_answer_repeats_the_host_that_a_client_names(api):
     for path in ("/api/v1/hertz/", "/docs/", "/static", "/"):
         answer = await api.get(SITE + path, headers=headers)
         assert "location" not in answer.headers and "evil" not in answer.text
+
+
+async def test_the_whole_design_leaves_out_what_none_of_its_sections_counts(api):
+    listed = (await api.get("calculations")).json()["calculations"]
+    told = {each["name"]: each for each in listed}
+    left_out = {name: {one["code"] for one in each["model"]} for name, each in told.items()}
+    whole = left_out["crank-planetary"]
+    counted = {  # and by which section
+        "clearance": "contact", "deviations": "deviations", "equal_discs": "satellite_coupling",
+        "pin_bending": "pin", "misalignment": "pin", "friction": "friction", "elasticity": "pin",
+        "bearing_elasticity": "crank_support",
+    }  # fmt: skip
+    sections = ("cyclogram", "contact-force", "load-sharing", "hertz", "pin-strength")
+    sections += ("output-efficiency", "satellite-bearing", "crankshaft")
+    of_sections = set().union(*(left_out[name] for name in sections))
+    assert whole - of_sections == {"tilt"}  # but for the slope of bent pins
+    assert of_sections - whole == {*counted}
+    assert {*counted.values()} <= {*CrankPlanetaryRequest.model_fields}
+    sources = {source for name in sections for source in told[name]["sources"]}
+    assert sources < {*told["crank-planetary"]["sources"]}
 
 
 async def test_head_is_answered_wherever_get_is(api):
@@ -169,6 +190,31 @@ async def test_the_description_is_enough_for_a_form(api):
     for name, model in models.items():
         for field, described in model.get("properties", {}).items():
             assert described.get("x-unit", "") == shown_unit(field), f"{name}.{field}"
+
+
+async def test_every_input_says_what_it_is(api):
+    """Where a field is a section of a request, the section's own words do."""
+    schema = (await api.get("openapi.json")).json()
+    models = schema["components"]["schemas"]
+    bodies = [
+        operation["post"]["requestBody"]["content"]["application/json"]["schema"]
+        for operation in schema["paths"].values()
+        if "post" in operation
+    ]
+    reached: set[str] = set()
+    rest = re.findall(r"schemas/(\w+)", json.dumps(bodies))
+    while rest:
+        if (name := rest.pop()) not in reached:
+            reached.add(name)
+            rest += re.findall(r"schemas/(\w+)", json.dumps(models[name]))
+    fields = [
+        (name, field, described)
+        for name in reached
+        for field, described in models[name].get("properties", {}).items()
+        if "$ref" not in described
+    ]
+    assert len(fields) > 200
+    assert [(name, field) for name, field, each in fields if not each.get("description")] == []
 
 
 async def test_refusals_are_part_of_the_description(api):

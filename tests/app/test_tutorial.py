@@ -19,6 +19,16 @@ STEPS = [
 ]
 
 
+def named(record, answer):
+    """The check or fix of an answer that a printed record speaks of."""
+    (one,) = (
+        each
+        for each in answer
+        if each["code"] == record["code"] and each.get("pointer") == record.get("pointer")
+    )
+    return one
+
+
 def compare(printed, answer, place=""):
     """What is printed stands in the answer, numbers to their last printed digit."""
     if isinstance(printed, dict):
@@ -26,6 +36,8 @@ def compare(printed, answer, place=""):
             assert name in answer, f"{place}/{name}"
             compare(value, answer[name], f"{place}/{name}")
     elif isinstance(printed, list):
+        if any("code" in each for each in printed if isinstance(each, dict)):  # some of them only
+            answer = [named(each, answer) for each in printed]
         assert len(printed) == len(answer), place
         for index, value in enumerate(printed):
             compare(value, answer[index], f"{place}/{index}")
@@ -45,7 +57,7 @@ def accuracies(answer):
 
 
 def test_every_request_is_followed_by_its_answer():
-    assert len(STEPS) == 5
+    assert len(STEPS) == 8
     assert sum(language == "json" for language, _ in BLOCKS) == len(STEPS)
 
 
@@ -69,7 +81,8 @@ def test_numbers_in_the_text_are_those_of_the_blocks():
         "0.038",  # the radius in metres
         "0.16",  # where the service warns, rounded
         "0.02",  # the theory's example of a clearance
-        "20.4",  # the diameter of the holes
+        "22.4",  # the diameter of the holes
+        "1.2",  # the safety of the pressure, where none is asked
     }
     said = set(re.findall(r"\d+\.\d+", prose)) - own
     assert {each for each in said if Decimal(each) not in shown} == set()

@@ -490,7 +490,7 @@ def test_keyboard_alone(page: Page, service: str) -> None:
     expect(page.get_by_role("dialog")).not_to_be_visible()
     expect(box(page, "mechanism.pins")).to_be_focused()
     page.keyboard.press("Alt+1")
-    expect(page.get_by_role("tab", name="Crank planetary")).to_be_focused()
+    expect(page.get_by_role("tab", name="Crank-planetary reducer")).to_be_focused()
     option(page, "ratio", "value").focus()
     change(page, lambda: page.keyboard.press("ArrowRight"))
     expect(box(page, "mechanism.satellite_teeth")).to_be_visible()

@@ -179,7 +179,8 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
         assert crank_checks(replace(without, has_body=section != "has_body")).not_considered == (
             *(["satellite_body"] if section == "has_body" else []),
             "clearance",
-            "contact_life",
+            "contact_life_pin",
+            "contact_life_hole",
             *([] if section == "has_body" else [name]),
         )
     no_sections = {*CRANK}.difference(*SECTIONS.values())
@@ -188,7 +189,7 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
     assert {*crank_tables(no_load)} == mechanism | fit
     assert {*crank_tables(no_contact)} == mechanism
     later = ("clearance", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft")
-    loaded = ("clearance", "contact_life", *later[1:])
+    loaded = ("clearance", "contact_life_pin", "contact_life_hole", *later[1:])
     assert crank_checks(REF).not_considered == loaded
     assert crank_checks(no_body).not_considered == ("satellite_body", *loaded)
     assert crank_checks(no_load).not_considered == ("load", *later)

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordOf } from "../../static/lib/checks.js";
+import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -50,6 +50,24 @@ test("a largest torque that is not known says why", () => {
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 2 } }), "not known: 2 checks are open");
   assert.equal(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 } }), "not known: what fails does not hang on the torque alone");
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 0 } }), "no check hangs on the torque");
+});
+
+test("not known says whether checks are open, or nothing could break", () => {
+  const note = (not_checked) => wordNote({ verdict: "incomplete", counts: { not_checked }, checks: [] });
+  assert.deepEqual([note(1), note(2), note(0)], ["1 check is open", "2 checks are open", "nothing that was looked at could break"]);
+  assert.match(wordNote({ verdict: "pass", counts: { not_checked: 0 }, checks: [{ status: "pass", group: "new" }] }), /^looked at: new$/);
+  assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
+});
+
+test("numbers of a formula are written as the language writes them", async () => {
+  const formula = () => checkRow({ ...PRESSURE, formula: "p ≤ 2.31·R_e" }, titles).formula;
+  assert.equal(formula(), "p ≤ 2.31·R_e");
+  await useLanguage("uk");
+  try {
+    assert.equal(formula(), "p ≤ 2,31·R_e");
+  } finally {
+    await useLanguage("en");
+  }
 });
 
 test("a fix says the change, the verdict it leads to and what else it does; one that is not enough cannot be applied", () => {

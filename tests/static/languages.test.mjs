@@ -55,12 +55,19 @@ for (const language of OTHERS) {
 
   test(`${language}: one term for one thing`, async () => {
     const wrong = {
-      uk: /пальц(?!ів\) вихідної)|палець|передавальн|зубц|закладен|щільн|вихідні дані|застереженн|мертв[аіо]\p{L}* точ|'/iu,
-      ru: /ведом\p{L}+ звен|коленчат|закладен|плотн|венц|допустим(?!ое значение)|мёртв\p{L}+ точ|передаточное отношение(?!"|,| зацеп)/iu,
+      uk: /пальц(?!ів\) вихідної)|палець|передавальн|зубц|закладен|щільн|вихідні дані|застереженн|мертв[аіо]\p{L}* точ|текуч|стінк|розточ|зношенн|сфер(?!ич)|кут\p{L}* нахилу|пристосовніс|нєхорош|(?<!коефіцієнт )надійн|'/iu,
+      ru: /ведом\p{L}+ звен|коленчат|закладен|плотн|венц|допустим(?!ое значение)|мёртв\p{L}+ точ|передаточное отношение(?!"|,| зацеп)|первая текуч|стенк|расточ|сфер(?!ич)|цев[ко]|уг\p{L}+ наклона|(?<!коэффициент )надёжн/iu,
     }[language];
     for (const [path, forms] of leaves(await textsOf(language))) {
       if (path.endsWith("ratio_u12.0")) continue;
       for (const text of forms) assert.doesNotMatch(text, wrong, path);
+    }
+  });
+
+  test(`${language}: a title that is put in stands in the nominative`, async () => {
+    const governed = /(?<!\p{L})(з|із|зі|для|до|від|за|на|с|к|от|при|таким|косинус|значення|значения) \{(field|other)\}/u;
+    for (const [path, forms] of leaves(await textsOf(language))) {
+      for (const text of forms) assert.doesNotMatch(text, governed, path);
     }
   });
 
