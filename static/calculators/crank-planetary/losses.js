@@ -10,7 +10,7 @@ import { chartOf, sleeved } from "./wanted.js";
 export const figure = { id: "losses", section: "output_efficiency", path: "/output-efficiency/chart", body: lossBody, height: 420 };
 
 function lossBody(input) {
-  const { mechanism, load, pin, friction: { coefficient, sleeve } } = chartOf(input);
+  const { mechanism, load: { torque_direction, ...load }, pin, friction: { coefficient, sleeve } } = chartOf(input);
   const { contact_length_mm, pin_radius_mm, hole_radius_mm, eccentricity_mm } = input.contact;
   return {
     mechanism, load,

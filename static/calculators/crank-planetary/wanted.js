@@ -21,7 +21,6 @@ const REAL = {
   "contact.hole_clearance_mm": { when: ["real.play", "radial"] },
   "real.pin_class": classOf("pin", { when: ["real.play", "fits"], default: "h6" }),
   "real.hole_class": classOf("hole", { when: ["real.play", "fits"], default: "H7" }),
-  "load.torque_direction": {},
   "contact_law.kind": {},
   "contact_law.stiffness_N_per_mm": law("linear"),
   "contact_law.exponent": law("power"),
@@ -241,7 +240,9 @@ export function partsOf(input, sections) {
   };
 }
 
-const DRIVEN = ["output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm"];
+const DRIVEN = [
+  "output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm", "torque_direction",
+];
 
 /** The parts of the document that a figure of a wanted section asks with. */
 export function chartOf(input) {
