@@ -345,7 +345,7 @@ export function following(pick, act) {
   let last = null;
   return (state) => {
     const parts = pick(state);
-    if (last?.every((part, i) => part === parts[i])) return;
+    if (last?.length === parts.length && last.every((part, i) => part === parts[i])) return;
     last = parts;
     act(state);
   };
