@@ -66,7 +66,7 @@ def fresh(page: Page) -> None:
 
 def of_wanted(watch: Watch) -> list[str]:
     """What was asked for the sections that are off until wanted."""
-    modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along")
+    modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along", "turn")
     names = ("load-sharing", "tolerance", "besides", *(f"/{name}.js" for name in modules))
     return [path for path in watch.paths() if any(name in path for name in names)]
 
