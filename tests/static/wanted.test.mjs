@@ -301,3 +301,11 @@ test("the calculator's own groups have words for all that they add", () => {
     for (const { words } of [{ words: ["on", id] }, ...Object.values(fields)]) if (words) assert.ok(fieldWords(...words), words.join());
   }
 });
+
+test("a pin starts with a material whose strength is known", () => {
+  const table = { hard: {}, tough: { tensile_strength_MPa: 900, yield_strength_MPa: 650 }, brittle: { tensile_strength_MPa: 195 } };
+  const { starts } = WANTED.find(({ id }) => id === "strength");
+  const of = (pin_material) => starts({ contact: { pin_material } }, (path, given) => (typeof given === "string" ? table[given] : given))["pin.material"];
+  assert.deepEqual([of("hard"), of("brittle")], ["steel_through_hardened", "steel_through_hardened"]);
+  assert.deepEqual([of("tough"), of({ youngs_modulus_GPa: 210 })], [undefined, undefined]);
+});

@@ -163,6 +163,15 @@ function starts({ besides }) {
   };
 }
 
+const CORE = "steel_through_hardened"; // of a pin whose surface's material has no strengths in the table
+
+/** A pin to start from whose strength can be judged. */
+function pinStarts({ contact: { pin_material: given } = {} }, materialOf) {
+  const { tensile_strength_MPa: R_m, yield_strength_MPa: R_e } = materialOf("contact.pin_material", given) ?? {};
+  const unknown = typeof given === "string" && (R_m === undefined || R_e === undefined);
+  return { "fatigue.reliability_percent": 99, ...(unknown && { "pin.material": CORE }) };
+}
+
 const WHOLE = ["/crank-planetary"];
 
 export const WANTED = [
@@ -186,7 +195,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: STRENGTH,
     judged: true,
-    starts: () => ({ "fatigue.reliability_percent": 99 }),
+    starts: pinStarts,
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
