@@ -1225,6 +1225,7 @@ export default {
       loss: "Потери мощности",
       mean_hover: "{name}: {value}",
       mean_of: "{name}, среднее значение",
+      mean_value: "среднее значение {value}",
       locus_hover: "{name}: {along}, {across}",
       across_crank: "Поперёк кривошипа",
       along_crank: "Вдоль кривошипа, к оси",

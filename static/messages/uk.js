@@ -1225,6 +1225,7 @@ export default {
       loss: "Втрати потужності",
       mean_hover: "{name}: {value}",
       mean_of: "{name}, середнє значення",
+      mean_value: "середнє значення {value}",
       locus_hover: "{name}: {along}, {across}",
       across_crank: "Впоперек кривошипа",
       along_crank: "Уздовж кривошипа, до осі",
