@@ -78,6 +78,7 @@ TEXTS = {
     "max_pressure": "Largest pressure",
     "mean_hover": "{name}: {value}",
     "mean_of": "{name}, mean",
+    "mean_value": "mean {value}",
     "moment_locus": "Moment over the turn",
     "moment_radial": "Moment by radial forces",
     "moment_tangential": "Moment by tangential forces",

@@ -83,12 +83,12 @@ export function typedIn(state, path, text, time) {
 
 /** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
 export function switched(state, id, on, time) {
-  const { typed, about: { model: { fields }, calculator: { wanted } }, reading: { filled } } = state;
+  const { typed, about: { model: { fields }, calculator: { wanted }, materialOf }, reading: { filled } } = state;
   const texts = { ...typed.texts };
   const turn = ({ id: one, starts = () => ({}), needs }) => {
     texts[`${one}.on`] = on ? "on" : "";
     if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
-    const values = Object.entries(starts(filled)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
+    const values = Object.entries(starts(filled, materialOf)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
     const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
     const empty = values.every(([path]) => untouched(path) || fields.get(path).wanted !== one);
     for (const [path, value] of values) if (empty && untouched(path)) texts[path] = textIn(fields.get(path), value);
@@ -345,7 +345,7 @@ export function following(pick, act) {
   let last = null;
   return (state) => {
     const parts = pick(state);
-    if (last?.every((part, i) => part === parts[i])) return;
+    if (last?.length === parts.length && last.every((part, i) => part === parts[i])) return;
     last = parts;
     act(state);
   };

@@ -228,6 +228,12 @@ class OutputEfficiencyResponse(ResponseModel):
         return super().values(losses, run_time_us, curves=drawn, **given)
 
 
+CLEAR = (0, 1)
+"""Where the values of the means stand, in parts of each plot's height, clear of the curves: the
+loss never comes near 0, and the efficiency fills its plot.
+"""
+
+
 def loss_figure(
     losses: PinLosses, curves: LossCurves, switching_deg: FloatArray, theme: Theme
 ) -> Figure:
@@ -264,21 +270,21 @@ def loss_figure(
             theme,
             height=420,
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2"),
-            yaxis=axis(theme, text("loss"), "W", domain=[0.54, 1], rangemode="tozero"),
-            yaxis2=axis(theme, text("efficiency"), domain=[0, 0.46]),
+            yaxis=axis(theme, text("loss"), "W", domain=[0.44, 1], rangemode="tozero"),
+            yaxis2=axis(theme, text("efficiency"), domain=[0, 0.34]),
             shapes=[vertical_line(theme, place) for place in switching_deg.round(4).tolist()],
             annotations=[
                 note(
                     theme,
-                    text("amount", amount=Amount(float(mean), unit, 5)),
+                    text("mean_value", value=Amount(float(mean), unit, 5)),
                     x=end,
-                    y=float(mean),
+                    y=clear,
                     xref="x",
-                    yref=own,
+                    yref=f"{own} domain",
                     xanchor="right",
                     yanchor="bottom",
                 )
-                for _, own, _, mean, unit in rows
+                for (_, own, _, mean, unit), clear in zip(rows, CLEAR, strict=True)
             ],
         ),
     }

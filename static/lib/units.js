@@ -22,6 +22,7 @@ const SHOWN = {
     "N·m/′": ["lbf·in/′", (LBF * INCH) / 1000],
     "N/mm": ["lbf/in", LBF / INCH],
     "mm/N": ["in/lbf", INCH / LBF],
+    "mrad/N": ["mrad/lbf", 1 / LBF],
     MPa: ["psi", PSI],
     GPa: ["Mpsi", PSI * 1000],
     "m/s": ["ft/s", FOOT],

@@ -102,3 +102,13 @@ async def test_the_figure_has_both_curves_with_their_means(api):
         assert [trace["yaxis"] for trace in figure["data"]] == ["y", "y", "y2", "y2"]
         assert figure["data"][1]["y"] == pytest.approx([336, 336])
         assert len({trace["line"]["dash"] for trace in figure["data"][:2]}) == 2
+        # The values of the means stand at the foot of the one plot and over the other.
+        loss, efficiency = figure["layout"]["annotations"]
+        assert [loss["text"], efficiency["text"]] == ["mean 336 W", "mean 0.92118"]
+        assert [loss["yref"], loss["y"]] == ["y domain", 0]
+        assert min(figure["data"][0]["y"]) > max(figure["data"][0]["y"]) / 2
+        assert [efficiency["yref"], efficiency["y"], efficiency["yanchor"]] == [
+            "y2 domain",
+            1,
+            "bottom",
+        ]

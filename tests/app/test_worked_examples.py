@@ -67,6 +67,18 @@ SLEEVED: dict[str, Any] = BARE | {
         "bearing_positions_mm": [0.0, 62.0],
     },
 }
+BUILT_IN: dict[str, Any] = SLEEVED | {
+    "pin": BARE["pin"]
+    | {
+        "support": "fixed",
+        "satellite_positions_mm": [12.0, 34.0, 56.0],
+        "span_mm": 70.0,
+        "diameter_mm": 12.0,
+    },
+    "bearing": BARE["bearing"] | {"kind": "ball", "ring_factor": 1.2},
+    "crankshaft": BARE["crankshaft"] | {"satellite_positions_mm": [20.0, 42.0, 64.0]},
+}
+REVERSING: dict[str, Any] = BARE | {"gear": {"radial_force_ratio": 0.4}}
 MACHINED = BARE["fatigue"]
 TENSILE = {"tensile_strength_MPa": 950.0}
 STEPPED = [{"length_mm": 50.0, "diameter_mm": 12.0}, {"length_mm": 30.0, "diameter_mm": 16.0}]
@@ -160,6 +172,33 @@ MORE: list[dict[str, Any]] = [
             },
         }
         for besides, hours in ((BARE, 4000.0), (SLEEVED, 4000.0), (BARE, 5.0))
+    ),
+    *(
+        {
+            "calculation": "crank-planetary",
+            "input": {
+                "mechanism": {"pins": 5, "ratio": 20.0} | turned,
+                "load": {
+                    "output_torque_Nm": 300.0,
+                    "pin_circle_radius_mm": 50.0,
+                    "input_speed_rpm": 1500.0,
+                    "torque_direction": direction,
+                    "force_exponent": exponent,
+                },
+                "contact": {
+                    "contact_length_mm": 20.0,
+                    "pin_radius_mm": 8.0,
+                    "eccentricity_mm": 2.0,
+                    "hole_radius_mm": 10.0,
+                },
+                "requirements": {"life_h": 4000.0},
+                "besides": besides,
+            },
+        }
+        for besides, direction, exponent, turned in (
+            (BUILT_IN, "reverse", 1.0, {"satellites": 3}),
+            (REVERSING, "alternating", 1.5, {"satellites": 2, "crank_angles_deg": [0.0, 100.0]}),
+        )
     ),
     *(
         {

@@ -9,6 +9,7 @@ from tests.browser.calculator_page import (
     address,
     ask,
     box,
+    choose,
     foreign,
     number,
     printed,
@@ -66,7 +67,7 @@ def fresh(page: Page) -> None:
 
 def of_wanted(watch: Watch) -> list[str]:
     """What was asked for the sections that are off until wanted."""
-    modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along")
+    modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along", "turn")
     names = ("load-sharing", "tolerance", "besides", *(f"/{name}.js" for name in modules))
     return [path for path in watch.paths() if any(name in path for name in names)]
 
@@ -177,7 +178,9 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     switch(page, "strength").check()
     expect(box(page, "pin.satellite_positions_mm")).to_have_attribute("placeholder", "8; 22")
     expect(page.locator(".word")).to_contain_text("Not known")
-    page.locator(".checks").get_by_role("button", name="Yield strength").first.click()
+    expect(box(page, "pin.material")).to_have_value("steel_through_hardened")
+    page.locator(".checks").get_by_role("button", name="Fatigue notch factor").first.click()
+    choose(page, "pin.material", "own")
     for name, text in STEEL.items():
         box(page, f"pin.material.{name}").fill(text)
     box(page, "fatigue.fatigue_notch_factor").fill("1.5")

@@ -170,3 +170,10 @@ test("views are told of every state, and act only on what they follow", () => {
   assert.deepEqual(seen, [0, 30, 30]);
   assert.deepEqual(store.state.turn, { angle: 30, pair: "1.2", own: true });
 });
+
+test("a view that follows a list hears of what joins it", () => {
+  const seen = [];
+  const update = next.following(({ parts }) => parts, ({ parts }) => seen.push(parts.join("")));
+  for (const parts of [["a"], ["a"], ["a", "b"], ["a"]]) update({ parts });
+  assert.deepEqual(seen, ["a", "ab", "a"]);
+});

@@ -182,10 +182,10 @@ const DESIGN = {
   load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, force_exponent: 1.1 },
   contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7.03, contact_length_mm: 10 },
 };
-const ask = (besides) => real.asked({ ...DESIGN, load: { ...DESIGN.load, input_speed_rpm: 1500 }, besides }, DESIGN);
+const ask = (besides) => real.asked({ ...DESIGN, load: { ...DESIGN.load, input_speed_rpm: 1500, torque_direction: "reverse" }, besides }, DESIGN);
 
 test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
-  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" }, load: { torque_direction: "reverse" } });
+  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" } });
   assert.deepEqual(body, {
     mechanism: { pins: 3, satellites: 2, ratio: 20 },
     load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, torque_direction: "reverse" },
@@ -205,9 +205,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {
   const post = async (path, body) => body;
-  const parts = { mechanism: DESIGN.mechanism, load: DESIGN.load, contact: DESIGN.contact };
+  const parts = { mechanism: DESIGN.mechanism, load: { ...DESIGN.load, torque_direction: "reverse" }, contact: DESIGN.contact };
   const besides = {
-    real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 }, load: { torque_direction: "reverse" },
+    real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 },
     deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, study: { on: "on" }, samples: 200,
   };
   const asked = (input, sections = ["contact_force", "hertz"]) => calculator.ask({ post, input, filled: DESIGN, sections, tables: new Set() });
@@ -300,4 +300,12 @@ test("the calculator's own groups have words for all that they add", () => {
   for (const { id, fields } of WANTED) {
     for (const { words } of [{ words: ["on", id] }, ...Object.values(fields)]) if (words) assert.ok(fieldWords(...words), words.join());
   }
+});
+
+test("a pin starts with a material whose strength is known", () => {
+  const table = { hard: {}, tough: { tensile_strength_MPa: 900, yield_strength_MPa: 650 }, brittle: { tensile_strength_MPa: 195 } };
+  const { starts } = WANTED.find(({ id }) => id === "strength");
+  const of = (pin_material) => starts({ contact: { pin_material } }, (path, given) => (typeof given === "string" ? table[given] : given))["pin.material"];
+  assert.deepEqual([of("hard"), of("brittle")], ["steel_through_hardened", "steel_through_hardened"]);
+  assert.deepEqual([of("tough"), of({ youngs_modulus_GPa: 210 })], [undefined, undefined]);
 });

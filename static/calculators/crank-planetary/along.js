@@ -8,6 +8,7 @@ import { sleeved } from "./wanted.js";
 
 const MOST_NAMED = 4; // satellites whose place is written
 const MOST_DRAWN = 40;
+const ARROW = 26; // px
 const TIER = 24; // px between dimensions
 const RADIAN = Math.PI / 180;
 
@@ -64,6 +65,8 @@ export function pinDrawing({ input, width, height }) {
   const axis = (x) => view.at([x, 0]);
   const half = view.size(radius) + 12;
   const marks = roundBelow(end / 2, "mm");
+  const edge = view.size(tall - 2 * rim); // of a satellite beside its hole
+  const named = edge > ARROW + 8 ? ARROW / 2 : Math.max(edge, ARROW) + 10; // px from the pin to a force's name: clear of that edge
   return {
     markup: paper(width, height, html`
       ${planes.map((z, j) => {
@@ -72,8 +75,8 @@ export function pinDrawing({ input, width, height }) {
         return html`<g class="series-${(j % 6) + 1}">${[[side * rim, side * (tall - rim)], [far, far - side * 0.35 * rim]].map(([y0, y1]) =>
           bar(view, z - b / 2, z + b / 2, y0, y1, "body satellite-body", "pin.satellite_positions_mm contact.hole_radius_mm contact.contact_length_mm"))}
           ${rolls && bar(view, z - b / 2, z + b / 2, -rim, rim, "body", "contact.pin_radius_mm")}
-          ${arrow(view.at([z, side * rim + side * 26 / view.scale]), view.at([z, side * rim]), "force")}
-          ${label([view.at([z, 0])[0], view.at([0, side * rim])[1] + (side > 0 ? -30 : 40)], `F_${j + 1}`)}</g>`;
+          ${arrow(view.at([z, side * (rim + ARROW / view.scale)]), view.at([z, side * rim]), "force")}
+          ${label([view.at([z, 0])[0] + 6, view.at([0, side * rim])[1] - side * named + 5], `F_${j + 1}`, { anchor: "start" })}</g>`;
       })}
       ${bar(view, 0, end, -radius, radius, "body", "pin.diameter_mm contact.pin_radius_mm")}
       ${line(axis(reach.from), axis(reach.to), "centre")}

@@ -4,8 +4,10 @@ import { quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
-import { crankedBody, lifeStep } from "./bearings.js";
+import { crankedBody, equivalentStep, exponentOf, lifeStep, satelliteLoads } from "./bearings.js";
 import { cranksOf } from "./mechanism.js";
+import { once, sharings } from "./pin_beam.js";
+import { largestOf } from "./turn.js";
 import { chartOf } from "./wanted.js";
 
 export const figure = {
@@ -14,6 +16,7 @@ export const figure = {
 };
 
 const LETTERS = ["A", "B"];
+const MOST_SATELLITES = 4; // whose forces are worked
 
 export function cells({ bearings, balance }) {
   const reaction = (bearing, i) => ({
@@ -66,16 +69,60 @@ function balanceSteps({ balance }, { mechanism, load, contact, besides: { cranks
   ];
 }
 
-export function steps(section, input) {
+const WAYS = { driving: [1], reverse: [-1], alternating: [1, -1] }; // of the force across the cranks
+
+/** Reactions under the ideal forces: shaft and cranks in equilibrium, in the frame of the first crank. */
+function idealSteps({ bearings }, input, { turns }, { radial_force_ratio: ρ }) {
+  const { mechanism: { angles }, load: { torque_direction: direction = "driving" }, besides: { crankshaft } } = input;
+  const loads = satelliteLoads(input);
+  const [A, B] = crankshaft.bearing_positions_mm;
+  const places = crankshaft.satellite_positions_mm;
+  const shares = places.map((z) => [(B - z) / (B - A), (z - A) / (B - A)]);
+  return bearings.map((bearing, i) => {
+    const measure = (way) => (position) => Math.hypot(...angles.reduce(([x, y], angle, j) => {
+      const { W, S } = loads.of(position, j);
+      const [along, across, share, α] = [ρ * W + S, way * W, shares[j][i], (angle * Math.PI) / 180];
+      return [x + share * (along * Math.cos(α) - across * Math.sin(α)), y + share * (along * Math.sin(α) + across * Math.cos(α))];
+    }, [0, 0]));
+    const found = WAYS[direction].map((way) => ({ way, ...largestOf(turns, measure(way)) }));
+    const { way, ...peak } = found.reduce((most, one) => (one.value > most.value ? one : most));
+    const [minus, plus] = way > 0 ? ["-", "+"] : ["+", "-"];
+    const each = angles.map((_, j) => {
+      const [torque, pins] = loads.steps(peak, j);
+      return [torque, loads.across(torque, j), pins];
+    });
+    const share = i === 0 ? "(B-z_i)/(B-A)" : "(z_i-A)/(B-A)";
+    return [
+      ...each.slice(0, MOST_SATELLITES).flat(),
+      result(bearing, "peak_N", `R_${LETTERS[i]}`, {
+        formula: `sqrt(sum(${share}*((ρ*W_i+S_i)*cos(α_i)${minus}W_i*sin(α_i)))^2+sum(${share}*((ρ*W_i+S_i)*sin(α_i)${plus}W_i*cos(α_i)))^2)`,
+        values: {
+          A: q("A", A, "mm"), B: q("B", B, "mm"), z_i: q("z_i", places, "mm"), α_i: q("α_i", angles, "°"), ρ: q("ρ", ρ),
+          W_i: q("W_i", each.map(([, across]) => across.value), "N"), S_i: q("S_i", each.map(([, , pins]) => pins.value), "N"),
+        },
+        note: "equilibrium",
+      }),
+      equivalentStep(bearing, "equivalent_N", `P_${LETTERS[i]}`, {
+        turns, measures: WAYS[direction].map(measure), p: exponentOf(crankshaft.bearings?.[i].kind ?? "ball"), of: "R",
+      }),
+    ];
+  });
+}
+
+export function steps(section, input, context) {
   const n = q("n_1", input.load.input_speed_rpm, "rpm");
-  return [
+  const shared = sharings(input, context);
+  const loaded = shared ? idealSteps(section, input, shared, context.answer.satellite_bearing) : section.bearings.map((bearing, i) => [
+    result(bearing, "peak_N", `R_${LETTERS[i]}`, { note: "reaction" }),
+    result(bearing, "equivalent_N", `P_${LETTERS[i]}`, { note: "equivalentReaction" }),
+  ]);
+  return once([
     ...section.bearings.flatMap((bearing, i) => [
-      result(bearing, "peak_N", `R_${LETTERS[i]}`, { note: "reaction" }),
-      result(bearing, "equivalent_N", `P_${LETTERS[i]}`, { note: "equivalentReaction" }),
+      ...loaded[i],
       ...(bearing.basic_life_h === undefined ? [] : [lifeStep(bearing, {
         kind: input.besides.crankshaft.bearings[i].kind, rating: input.besides.crankshaft.bearings[i].dynamic_rating_N, load: bearing.equivalent_N, n,
       })]),
     ]),
     ...balanceSteps(section, input),
-  ];
+  ]);
 }

@@ -26,7 +26,7 @@ const TRADE_OFF = {
 };
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, ...load } }) {
+function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, torque_direction, ...load } }) {
   return { ...mechanism, ...load };
 }
 
@@ -49,7 +49,7 @@ async function madeOf({ besides, ...given }, filled, get, sections = wantedSecti
   const { asked, bodyOf } = await import("./real.js");
   const made = await bodyOf(asked({ ...given, besides }, filled), { get });
   const parts = Object.fromEntries(["contact", ...MADE].filter((part) => made[part]).map((part) => [part, made[part]]));
-  return { ...input, load: { ...input.load, ...besides.load }, ...parts };
+  return { ...input, ...parts };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -173,7 +173,7 @@ export default {
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
-    load: ["torque", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm"],
+    load: ["torque", "load.torque_direction", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm"],
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),

@@ -26,7 +26,7 @@ export function designOf({
   const agree = clearance !== undefined && Math.abs(clearance - playOf(sizes)) < 1e-9 * hole; // else the service says so, at the hole
   return {
     mechanism,
-    load: { ...load, ...besides.load },
+    load,
     contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
     ...(law && { contact_law: law }),
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted

@@ -6,6 +6,8 @@ import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { staticStep, torqueOf } from "./bearings.js";
+import { beamOf, complianceSteps, once, sharingOf, sharings } from "./pin_beam.js";
+import { largestOf } from "./turn.js";
 import { chartOf, sleeved } from "./wanted.js";
 
 export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody };
@@ -87,8 +89,64 @@ function fatigueSteps(fatigue, input, d, { tensile_strength_MPa: R_m, yield_stre
   ];
 }
 
+/** Deflection and slope in the middle of a satellite, by unit forces of those that load the pin there. */
+function deflectionSteps({ deflection }, input, context) {
+  if (!deflection) return [];
+  const at = deflection.satellite - 1;
+  const found = { deflection_mm: "w", slope_mrad: "θ" };
+  const shared = sharings(input, context);
+  if (!shared) {
+    return Object.entries(found).map(([name, symbol]) => result(deflection, name, symbol, { note: "deflected", noteValues: { satellite: at + 1 } }));
+  }
+  const { load, contact } = input;
+  const beam = beamOf(input, context.materialOf);
+  const unit = beam.planes.map((_, j) => complianceSteps(beam, at, j));
+  const loading = ({ pairs }, n) => pairs.filter(({ pin }) => pin === n);
+  const sizeOf = (part) => {
+    const onPin = (position, n) => Math.hypot(...["cos", "sin"].map((way) => loading(position, n).reduce((sum, { satellite: j, force, angle }) =>
+      sum + unit[j][part].value * force * Math[way]((angle * Math.PI) / 180), 0)));
+    const pinsOf = ({ pairs }) => [...new Set(pairs.map(({ pin }) => pin))];
+    return { onPin, most: (position) => Math.max(...pinsOf(position).map((n) => onPin(position, n))), pinsOf };
+  };
+  const partSteps = (name, part, of) => {
+    const { onPin, most, pinsOf } = sizeOf(part);
+    const peak = largestOf(of, most);
+    const n = pinsOf(peak.position).reduce((worst, one) => (onPin(peak.position, one) > onPin(peak.position, worst) ? one : worst));
+    const pairs = loading(peak.position, n);
+    const forces = pairs.map(({ satellite: j, angle }) => {
+      const { own, once: cosine, support, values, said } = sharingOf(peak, load, j);
+      return intermediate("pinForce", `F_${j + 1}`, "N", {
+        formula: `K_A*T/R*${own}${cosine("γ_p")}/${support}`,
+        values: {
+          ...values, K_A: q("K_A", contact.dynamic_factor), T: q("T", torqueOf(input), "N·m"), R: q("R", load.pin_circle_radius_mm, "mm"), γ_p: q("γ_p", angle, "°"),
+        },
+        ...said,
+      });
+    });
+    const [c, F, γ] = [pairs.map(({ satellite: j }) => unit[j][part].value), forces.map(({ value }) => value), pairs.map(({ angle }) => angle)];
+    const { symbol, unit: per } = unit[at][part];
+    const letter = symbol.split("_")[0];
+    return {
+      turn: peak.turn,
+      steps: [
+        ...pairs.flatMap(({ satellite: j }) => [...unit[j].steps, unit[j][part]]),
+        ...forces,
+        result(deflection, name, found[name], pairs.length === 1
+          ? { formula: "c*F", values: { c: asValue(unit[pairs[0].satellite][part]), F: asValue(forces[0]) } }
+          : {
+            formula: "sqrt(sum(c_i*F_i*cos(γ_i))^2+sum(c_i*F_i*sin(γ_i))^2)",
+            values: { c_i: q(`${letter}_i`, c, per), F_i: q("F_i", F, "N"), γ_i: q("γ_i", γ, "°") },
+          }),
+      ],
+    };
+  };
+  const bent = partSteps("deflection_mm", "deflection", shared.turns);
+  return once([...shared.steps, ...bent.steps, ...partSteps("slope_mrad", "slope", [bent.turn]).steps]);
+}
+
 /** The worked steps; `input` with the ratio. */
-export function steps(section, input, { materialOf, answer }) {
+export function steps(section, input, context) {
+  const { materialOf, answer } = context;
   const { contact, besides } = input;
   const d = diameterOf(input);
   const own = besides.pin.material;
@@ -109,7 +167,6 @@ export function steps(section, input, { materialOf, answer }) {
       share: input.load.peak_torque_Nm === undefined ? 1 : input.load.peak_torque_Nm / (contact.dynamic_factor * torqueOf(input)),
     })]),
     ...fatigueSteps(section.fatigue, input, d, material),
-    ...(section.deflection ? Object.entries({ deflection_mm: "w", slope_mrad: "θ" }).map(([name, symbol]) =>
-      result(section.deflection, name, symbol, { note: "deflected", noteValues: { satellite: section.deflection.satellite } })) : []),
+    ...deflectionSteps(section, input, context),
   ];
 }

@@ -21,7 +21,6 @@ const REAL = {
   "contact.hole_clearance_mm": { when: ["real.play", "radial"] },
   "real.pin_class": classOf("pin", { when: ["real.play", "fits"], default: "h6" }),
   "real.hole_class": classOf("hole", { when: ["real.play", "fits"], default: "H7" }),
-  "load.torque_direction": {},
   "contact_law.kind": {},
   "contact_law.stiffness_N_per_mm": law("linear"),
   "contact_law.exponent": law("power"),
@@ -164,6 +163,15 @@ function starts({ besides }) {
   };
 }
 
+const CORE = "steel_through_hardened"; // of a pin whose surface's material has no strengths in the table
+
+/** A pin to start from whose strength can be judged. */
+function pinStarts({ contact: { pin_material: given } = {} }, materialOf) {
+  const { tensile_strength_MPa: R_m, yield_strength_MPa: R_e } = materialOf("contact.pin_material", given) ?? {};
+  const unknown = typeof given === "string" && (R_m === undefined || R_e === undefined);
+  return { "fatigue.reliability_percent": 99, ...(unknown && { "pin.material": CORE }) };
+}
+
 const WHOLE = ["/crank-planetary"];
 
 export const WANTED = [
@@ -187,7 +195,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: STRENGTH,
     judged: true,
-    starts: () => ({ "fatigue.reliability_percent": 99 }),
+    starts: pinStarts,
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
@@ -241,7 +249,9 @@ export function partsOf(input, sections) {
   };
 }
 
-const DRIVEN = ["output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm"];
+const DRIVEN = [
+  "output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm", "torque_direction",
+];
 
 /** The parts of the document that a figure of a wanted section asks with. */
 export function chartOf(input) {

@@ -128,14 +128,15 @@ function forceSteps(section, mechanism, load) {
   const K = q("K", mechanism.satellites);
   const u = q("u", mechanism.ratio);
   const { satellite, pin } = section.peak_pair;
-  const wave = section.peak_crank_angle_deg * (1 + 1 / mechanism.ratio) + mechanism.initial_crank_angle_deg;
+  const start = mechanism.initial_crank_angle_deg + (load.torque_direction === "reverse" ? 180 : 0); // those carry that would brake
+  const wave = section.peak_crank_angle_deg * (1 + 1 / mechanism.ratio) + start;
   const driving = drivingAngles(phases(mechanism), wave);
   const angle = intermediate("pressureAngle", "γ_p", "°", {
     formula: "φ*(1+1/u)+φ_0+α_j+t*(n-1)/N+r-k*t",
     values: {
       φ: q("φ", section.peak_crank_angle_deg, "°"),
       u,
-      φ_0: q("φ_0", mechanism.initial_crank_angle_deg, "°"),
+      φ_0: q("φ_0", start, "°"),
       α_j: q(`α_${satellite}`, mechanism.angles[satellite - 1], "°"),
       n: q("n", pin),
       N,

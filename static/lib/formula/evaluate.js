@@ -16,6 +16,7 @@ const IN_SI = {
   MPa: 1e6,
   GPa: 1e9,
   "mm/N": 1e-3,
+  "mrad/N": 1e-3,
   "°": Math.PI / 180,
   mrad: 1e-3,
   rpm: Math.PI / 30,
@@ -60,12 +61,12 @@ const OPERATORS = {
   neg: (a) => -a,
 };
 
-// Gauss and Legendre's rule of five nodes, on panels enough for the smooth integrands here.
-const NODES = [[0, 128 / 225], ...[-1, 1].flatMap((sign) => [-1, 1].map((other) => [
+/** Gauss and Legendre's rule of five nodes from -1 to 1: `[node, weight]`. */
+export const NODES = [[0, 128 / 225], ...[-1, 1].flatMap((sign) => [-1, 1].map((other) => [
   (sign * Math.sqrt(5 + other * 2 * Math.sqrt(10 / 7))) / 3,
   (322 - other * 13 * Math.sqrt(70)) / 900,
 ]))];
-const PANELS = 400;
+const PANELS = 400; // enough for the smooth integrands here
 
 function integral(term, from, to) {
   const half = (to - from) / PANELS / 2;
