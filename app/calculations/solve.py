@@ -285,6 +285,8 @@ def solve(body: SolveRequest) -> Values:
 def _standard(body: SolveRequest, found: Solution) -> float | None:
     if not body.variable.pointer.endswith("/pin_radius_mm") or found.value is None:
         return None
+    if (body.input.get("pin") or {}).get("diameter_mm") is not None:  # then it is a sleeve's
+        return None
     radii = [size / 2 for size in PIN_SIZES]
     if body.want == "largest":
         radii = radii[::-1]

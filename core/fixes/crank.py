@@ -12,7 +12,7 @@ from core.checks.play import PLAY
 from core.errors import CalculationError
 from core.exploration.solve import Solution
 from core.fixes.changes import count_may_change, value_of, vary
-from core.fixes.fix import RANGE, Cure, Fix, aim, fix_of, in_order
+from core.fixes.fix import PIN_SIZES, RANGE, Cure, Fix, aim, fix_of, in_order
 from core.fixes.inputs import GROWTH, PINS, POWERS, USUAL, VARIED, WHOLE
 
 SEARCHED = 8
@@ -85,7 +85,16 @@ def _cure(design: CrankDesign, code: str, variable: str, current: Verdict) -> Cu
     def whole_list(value: float) -> Verdict:
         return crank_checks(vary(design=design, variable=variable, value=value))
 
-    return Cure(code, variable, float(before), whole_list, current)
+    return Cure(code, variable, float(before), whole_list, current, _standard(design, variable))
+
+
+def _standard(design: CrankDesign, variable: str) -> tuple[float, ...]:
+    """Standard sizes of an input, m: those of pins; a sleeve has none."""
+    if variable == "pin.diameter":
+        return tuple(size / 1000 for size in PIN_SIZES)
+    if variable == "pin_radius" and not design.sleeved:
+        return tuple(size / 2000 for size in PIN_SIZES)
+    return ()
 
 
 def _met(check: Check) -> float:

@@ -147,6 +147,8 @@ class Cure:
         All checks with another value of it.
     current : Verdict
         All checks without.
+    standard : tuple of float
+        Its standard sizes, SI, where there are any.
     """
 
     code: str
@@ -154,12 +156,11 @@ class Cure:
     before: float
     whole_list: Callable[[float], Verdict]
     current: Verdict
+    standard: tuple[float, ...] = ()
 
     def by(self, exact: float, found: Solution, status: FixStatus) -> Fix:
         """The fix by a value, with its rounding and its side effects."""
-        sizes: list[tuple[float, bool]] = []
-        if self.variable not in WHOLE and status != "not_enough":
-            sizes = _sizes(self.variable, exact, exact >= self.before)
+        sizes = [] if self.variable in WHOLE or status == "not_enough" else self._sizes(exact)
         within = (
             (size, is_standard)
             for size, is_standard in sizes
@@ -177,6 +178,15 @@ class Cure:
         return Fix(
             self.code, self.variable, self.before, after, exact, standard, status, outcome, effects
         )
+
+    def _sizes(self, exact: float) -> list[tuple[float, bool]]:
+        """Rounded sizes on the safe side of an exact one, the best first, and whether standard."""
+        up = exact >= self.before
+        beyond_it = [each for each in self.standard if (each >= exact if up else each <= exact)]
+        sizes = [((min if up else max)(beyond_it), True)] if beyond_it else []
+        step = 10.0 ** (2 - math.floor(math.log10(exact)))
+        rounded = (math.ceil if up else math.floor)(exact * step)
+        return [*sizes, (rounded / step, False)]
 
     def _made(self, sizes: list[tuple[float, bool]]) -> tuple[float, bool, Verdict]:
         """The first size that makes a design, whether it is a standard one, and the verdict."""
@@ -241,23 +251,6 @@ def _changed(before: Check, after: Check) -> bool:
         return True
     one, two = before.utilisation, after.utilisation
     return one is not None and two is not None and abs(two - one) > 1e-3 * abs(one)
-
-
-def _sizes(variable: str, exact: float, up: bool) -> list[tuple[float, bool]]:
-    """Rounded sizes on the safe side of an exact one, the best first, and whether standard ones."""
-    sizes: list[tuple[float, bool]] = []
-    if variable in ("pin_radius", "pin.diameter"):
-        unit = 2000 if variable == "pin_radius" else 1000
-        beyond_it = [
-            size / unit
-            for size in PIN_SIZES
-            if (size / unit >= exact if up else size / unit <= exact)
-        ]
-        if beyond_it:
-            sizes.append((beyond_it[0] if up else beyond_it[-1], True))
-    step = 10.0 ** (2 - math.floor(math.log10(exact)))
-    rounded = (math.ceil if up else math.floor)(exact * step)
-    return [*sizes, (rounded / step, False)]
 
 
 def in_order(fixes: Iterable[Fix]) -> list[Fix]:
