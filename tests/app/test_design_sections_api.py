@@ -275,7 +275,7 @@ async def test_by_default_what_is_given_is_answered(api):
             "different_length",
         ),
         (
-            {"pin__satellite_positions_mm": [15.0, 9.0]},
+            {"pin__satellite_positions_mm": [31.0, 9.0]},
             "/pin/satellite_positions_mm/1",
             "in_carrier",
         ),
@@ -283,6 +283,21 @@ async def test_by_default_what_is_given_is_answered(api):
             {"crankshaft__satellite_positions_mm": [20.0]},
             "/crankshaft/satellite_positions_mm",
             "different_length",
+        ),
+        (
+            {"pin": None, "crankshaft__satellite_positions_mm": [31.0, 31.0]},
+            "/crankshaft/satellite_positions_mm/1",
+            "too_near",
+        ),
+        (
+            {"pin__satellite_positions_mm": [15.0, 16.0], "include": ["cyclogram"]},
+            "/pin/satellite_positions_mm/1",
+            "too_near",
+        ),
+        (
+            {"crankshaft__satellite_positions_mm": [20.0, 45.0]},
+            "/crankshaft/satellite_positions_mm/1",
+            "other_pitch",
         ),
         ({"bearing__reliability_percent": 92}, "/bearing/reliability_percent", "not_in_table"),
         (
@@ -354,6 +369,15 @@ async def test_factor_and_peak_torque(api):
     assert peak["pin_strength"]["static_safety_factor"] == pytest.approx(
         base["pin_strength"]["static_safety_factor"] / 2
     )
+
+
+async def test_places_on_pins_and_crankshaft_agree(api):
+    """Counted from either end, to a thousandth."""
+    for places in ([42.0, 20.0], [-5.0, 17.0], [20.0, 42.02]):
+        await answered(api, changed(crankshaft__satellite_positions_mm=places))
+    body = changed(crankshaft__satellite_positions_mm=[20.0, 42.03])
+    (error,) = (await api.post(PATH, json=body)).json()["errors"]
+    assert error["params"] == {"limit": 22}
 
 
 @pytest.mark.parametrize("path", [PATH, *(each.replace("_", "-") for each in STRENGTH)])
