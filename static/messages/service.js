@@ -112,6 +112,7 @@ export default {
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
     "strength_beyond_size": "The strengths of the material hold up to {limit} mm of diameter: thicker pins are weaker.",
     "steep_mesh": "The operating pressure angle of the teeth is above 55°: the ring presses the satellites more than it turns them.",
+    "thin_without_sleeve": "The pin is thinner than what touches the holes, and there is no sleeve on it: losses and wear are those of a bare pin as thick as the contact.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is half a turn of phi further, with the same force."
   },
   "neglected": {

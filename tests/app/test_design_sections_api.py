@@ -371,6 +371,25 @@ async def test_factor_and_peak_torque(api):
     )
 
 
+async def test_a_thin_pin_without_a_sleeve_is_warned_of(api):
+    """11 mm in a contact of 16 mm; without friction nothing says whether there is a sleeve."""
+    thin = changed(pin__diameter_mm=11.0)
+    for body in (thin, own(thin, "output_efficiency")):
+        path = PATH if body is thin else "output-efficiency"
+        for diameter, sleeve, warned in (
+            (11.0, False, True),
+            (11.0, True, False),
+            (16.0, False, False),
+            (17.0, False, False),
+        ):
+            given = changed(body, pin__diameter_mm=diameter, friction__sleeve=sleeve)
+            found = await answered(api, given, path)
+            codes = [
+                each["code"] for each in found.get("output_efficiency", found).get("warnings", ())
+            ]
+            assert ("thin_without_sleeve" in codes) == warned, (path, diameter, sleeve)
+
+
 async def test_places_on_pins_and_crankshaft_agree(api):
     """Counted from either end, to a thousandth."""
     for places in ([42.0, 20.0], [-5.0, 17.0], [20.0, 42.02]):

@@ -12,7 +12,7 @@ from core.checks.sections import Friction
 from core.errors import ImpossibleMechanism
 from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
 from core.output.sampled_turn import WAYS, SampledTurn
-from core.results import Accuracy
+from core.results import Accuracy, Notice
 
 
 class DesignLosses(DesignContact):
@@ -50,6 +50,9 @@ class DesignLosses(DesignContact):
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
         )
+        bare = self.sleeved and not friction.sleeve
+        if bare and self.pin is not None and self.pin.diameter < 2 * (self.pin_radius or 0.0):
+            found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if self.lossy_turn is None:
             return found
         reference = self.output_torque / self.pin_circle_radius
