@@ -17,7 +17,15 @@ from core.errors import InvalidInput
 Result = TypeVar("Result")
 
 COMPARING = frozenset(
-    {"below_working", "greater_than", "greater_than_equal", "less_than", "less_than_equal"}
+    {
+        "below_working",
+        "greater_than",
+        "greater_than_equal",
+        "less_than",
+        "less_than_equal",
+        "other_pitch",
+        "too_near",
+    }
 )
 """Refusals whose `limit` is a value of the refused field, in its unit."""
 

@@ -33,6 +33,7 @@ REFUSALS = {
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
+    "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",
     "right_angle": "must be smaller than a right angle",
@@ -40,6 +41,7 @@ REFUSALS = {
     "contact has no arm",
     "smaller_than": "must be smaller than {field}",
     "sum_not_one": "must add up to 1, not to {sum:.15g}",
+    "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",

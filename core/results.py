@@ -80,6 +80,8 @@ NOTICES = {
     "thicker pins are weaker.",
     "steep_mesh": "The operating pressure angle of the teeth is above 55°: the ring presses the "
     "satellites more than it turns them.",
+    "thin_without_sleeve": "The pin is thinner than what touches the holes, and there is no sleeve "
+    "on it: losses and wear are those of a bare pin as thick as the contact.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
     "loaded one is half a turn of phi further, with the same force.",
 }

@@ -11,7 +11,9 @@ between the ends of the load, in forms that lose no digits where the load is sho
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from core.arrays import (
@@ -23,12 +25,46 @@ from core.arrays import (
     sqrt,
     where,
 )
+from core.errors import InvalidInput
+from core.results import ROUNDING
 
 Support = Literal["cantilever", "supported", "fixed"]
 """Held in the carrier at one end; at both, free to tilt; at both, built in."""
 
 SHEAR_COEFFICIENT = 10 / 9
 """Shear coefficient k of a round section."""
+
+
+def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
+    """Refuse satellites that reach into each other.
+
+    Parameters
+    ----------
+    name : str
+        Parameter of the places.
+    positions : sequence of float
+        Middle plane of each satellite along pin or shaft, m, in any order.
+    width : float
+        Width of each, m: the length of its contact.
+
+    Raises
+    ------
+    InvalidInput
+        If two places are nearer to each other than the width, but for what decimals lose.
+
+    Examples
+    --------
+    >>> check_apart(name="positions", positions=(0.037, 0.015), width=0.022)
+    >>> check_apart(name="positions", positions=(0.037, 0.015), width=0.023)
+    Traceback (most recent call last):
+    core.errors.InvalidInput: positions[1] = 0.015 must be at least contact_length, 0.023, from ...
+    """
+    order = sorted(range(len(positions)), key=lambda index: positions[index])
+    for pair in pairwise(order):
+        one, other = (positions[index] for index in pair)
+        if other - one < width - 4 * ROUNDING * (width + abs(one) + abs(other)):
+            places = {"field": "contact_length", "limit": width}
+            raise InvalidInput(f"{name}[{max(pair)}]", positions[max(pair)], "too_near", **places)
 
 
 @dataclass(frozen=True, slots=True)

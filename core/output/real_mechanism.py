@@ -25,6 +25,7 @@ from core.output.contact_law import (
     pin_compliance,
 )
 from core.output.mechanism import Mechanism
+from core.output.pin_beam import check_apart
 from core.output.satellite_support import HeldSatellites, SatelliteSupport, check_support, loosen
 from core.output.sharing_kernel import (
     LOST,
@@ -234,6 +235,11 @@ class RealMechanism:
                 expected=satellites,
                 actual=len(self.pin.satellite_positions),
             )
+        check_apart(
+            name="satellite_positions",
+            positions=self.pin.satellite_positions,
+            width=self.contact_length,
+        )
         return [*pin_compliance(self.pin)]
 
     @cached_property

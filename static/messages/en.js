@@ -927,6 +927,12 @@ export default {
       why: "Outside, the factor is extended, not tested: thick parts may be weaker.",
       mend: "Give the endurance limit of the part itself.",
     },
+    thin_without_sleeve: {
+      title: "Thin pin without a sleeve",
+      tests: "Whether the pin is as thick as its contact where there is no sleeve.",
+      why: "Without a sleeve nothing but the pin itself touches the holes: one of the two sizes is wrong, or there is a sleeve, which slides less.",
+      mend: "Say that there is a sleeve, or give the pin the diameter of its contact.",
+    },
     steep_mesh: {
       title: "Steep teeth",
       tests: "Whether the operating pressure angle of the teeth is at most 55°.",

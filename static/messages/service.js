@@ -25,11 +25,13 @@ export default {
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
+    "other_pitch": "must be {limit} from the place of the first satellite, as on the pins",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less {other}, as {field}: the line is infinitely long there",
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its contact has no arm",
     "smaller_than": "must be smaller than {field}",
     "sum_not_one": "must add up to 1, not to {sum}",
+    "too_near": "must be at least {field}, {limit}, from the places of the other satellites",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
@@ -109,6 +111,7 @@ export default {
     "sphere_too_wide": "The sphere is wider than its diameter: no sphere is.",
     "strength_beyond_size": "The strengths of the material hold up to {limit} mm of diameter: thicker pins are weaker.",
     "steep_mesh": "The operating pressure angle of the teeth is above 55°: the ring presses the satellites more than it turns them.",
+    "thin_without_sleeve": "The pin is thinner than what touches the holes, and there is no sleeve on it: losses and wear are those of a bare pin as thick as the contact.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is half a turn of phi further, with the same force."
   },
   "neglected": {

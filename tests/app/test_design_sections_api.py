@@ -275,7 +275,7 @@ async def test_by_default_what_is_given_is_answered(api):
             "different_length",
         ),
         (
-            {"pin__satellite_positions_mm": [15.0, 9.0]},
+            {"pin__satellite_positions_mm": [31.0, 9.0]},
             "/pin/satellite_positions_mm/1",
             "in_carrier",
         ),
@@ -283,6 +283,21 @@ async def test_by_default_what_is_given_is_answered(api):
             {"crankshaft__satellite_positions_mm": [20.0]},
             "/crankshaft/satellite_positions_mm",
             "different_length",
+        ),
+        (
+            {"pin": None, "crankshaft__satellite_positions_mm": [31.0, 31.0]},
+            "/crankshaft/satellite_positions_mm/1",
+            "too_near",
+        ),
+        (
+            {"pin__satellite_positions_mm": [15.0, 16.0], "include": ["cyclogram"]},
+            "/pin/satellite_positions_mm/1",
+            "too_near",
+        ),
+        (
+            {"crankshaft__satellite_positions_mm": [20.0, 45.0]},
+            "/crankshaft/satellite_positions_mm/1",
+            "other_pitch",
         ),
         ({"bearing__reliability_percent": 92}, "/bearing/reliability_percent", "not_in_table"),
         (
@@ -354,6 +369,34 @@ async def test_factor_and_peak_torque(api):
     assert peak["pin_strength"]["static_safety_factor"] == pytest.approx(
         base["pin_strength"]["static_safety_factor"] / 2
     )
+
+
+async def test_a_thin_pin_without_a_sleeve_is_warned_of(api):
+    """11 mm in a contact of 16 mm; without friction nothing says whether there is a sleeve."""
+    thin = changed(pin__diameter_mm=11.0)
+    for body in (thin, own(thin, "output_efficiency")):
+        path = PATH if body is thin else "output-efficiency"
+        for diameter, sleeve, warned in (
+            (11.0, False, True),
+            (11.0, True, False),
+            (16.0, False, False),
+            (17.0, False, False),
+        ):
+            given = changed(body, pin__diameter_mm=diameter, friction__sleeve=sleeve)
+            found = await answered(api, given, path)
+            codes = [
+                each["code"] for each in found.get("output_efficiency", found).get("warnings", ())
+            ]
+            assert ("thin_without_sleeve" in codes) == warned, (path, diameter, sleeve)
+
+
+async def test_places_on_pins_and_crankshaft_agree(api):
+    """Counted from either end, to a thousandth."""
+    for places in ([42.0, 20.0], [-5.0, 17.0], [20.0, 42.02]):
+        await answered(api, changed(crankshaft__satellite_positions_mm=places))
+    body = changed(crankshaft__satellite_positions_mm=[20.0, 42.03])
+    (error,) = (await api.post(PATH, json=body)).json()["errors"]
+    assert error["params"] == {"limit": 22}
 
 
 @pytest.mark.parametrize("path", [PATH, *(each.replace("_", "-") for each in STRENGTH)])

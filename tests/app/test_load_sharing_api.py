@@ -153,6 +153,8 @@ BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34
          "different_length"),
         (changed(pin={"support": "fixed", "satellite_positions_mm": [9, 23]}), "/pin/span_mm",
          "needed_beside"),
+        (changed(pin=BEND | {"satellite_positions_mm": [9, 20]}),
+         "/pin/satellite_positions_mm/1", "too_near"),
         (changed(pin=BEND | {"satellite_positions_mm": [9]}), "/pin/satellite_positions_mm",
          "different_length"),
         (changed(pin=BEND | {"satellite_positions_mm": [9, 40]}),

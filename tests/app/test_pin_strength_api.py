@@ -135,6 +135,14 @@ async def test_what_is_not_checked_is_said(api, body, code):
     assert ("fatigue" in answer) is (code == "short_pin")
 
 
+async def test_satellites_may_touch_each_other(api):
+    for places in ([10.0, 30.0], [30.1, 10.1], [10.3, 30.3]):
+        answer = await api.post(PATH, json=changed(pin={PLACES: places}))
+        assert answer.status_code == 200, places
+    near = (await api.post(PATH, json=changed(pin={PLACES: [10.0, 29.0]}))).json()["errors"][0]
+    assert near["params"] == {"field": "contact_length_mm", "limit": 20}
+
+
 async def test_bounds_of_a_cage(api):
     """A load in the middle: F/4*(L - b/2) free to tilt, F/(24*L)*(3*L^2 - b^2) built in."""
     one = {PLACES: [26.0], "span_mm": 52.0}
@@ -183,6 +191,8 @@ PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_fact
         (changed(pin={PLACES: [9.0, 37.0]}), f"/pin/{PLACES}/0", "in_carrier"),
         (changed(pin={"support": "fixed"}), "/pin/span_mm", "needed_beside"),
         (changed(pin=SHORT), f"/pin/{PLACES}/1", "beyond_support"),
+        (changed(pin={PLACES: [15.0, 34.9]}), f"/pin/{PLACES}/1", "too_near"),
+        (changed(pin={PLACES: [31.0, 12.0]}), f"/pin/{PLACES}/1", "too_near"),
         (changed(include=["support_bounds"]), "/pin/span_mm", "needed_for"),
         (
             changed(pin={"span_mm": 45.0}, include=["support_bounds"]),

@@ -491,9 +491,10 @@ def test_fixes_cure(code: str) -> None:
 
 
 def test_a_longer_contact_has_to_stay_off_the_carrier() -> None:
-    """The first satellite is at 15 mm: its contact may be 30 mm long."""
-    for limit, allowed in ((6e-5, False), (1e-4, True)):
-        design = replace(WHOLE, max_wear=limit)
+    """The first satellite is at 15 mm: its contact may be 30 mm long, and as long as the pitch."""
+    apart = part(replace(WHOLE, crankshaft=None), "pin", satellite_positions=(0.015, 0.047))
+    for given, limit, allowed in ((apart, 6e-5, False), (apart, 1e-4, True), (WHOLE, 1e-4, False)):
+        design = replace(given, max_wear=limit)
         fixes = crank_fixes(design=design, codes=["wear"])
         assert ("contact_length" in {fix.variable for fix in fixes}) == allowed
 

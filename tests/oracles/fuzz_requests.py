@@ -11,6 +11,7 @@ import random
 from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import dataclass, field
+from itertools import accumulate
 from typing import Any
 
 from app.examples import EXAMPLES
@@ -396,7 +397,8 @@ def pin_strength(r: Draw) -> Body:
     angles = own.get("crank_angles_deg")
     satellites = own.get("satellites", 2) if angles is None else len(angles)
     length = r.number("DesignPinFields", "contact_length_mm")
-    places = [min(1e12, length * (0.51 + j * r.uniform(1, 1.5))) for j in range(satellites)]
+    steps = accumulate((r.uniform(1, 1.5) for _ in range(satellites)), initial=0.51)
+    places = [min(1e12, length * each) for _, each in zip(range(satellites), steps, strict=False)]
     pin: Body = {
         "diameter_mm": r.number("DesignPinFields", "diameter_mm"),
         "contact_length_mm": length,
@@ -468,11 +470,28 @@ def fitting(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
         body = make(r)
         if r.chance(0.9):
             peak_of_all(body)
+            side_by_side(body)
             if "ring_teeth" in body["mechanism"]:
                 body.get("gear", {}).pop("teeth_difference", None)
         return body
 
     return made
+
+
+def side_by_side(body: Body) -> None:
+    """No satellite within another, and the same distances on pins and crankshaft."""
+    pin, shaft = body.get("pin", {}), body.get("crankshaft")
+    on_pins = pin.get("satellite_positions_mm")
+    width = pin.get("contact_length_mm", body.get("contact", {}).get("contact_length_mm"))
+    if shaft is None:
+        return
+    places = shaft["satellite_positions_mm"]
+    if on_pins is not None and len(on_pins) == len(places):
+        shaft["satellite_positions_mm"] = [places[0] + z - on_pins[0] for z in on_pins]
+    elif width is not None:
+        shaft["satellite_positions_mm"] = [
+            places[0] + 1.01 * width * index for index, _ in enumerate(places)
+        ]
 
 
 def peak_of_all(body: Body) -> None:

@@ -10,12 +10,16 @@ from core.errors import InvalidInput
 from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
+from core.output.pin_beam import check_apart
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import SatelliteSupport
 
 Body = Literal["pin", "hole"]
+
+DRAWN = 1e-3
+"""Part of a distance that is lost where it is rounded on a drawing."""
 
 TYPED = 1e-9
 """Part of a torque that is lost where its limit is written down."""
@@ -113,7 +117,8 @@ class GivenDesign:
     Raises
     ------
     InvalidInput
-        If the peak torque is below the working one.
+        If the peak torque is below the working one, satellites reach into each other, or their
+        places on pins and crankshaft differ.
     """
 
     pins: int
@@ -170,6 +175,32 @@ class GivenDesign:
     max_unbalance_couple: float | None = None
 
     def __post_init__(self) -> None:
+        self._check_peak()
+        self._check_places()
+
+    def _check_places(self) -> None:
+        """Satellites do not reach into each other, and are as far apart on the pins as on the
+        crankshaft, whose axis may point the other way.
+        """
+        pin, shaft = self.pin, self.crankshaft
+        on_pins = () if pin is None else pin.satellite_positions
+        on_shaft = () if shaft is None else shaft.satellite_positions
+        width = self.contact_length if pin is None else pin.contact_length or self.contact_length
+        if width is not None:
+            for section, places in (("pin", on_pins), ("crankshaft", on_shaft)):
+                name = f"{section}.satellite_positions"
+                check_apart(name=name, positions=places, width=width)
+        if not on_pins or len(on_pins) != len(on_shaft):
+            return
+        away = [place - on_shaft[0] for place in on_shaft]
+        wanted = [place - on_pins[0] for place in on_pins]
+        way = math.copysign(1.0, away[-1] * wanted[-1])
+        for index, (here, there) in enumerate(zip(away, wanted, strict=True)):
+            if abs(here - way * there) > DRAWN * abs(there):
+                name = f"crankshaft.satellite_positions[{index}]"
+                raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
+
+    def _check_peak(self) -> None:
         if self.output_torque is None or self.peak_torque is None:
             return
         working = self.output_torque * self.dynamic_factor

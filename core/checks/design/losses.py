@@ -18,7 +18,7 @@ from core.errors import ImpossibleMechanism
 from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
 from core.output.pin_strength import PinStrength
 from core.output.sampled_turn import WAYS, SampledTurn
-from core.results import Accuracy
+from core.results import Accuracy, Notice
 
 
 class DesignLosses(DesignContact):
@@ -56,6 +56,9 @@ class DesignLosses(DesignContact):
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
         )
+        bare = self.sleeved and not friction.sleeve
+        if bare and self.pin is not None and self.pin.diameter < 2 * (self.pin_radius or 0.0):
+            found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if self.lossy_turn is not None:
             reference = self.output_torque / self.pin_circle_radius
             return made_losses(losses=found, turn=self.lossy_turn, reference=reference)
