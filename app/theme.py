@@ -110,7 +110,8 @@ TEXTS = {
     "roller_circle": "Circle of the roller axes",
     "run_time": "Run time",
     "satellite": "Satellite {satellite}",
-    "satellite_pin": "Satellite.pin",
+    "pair": "S{satellite} P{pin}",
+    "pairs_of": "Satellite S, pin P",
     "share_alone": "Alone, S₁",
     "share_in_all": "With others, S_T",
     "share_of_variance": "Share of the variance",
@@ -222,6 +223,8 @@ def _texts(figure: Figure) -> Iterator[tuple[list[str | int], Any]]:
     for key, part in figure["layout"].items():
         if "axis" in key:
             yield ["layout", key, "title", "text"], part["title"]["text"]
+            for place, each in enumerate(part.get("ticktext", ())):
+                yield ["layout", key, "ticktext", place], each
     for index, each in enumerate(figure["layout"].get("shapes", ())):
         yield ["layout", "shapes", index, "name"], each.get("name")
     for index, each in enumerate(figure["layout"].get("annotations", ())):

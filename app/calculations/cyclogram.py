@@ -231,10 +231,15 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
                 theme,
-                text("satellite_pin"),
+                text("pairs_of"),
                 type="category",
                 categoryorder="array",
                 categoryarray=rows[::-1],
+                tickvals=rows,
+                ticktext=[
+                    text("pair", satellite=pair["satellite"], pin=pair["pin"])
+                    for pair in answer["pairs"]
+                ],
                 domain=[0.3, 1],
                 showgrid=False,
             ),

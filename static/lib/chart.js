@@ -188,6 +188,14 @@ export function pairsOf({ name, mode }) {
   return mode === "lines" && PAIR.test(name) ? name.split(" = ") : [];
 }
 
+/** A name of pairs as the reader knows them. */
+export function pairNames(name) {
+  return name.split(" = ").map((pair) => {
+    const [satellite, pin] = pair.split(".");
+    return figureText("pair", { satellite, pin });
+  }).join(" = ");
+}
+
 /** The largest force of all pairs, strong, over the curves of the pairs, thin; those that coincide are one. */
 export function enveloped(chart, name) {
   const pairs = chart.data.filter((trace) => pairsOf(trace).length > 0);
@@ -206,7 +214,7 @@ export function enveloped(chart, name) {
     const [first] = set;
     return {
       ...first, name: names, showlegend: false, line: { ...first.line, dash: "solid", width: 1 },
-      hovertemplate: set.length > 1 ? `${names}<br>${first.hovertemplate}` : first.hovertemplate,
+      hovertemplate: set.length > 1 ? `${pairNames(names)}<br>${first.hovertemplate}` : first.hovertemplate,
     };
   });
   const envelope = {
@@ -220,7 +228,7 @@ export function enveloped(chart, name) {
   };
 }
 
-/** The sets of pairs whose curves coincide, as they are named in the figure. */
+/** The sets of pairs whose curves coincide, as the reader knows them. */
 export function coinciding({ data }) {
-  return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => name);
+  return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => pairNames(name));
 }

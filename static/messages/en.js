@@ -1077,7 +1077,6 @@ export default {
     phases: "Driving phases",
     counts: "Number of pairs driving",
     crankAngle: "Crank angle",
-    pairForce: "S{satellite} P{pin}",
     forces: "Force of each pair",
     pinStrength: "Bending moment and stress of a pin",
     pinStrengthLabel: "The bending moment of a pin as a curve over the turn with the worst direction, beside it the bending stress over the crank angle.",

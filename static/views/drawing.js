@@ -2,6 +2,7 @@
  * The drawing of a calculator, and what moves it: a slider, play and pause, the pair selected.
  * What stands still has the drawing alone.
  */
+import { pairNames } from "../lib/chart.js";
 import { formatQuantity } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -94,7 +95,7 @@ export function createDrawingView({ calculator, on }) {
     if (!moving) return;
     if (!drawing) stop();
     const pairs = drawing?.pairs ?? [];
-    fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${name}</option>`)}`);
+    fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${pairNames(name)}</option>`)}`);
     slider.max = String(end());
     showPlaying();
     moves = drawing?.attach(place) ?? null;

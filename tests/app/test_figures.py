@@ -72,6 +72,13 @@ async def test_the_bars_are_the_driving_phases(api):
         for pair in answer["pairs"]
         for start, stop in pair["driving_deg"]
     ]
+    rows = figure["layout"]["yaxis"]
+    named = [f"S{pair['satellite']} P{pair['pin']}" for pair in answer["pairs"]]
+    assert rows["ticktext"] == named and rows["tickvals"] == rows["categoryarray"][::-1]
+    words = [
+        [path[-1], each] for path, *each in figure["layout"]["meta"]["words"] if "ticktext" in path
+    ]
+    assert words[4] == [4, ["pair", {"satellite": 2, "pin": 2}]]
     assert len(bars) == len(phases)
     for bar, phase in zip(bars, phases, strict=True):
         assert bar[0] == phase[0] and bar[1:] == pytest.approx(phase[1:], abs=2e-6)

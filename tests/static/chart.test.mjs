@@ -111,7 +111,8 @@ test("pairs stand thin under the largest force; curves that coincide are one, an
   const chart = enveloped({ data: [line("1.1", [0, 4, 1]), line("1.2", [2, 3, 5]), line("2.2", [0, 4, 1]), { name: "Peak", mode: "markers", x: [1], y: [4] }], layout: { shapes: [{}] } }, "Largest");
   assert.deepEqual(chart.data.map(({ name }) => name), ["1.1 = 2.2", "1.2", "Largest", "Peak"]);
   assert.deepEqual(chart.data[2].y, [2, 4, 5]);
-  assert.deepEqual(coinciding(chart), ["1.1 = 2.2"]);
+  assert.deepEqual(coinciding(chart), ["S1 P1 = S2 P2"]);
+  assert.match(chart.data[0].hovertemplate, /^S1 P1 = S2 P2<br>/);
   assert.deepEqual(pairsOf(chart.data[0]), ["1.1", "2.2"]);
   const over = overlaid(chart, [{ name: "A", chart: { ...chart, data: [{ ...chart.data[2], y: [9, 9, 9] }, chart.data[1]] } }]);
   assert.deepEqual(over.data.slice(4).map(({ name, y }) => [name, y]), [["A", [9, 9, 9]]], "of another design the envelope alone");

@@ -8,6 +8,7 @@ import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
 import { message } from "../../messages/index.js";
+import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
@@ -148,7 +149,7 @@ function forceTables({ contact_force: { curves } }) {
     title: message("figure.forces"),
     columns: [
       { title: message("figure.crankAngle"), unit: "°" },
-      ...curves.pairs.map((pair) => ({ title: message("figure.pairForce", pair), unit: "N" })),
+      ...curves.pairs.map((pair) => ({ title: figureText("pair", pair), unit: "N" })),
     ],
     rows: curves.crank_angle_deg.map((angle, i) => [angle, ...curves.force_N.map((pair) => pair[i])]),
   }];

@@ -5,6 +5,7 @@
 import { fatigueFields } from "../../lib/fatigue.js";
 import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
+import { figureText } from "../../service_texts.js";
 import { ratioOf } from "./mechanism.js";
 
 const MOST_ROWS = 400; // of a table; more are for other programs
@@ -35,7 +36,7 @@ const REAL = {
     words: ["holes", "real"],
     columns: deviated("hole"),
     rows: ({ mechanism: { pins, satellites } }) => counted(pins * satellites, (i) =>
-      message("figure.pairForce", { satellite: Math.floor(i / pins) + 1, pin: (i % pins) + 1 })),
+      figureText("pair", { satellite: Math.floor(i / pins) + 1, pin: (i % pins) + 1 })),
   },
   "deviations.cranks": {
     words: ["cranks", "real"],
