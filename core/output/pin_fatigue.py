@@ -31,6 +31,8 @@ class PinFatigue(CycleFatigue):
         By the criterion: all stresses may grow by this factor.
     cycles : float or None
         Cycles that it stands; None within the endurance limit: as many as there are.
+    notices : tuple of Notice
+        Ranges of formulas that it is outside of.
     direction : float or None
         Direction chi of the point of the section's edge from the tangential one, towards growing
         pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
