@@ -5,7 +5,7 @@ import { eccentricityOf } from "./mechanism.js";
 import { idealTurn } from "./turn.js";
 import { partsOf } from "./wanted.js";
 
-const MOST_PAIRS = 200; // whose turn is worked
+const MOST_PAIRS = 100; // whose turn is worked
 const ALIKE = 1e-13; // difference of stiffnesses that only rounding makes
 const BENT = { // E·I times deflection and slope by what holds the pin, and the force sheared there
   cantilever: ["z*x^2/2-x^3/6", "z*x-x^2/2", "x"],

@@ -4,7 +4,7 @@
  *
  * A *turn* has the segments of the wave angle between switching angles, in each of which the same pairs drive; all
  * pins pass through one pitch of them, so that this is all of the turn. A *position* is
- * `{ wave, pairs: [{ satellite, pin, angle, cosine, force, weight }] }` of the driving pairs there, satellites and pins from 0,
+ * `{ pairs: [{ satellite, pin, angle, cosine, force, weight }] }` of the driving pairs there, satellites and pins from 0,
  * pressure angles in degrees, forces over T/R.
  */
 import { NODES } from "../../lib/formula/evaluate.js";
@@ -16,7 +16,7 @@ const RADIAN = Math.PI / 180;
 const SHORT = 1e-9; // rad: a segment that only rounding makes
 const STEPS = 24; // of a segment, between which the largest is sought
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
-const NARROWINGS = 60;
+const NARROWINGS = 40;
 const PANELS = 4; // of a segment, each with some nodes of a mean
 
 /** Pins, cranks at `angles` in degrees, exponent v, and the weight of each satellite in the sharing. */
@@ -37,12 +37,12 @@ export function idealTurn({ pins, angles }, exponent, weights = angles.map(() =>
 }
 
 function positionOf(driving, wave, exponent) {
-  const pairs = driving.map(({ phase, ...pair }) => {
-    const angle = wave + phase;
-    return { ...pair, angle: tidy(Math.atan2(Math.sin(angle), Math.cos(angle)) / RADIAN), cosine: Math.max(Math.cos(angle), 0) };
-  });
-  const support = pairs.reduce((sum, { weight, cosine }) => sum + weight * cosine ** (1 + exponent), 0);
-  return { wave, pairs: pairs.map((pair) => ({ ...pair, force: (pair.weight * pair.cosine ** exponent) / support })) };
+  const cosines = driving.map(({ phase }) => Math.max(Math.cos(wave + phase), 0));
+  const support = driving.reduce((sum, { weight }, i) => sum + weight * cosines[i] ** (1 + exponent), 0);
+  return { pairs: driving.map(({ satellite, pin, weight, phase }, i) => ({
+    satellite, pin, weight, cosine: cosines[i], force: (weight * cosines[i] ** exponent) / support,
+    angle: tidy(Math.atan2(Math.sin(wave + phase), Math.cos(wave + phase)) / RADIAN),
+  })) };
 }
 
 /** Of turns the position at which a measure is largest: `{ value, position, turn }`. */
@@ -54,10 +54,18 @@ export function largestOf(turns, measure) {
       const samples = Array.from({ length: STEPS + 1 }, (_, i) => measure(at(from + i * step)));
       const top = samples.indexOf(Math.max(...samples));
       let [low, high] = [from + Math.max(top - 1, 0) * step, from + Math.min(top + 1, STEPS) * step];
+      let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+      let [lefts, rights] = [measure(at(left)), measure(at(right))];
       for (let i = 0; i < NARROWINGS; i += 1) {
-        const [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        if (measure(at(left)) >= measure(at(right))) high = right;
-        else low = left;
+        if (lefts >= rights) {
+          [high, right, rights] = [right, left, lefts];
+          left = high - GOLDEN * (high - low);
+          lefts = measure(at(left));
+        } else {
+          [low, left, lefts] = [left, right, rights];
+          right = low + GOLDEN * (high - low);
+          rights = measure(at(right));
+        }
       }
       for (const wave of [from + top * step, (low + high) / 2]) {
         const position = at(wave);
