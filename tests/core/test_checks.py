@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from core.checks.check import MARGIN, Check, judged, verdict
@@ -58,6 +58,21 @@ designs = st.builds(
 )
 
 
+AT_THE_JUMP = replace(
+    REF,
+    pins=3,
+    satellites=4,
+    output_torque=215.0,
+    pin_circle_radius=0.09375,
+    pin_radius=0.015625,
+    hole_radius=0.01922607421875,
+    eccentricity=0.00360107421875,
+    hole_material=MATERIALS["bronze_tin_nickel"].material,
+)
+"""Its limit lies within the jump where the conformal pressure takes over."""
+
+
+@example(AT_THE_JUMP)
 @given(designs)
 def test_the_torque_reserve_puts_each_check_at_its_limit(design: CrankDesign) -> None:
     for check in crank_checks(design).checks:

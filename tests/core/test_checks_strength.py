@@ -24,7 +24,8 @@ PEAK = 1e4 / 3
 MODULUS = math.pi * 0.016**3 / 32
 ONE = replace(WHOLE, satellites=1, output_torque=250.0)
 """Of one satellite, which has nobody to share with."""
-EVEN = replace(WHOLE, pin=replace(WHOLE.pin, satellite_positions=(0.015, 0.015)))  # type: ignore[type-var]
+EVENLY = {"support": "supported", "span": 0.062, "satellite_positions": (0.02, 0.042)}
+EVEN = replace(WHOLE, pin=replace(WHOLE.pin, **EVENLY))  # type: ignore[arg-type, type-var]
 """Of two satellites that share alike."""
 
 
@@ -241,9 +242,7 @@ def test_pv_and_wear_are_those_of_the_worse_sharing() -> None:
     assert CRANK["wear"](worn).status == "fail"
     many = CRANK["wear"](replace(worn, pins=251))
     assert (many.status, many.reason) == ("not_checked", "too_large")
-    assert CRANK["wear"](
-        part(replace(worn, pins=251), "pin", satellite_positions=(0.02, 0.02))
-    ).value
+    assert CRANK["wear"](part(replace(worn, pins=251), "pin", **EVENLY)).value
 
 
 def test_pv_is_that_of_a_bush() -> None:

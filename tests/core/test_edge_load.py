@@ -173,7 +173,7 @@ def test_the_place_of_the_pressure_of_pins_made_unlike() -> None:
     )  # type: ignore[type-var]
     design = replace(
         WHOLE, pins=4, deviations=UNLIKE.deviations, law=UNLIKE.law, hole_radius=0.01001,
-        pin=between,
+        pin=between, crankshaft=None,
     )  # fmt: skip
     largest = design.judged_forces.place  # type: ignore[union-attr]
     assert (largest["satellite"], largest["pin"]) == (1, 4) and "crank_angle" in largest

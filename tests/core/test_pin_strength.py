@@ -159,7 +159,10 @@ def test_life() -> None:
     assert lasting.cycles is None and lasting.life is None
     weaker = FatigueStrength(endurance_limit=20e6, tensile_strength=320e6)
     short = pin_strength(**REFERENCE | {"fatigue": weaker})
-    assert [each.code for each in short.notices] == ["low_cycle_fatigue"]
+    assert [each.code for each in short.notices] == [
+        "life_beyond_strength",
+        "low_cycle_fatigue",
+    ]
 
 
 @pytest.mark.parametrize(("cycles", "noticed"), [(995, True), (1005, False)])
