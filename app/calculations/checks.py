@@ -483,5 +483,5 @@ def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:
     """Checks that fixes are asked for: the governing one unless it passes, or all that fail."""
     if which == "failed":
         return [each.code for each in verdict.checks if each.status == "fail"]
-    first = verdict.checks[0] if verdict.checks else None
-    return [first.code] if first is not None and first.status in ("fail", "marginal") else []
+    first = verdict.governing
+    return [first] if first is not None and verdict[first].status != "pass" else []

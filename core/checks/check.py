@@ -226,7 +226,8 @@ class Verdict:
         `fail` where a check fails, else `incomplete` where one could not be made, or none is of
         what the load could break, else `marginal` where one is, else `pass`.
     governing : str or None
-        Code of the check that decides: the worst failing one, else the one next to its limit.
+        Code of the check that decides of those that are made: the worst failing one, else the one
+        next to its limit.
     torque_reserve : float or None
         Factor on the torque at which the first check fails.
     largest_torque_known : bool
@@ -237,7 +238,7 @@ class Verdict:
     not_considered : tuple of str
         What is not looked at, keys of `NOT_CONSIDERED`.
     checks : tuple of Check
-        All of them, the one that decides first.
+        All of them, the one that decides first: of an incomplete verdict one that is not checked.
     """
 
     verdict: Outcome
@@ -254,12 +255,13 @@ class Verdict:
 
 
 def _rank(check: Check) -> tuple[float, ...]:
-    """Order of checks: impossible, failing, marginal, passing, then what is not judged.
+    """Order of checks, as they decide the verdict: impossible, failing, those that could not be
+    made, marginal, passing, then what is not judged.
 
     Utilisations of different powers of the torque cannot be compared; its reserve can. What fails
     whatever the torque comes before.
     """
-    order = {"fail": 1, "marginal": 2, "pass": 3, "not_checked": 4, "not_asked": 5}
+    order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
     reserve = check.torque_reserve
     if reserve is None:

@@ -500,6 +500,20 @@ async def test_satellites_that_are_alike(api):
     assert (fix["from"], fix["to"], fix["status"]) == (3, 2, "solved")
 
 
+async def test_beside_a_check_that_cannot_be_made_the_governing_one_is_fixed(api):
+    """That one comes first in the list, and has no fix."""
+    body = design(load__output_torque_Nm=1.0)
+    answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks"]})
+    pressure = checks["contact_pressure_hole"]["torque_reserve"]
+    body["load"]["output_torque_Nm"] = pressure / 1.05
+    steel = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}
+    body["contact"]["pin_material"] = steel
+    answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks", "fixes"]})
+    assert (answer["verdict"], answer["governing"]) == ("incomplete", "contact_pressure_hole")
+    assert answer["checks"][0]["code"] == "contact_pressure_pin"
+    assert answer["fixes"] and {each["code"] for each in answer["fixes"]} == {answer["governing"]}
+
+
 async def test_a_pin_is_fixed_to_a_standard_size(api):
     body = design(load__output_torque_Nm=1500.0) | {"include": ["fixes"]}
     answer, _ = await asked(api, "crank-planetary", body)

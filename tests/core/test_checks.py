@@ -176,13 +176,15 @@ def test_order_and_verdict() -> None:
     every = [eight, seven, six, five, four, three, two, one]
     assert [each.code for each in verdict(every).checks] == [
         *("interference", "wall_holes", "contact_pressure_pin", "contact_pressure_hole"),
-        *("contact_yield_pin", "contact_shakedown_pin", "contact_shakedown_hole", "assembly"),
+        *("contact_shakedown_hole", "contact_yield_pin", "contact_shakedown_pin", "assembly"),
     ]
     assert verdict(every).verdict == "fail"
     assert verdict(every).torque_reserve == 0.25  # not the warning's
     assert not verdict(every).largest_torque_known
     assert verdict([three, four, seven]).largest_torque_known
-    assert verdict([five, seven, eight]).verdict == "incomplete"
+    unknown = verdict([five, seven, eight])
+    assert unknown.verdict == "incomplete"
+    assert (unknown.checks[0], unknown.governing) == (eight, five.code)
     assert not verdict([five, eight]).largest_torque_known
     assert verdict([five, six, seven]).verdict == "marginal"
     assert verdict([seven]).verdict == "incomplete"

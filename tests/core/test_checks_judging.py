@@ -65,18 +65,18 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     ]
     half, most = (judged("wall_holes", 1.0, part) for part in (0.5, 0.9))
     found = verdict([*unknown, half, most])
-    assert [each.utilisation for each in found.checks[:2]] == [0.9, 0.5]
-    assert [each.status for each in found.checks[2:]] == [
+    assert [each.utilisation for each in found.checks[1:3]] == [0.9, 0.5]
+    assert [found.checks[index].status for index in (0, 3, 4)] == [
         "not_checked",
         "not_asked",
         "not_applicable",
     ]
     assert found["assembly"].status == "not_asked"
-    # what warns before what passes, and that before what is not known, whatever their reserves
+    # what is not known before what warns, and that before what passes, whatever their reserves
     warned = judged("crank_balance", 1.0, 0.0, warning="unbalanced")
     room = judged("line_spacing", 1.0, 0.0)
     stressed = judged("roller_stress", 1.0, 2.0, reserve=1.5)
-    order = [warned, stressed, room, *reversed(unknown)]
+    order = [unknown[2], warned, stressed, room, unknown[1], unknown[0]]
     assert verdict(reversed(order)).checks == tuple(order)
     # an impossible part that is not there is none
     passing = replace(half, impossible=True)
