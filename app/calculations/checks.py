@@ -408,6 +408,8 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
     path = paths[0]
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
+    if fix.after != fix.exact:  # a rounded size stays one in the unit of the field
+        to = float(f"{to:.12g}")
     sets = {pointer(each): to for each in paths}
     hole, clearance, pin = (
         path_of(body, each) for each in ("hole_radius", "hole_clearance", "pin.diameter")

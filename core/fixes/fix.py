@@ -18,6 +18,10 @@ PIN_SIZES = (
 )
 """Diameters of parallel pins in mm that ISO 2338 (DIN 7) has; up to 20 mm ISO 8734 too."""
 
+UNITS = {"input_speed": 2 * math.pi / 60}
+"""Units in which inputs are rounded, in SI units, where people do not count in decimals of these: a
+turn a minute."""
+
 WALL = 1e-3
 """Wall that a fix aims at where none is asked, m."""
 
@@ -184,9 +188,10 @@ class Cure:
         up = exact >= self.before
         beyond_it = [each for each in self.standard if (each >= exact if up else each <= exact)]
         sizes = [((min if up else max)(beyond_it), True)] if beyond_it else []
-        step = 10.0 ** (2 - math.floor(math.log10(exact)))
-        rounded = (math.ceil if up else math.floor)(exact * step)
-        return [*sizes, (rounded / step, False)]
+        unit = UNITS.get(self.variable, 1.0)
+        step = 10.0 ** (2 - math.floor(math.log10(exact / unit)))
+        rounded = (math.ceil if up else math.floor)(exact / unit * step)
+        return [*sizes, (rounded / step * unit, False)]
 
     def _made(self, sizes: list[tuple[float, bool]]) -> tuple[float, bool, Verdict]:
         """The first size that makes a design, whether it is a standard one, and the verdict."""

@@ -514,6 +514,25 @@ async def test_beside_a_check_that_cannot_be_made_the_governing_one_is_fixed(api
     assert answer["fixes"] and {each["code"] for each in answer["fixes"]} == {answer["governing"]}
 
 
+async def test_fixes_are_rounded_in_the_unit_of_their_field(api):
+    """Three digits: a speed in turns a minute, a wear rate of some 1e-9."""
+    body = design(load__input_speed_rpm=1450.0, contact__eccentricity_mm=1.5)
+    body["contact"].pop("hole_radius_mm", None)
+    body["friction"] = {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 5000.0}
+    fixed = {}
+    for limit in (0.7, 0.4, 0.31):
+        answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks"]})
+        asks = {"max_wear_mm": limit * checks["wear"]["value"]}
+        more = {"requirements": asks, "include": ["fixes", "checks"], "fixes_for": "failed"}
+        answer, _ = await asked(api, "crank-planetary", body | more)
+        fixes = [each for each in answer["fixes"] if each["code"] == "wear"]
+        for each in fixes:
+            if "standard" not in each and each["status"] == "solved":
+                assert float(f"{each['to']:.3g}") == each["to"], each
+            fixed.setdefault(each["pointer"], each)
+    assert {"/load/input_speed_rpm", "/friction/wear_rate_mm3_per_Nm"} <= {*fixed}
+
+
 async def test_a_pin_is_fixed_to_a_standard_size(api):
     body = design(load__output_torque_Nm=1500.0) | {"include": ["fixes"]}
     answer, _ = await asked(api, "crank-planetary", body)
