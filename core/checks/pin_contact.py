@@ -79,7 +79,7 @@ def _force_factor(
         outside=1.03 * max(ratio, ratio * ratio),
         excess=left,
     )
-    return met * (1 - 8 * ROUNDING)  # not beyond the jump by the rounding of a torque
+    return met * (1 - 512 * ROUNDING)  # not beyond the jump by the rounding of forces
 
 
 def real_reserve(*, design: CrankDesign, limit: float) -> float:

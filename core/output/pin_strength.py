@@ -33,6 +33,9 @@ AT_ZERO = 1e-6
 IDLE = 1e-12
 """Forces below this part of the largest bear no line load that counts."""
 
+GROWN = 1e-5
+"""By what part all forces grow to see how a line load grows with them."""
+
 
 @dataclass(frozen=True, slots=True)
 class PinDeflection:
@@ -67,11 +70,14 @@ class EdgeLoad:
         Number of the satellite, from 1.
     pin : int or None
         Number of the pin, from 1; None where all are alike.
+    growth : float
+        Power of all forces with which it grows.
     """
 
     force: float
     satellite: int
     pin: int | None
+    growth: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -276,7 +282,11 @@ class PinStresses:
         EdgeLoad
         """
         pin, z = self.pin, self.pin.positions
-        own, slopes = np.eye(len(z)), pin.beam.slope(z[:, None], z)
+        under = factor * np.array([[[1.0]], [[1 + GROWN]]])
+        own, slopes = (
+            (under * each).reshape(-1, len(z))
+            for each in (np.eye(len(z)), pin.beam.slope(z[:, None], z))
+        )
 
         def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
             force = np.abs(forces)
@@ -294,18 +304,20 @@ class PinStresses:
             [
                 largest(
                     turn=each.turn,
-                    arms=(factor * each.unit * own, factor * each.unit * slopes),
+                    arms=(each.unit * own, each.unit * slopes),
                     measure=edge,
-                )
+                ).reshape(2, -1)
                 for each in loads
             ]
         )
+        found, grown = found[:, 0], found[:, 1]
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
         alike = all(each.pin == loads[0].pin for each in loads)
         return EdgeLoad(
             force=float(found[case, satellite]),
             satellite=int(satellite) + 1,
             pin=None if alike else loads[case].pin,
+            growth=math.log(grown[case, satellite] / found[case, satellite]) / math.log1p(GROWN),
         )
 
 

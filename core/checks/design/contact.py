@@ -8,6 +8,9 @@ from core.checks.real_forces import RealForces
 from core.hertz import HertzContact, hertz
 from core.output.pin_strength import EdgeLoad, PinStresses
 
+STEPS, LEFT = 50, 1e-6
+"""Most steps to the force of a line load, and the last one, whose own error is its square."""
+
 
 class DesignContact(DesignPins):
     """The contact with the largest pressure."""
@@ -36,15 +39,21 @@ class DesignContact(DesignPins):
         -------
         float
         """
-        edge, judged = self._edge(factor), self.judged_forces
+        edge = self.edge if factor == 1 else self._edge(factor)
+        judged = self.judged_forces
         if edge is None or judged is None:
             return 1.0
         if isinstance(judged, RealForces):
             return edge.force / (factor * judged.force)
         return edge.force / (factor * self.dynamic_factor * judged.peak_force)
 
+    @cached_property
+    def edge(self) -> EdgeLoad | None:
+        """The contact with that line load; None without pins."""
+        return self._edge(1.0)
+
     def _edge(self, factor: float) -> EdgeLoad | None:
-        """The contact with that line load, under so many times the forces; None without pins."""
+        """The same under so many times the forces."""
         if not isinstance(self._pin_stresses, PinStresses):
             return None
         assert self.contact_length is not None
@@ -75,22 +84,23 @@ class DesignContact(DesignPins):
 
     def torque_factor(self, factor: float) -> float:
         """Factor on the torque under which the largest line load is so many times as large."""
-        force, on_force, edge = self.judged_forces, factor, self.edge_factor(1.0)
-        before = gone = 0.0  # secants of the logarithm of both
-        while self.pin and 0 < on_force < math.inf:
-            left = math.log(factor * edge / self.edge_factor(on_force) / on_force)
-            if abs(left) <= 1e-9:
-                break
-            step = left if left == before or not before else gone * left / (before - left)
-            before, gone = left, step
-            on_force *= math.exp(step)
+        force, on_force, edge = self.judged_forces, factor, self.edge
+        if edge is not None and 0 < factor < math.inf:
+            wanted, left, on_force = factor * edge.force, math.log(factor), 1.0
+            for _ in range(STEPS):  # of Newton, in logarithms
+                on_force *= math.exp(left / edge.growth)
+                if abs(left) <= LEFT:
+                    break
+                edge = self._edge(on_force)
+                assert edge is not None
+                left = math.log(wanted / edge.force)
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
     @cached_property
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
-        if edge := self._edge(1.0):
+        if edge := self.edge:
             at: dict[str, float] = {"satellite": edge.satellite}
             if edge.pin is not None:
                 at["pin"] = edge.pin
