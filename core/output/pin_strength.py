@@ -33,8 +33,8 @@ AT_ZERO = 1e-6
 IDLE = 1e-12
 """Forces below this part of the largest bear no line load that counts."""
 
-GROWN = 1e-5
-"""By what part all forces grow to see how a line load grows with them."""
+STEPS, SETTLED = 50, 1e-13
+"""Most secants to a line load, and what is left of it then, as a part."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,14 +70,70 @@ class EdgeLoad:
         Number of the satellite, from 1.
     pin : int or None
         Number of the pin, from 1; None where all are alike.
-    growth : float
-        Power of all forces with which it grows.
+    own, slope : float
+        The contact's own force, N, and the rotation of its pin in the plane of it, rad.
     """
 
     force: float
     satellite: int
     pin: int | None
-    growth: float
+    own: float
+    slope: float
+
+    def growth_to(
+        self, force: float, *, contact_length: float, compliance: Callable[[Number], Number]
+    ) -> float:
+        """Factor on this contact's force and slope under which its even force is another one.
+
+        Parameters
+        ----------
+        force : float
+            The even force, N, > 0.
+        contact_length, compliance : as of `PinStresses.edge_load`
+
+        Returns
+        -------
+        float
+        """
+        growth, before, gone = 1.0, 0.0, 0.0  # secants of the logarithm of both
+        for _ in range(STEPS):
+            own, slope = growth * self.own, growth * self.slope
+            reached = even_force(
+                force=own, slope=slope, contact_length=contact_length, compliance=compliance
+            )
+            left = math.log(force / reached)
+            if abs(left) <= SETTLED:
+                break
+            step = gone * left / (before - left) if before not in (0.0, left) else left
+            before, gone = left, step
+            growth *= math.exp(step)
+        return growth
+
+
+def even_force(
+    *,
+    force: Number,
+    slope: Number,
+    contact_length: float,
+    compliance: Callable[[Number], Number],
+) -> Number:
+    """Even force on a contact that would have the line load of its edge.
+
+    Parameters
+    ----------
+    force, slope : float or array
+        Its own force, N, > 0, and the rotation of its pin, rad.
+    contact_length : float
+        Its length b, m, > 0.
+    compliance : callable
+        Approach of a level contact over its force, m/N, of forces, N.
+
+    Returns
+    -------
+    float or array
+    """
+    approach = force * compliance(force)
+    return force * face_load_factor(slope=slope, contact_length=contact_length, approach=approach)
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,43 +337,37 @@ class PinStresses:
         -------
         EdgeLoad
         """
-        pin, z = self.pin, self.pin.positions
-        under = factor * np.array([[[1.0]], [[1 + GROWN]]])
-        own, slopes = (
-            (under * each).reshape(-1, len(z))
-            for each in (np.eye(len(z)), pin.beam.slope(z[:, None], z))
-        )
+        z, worst = self.pin.positions, (0.0, 0.0, 0.0)
+        own, slopes = factor * np.eye(len(z)), factor * self.pin.beam.slope(z[:, None], z)
 
         def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+            nonlocal worst
             force = np.abs(forces)
             felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
-            even = face_load_factor(
-                slope=np.abs((turned * forces.conj()).real) / felt,
-                contact_length=contact_length,
-                approach=felt * compliance(felt),
+            slope = np.abs((turned * forces.conj()).real) / felt
+            found = even_force(
+                force=felt, slope=slope, contact_length=contact_length, compliance=compliance
             )
-            found: FloatArray = force * even
-            return found
+            top = np.unravel_index(int(np.argmax(found)), felt.shape)
+            worst = max(worst, (float(found[top]), float(felt[top]), float(slope[top])))
+            return np.asarray(found)
 
         loads = [each.loads for each in self.cases]
         found = np.array(
             [
-                largest(
-                    turn=each.turn,
-                    arms=(each.unit * own, each.unit * slopes),
-                    measure=edge,
-                ).reshape(2, -1)
+                largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=edge)
                 for each in loads
             ]
         )
-        found, grown = found[:, 0], found[:, 1]
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
         alike = all(each.pin == loads[0].pin for each in loads)
+        force, force_there, slope_there = worst
         return EdgeLoad(
-            force=float(found[case, satellite]),
+            force=force,
             satellite=int(satellite) + 1,
             pin=None if alike else loads[case].pin,
-            growth=math.log(grown[case, satellite] / found[case, satellite]) / math.log1p(GROWN),
+            own=force_there,
+            slope=slope_there,
         )
 
 

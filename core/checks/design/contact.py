@@ -8,8 +8,9 @@ from core.checks.real_forces import RealForces
 from core.hertz import HertzContact, hertz
 from core.output.pin_strength import EdgeLoad, PinStresses
 
-STEPS, LEFT = 50, 1e-6
-"""Most steps to the force of a line load, and the last one, whose own error is its square."""
+LOOKS, ALIKE = 50, 1e-6
+"""Most looks for the largest line load under other forces, and how near to those of the last they
+are where it does for them too."""
 
 
 class DesignContact(DesignPins):
@@ -86,14 +87,17 @@ class DesignContact(DesignPins):
         """Factor on the torque under which the largest line load is so many times as large."""
         force, on_force, edge = self.judged_forces, factor, self.edge
         if edge is not None and 0 < factor < math.inf:
-            wanted, left, on_force = factor * edge.force, math.log(factor), 1.0
-            for _ in range(STEPS):  # of Newton, in logarithms
-                on_force *= math.exp(left / edge.growth)
-                if abs(left) <= LEFT:
+            assert self.contact_length is not None
+            wanted, on_force = factor * edge.force, 1.0
+            for _ in range(LOOKS):
+                growth = edge.growth_to(
+                    wanted, contact_length=self.contact_length, compliance=self._compliance
+                )
+                on_force *= growth
+                if abs(growth - 1) <= ALIKE:  # where it is largest hardly moves with the forces
                     break
                 edge = self._edge(on_force)
                 assert edge is not None
-                left = math.log(wanted / edge.force)
         return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
 
     @cached_property
