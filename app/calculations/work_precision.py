@@ -76,7 +76,7 @@ class TotalForceStudy(Study):
 class PinStrengthStudy(Study):
     """Largest bending stress of the pins, by ideal forces that the satellites share equally."""
 
-    calculation: Literal["pin-strength"]
+    calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
     input: PinStrengthRequest
 
     def solve(self) -> WorkPrecision:
