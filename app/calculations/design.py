@@ -136,16 +136,25 @@ def given_schema(parts: Iterable[str]) -> dict[str, Any]:
 
 
 def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """One factor of the load, satellites that give in one way, pins inside sleeves, the difference
-    of teeth of a mechanism without them.
-    """
+    """One factor of the load, pins inside sleeves."""
     request_schema(schema, model)
     factors = given_schema(("load/application_factor", "contact/dynamic_factor"))
-    schema["allOf"] = [*schema.get("allOf", ()), {"not": {"anyOf": [factors, BOTH]}}]
+    schema["allOf"] = [*schema.get("allOf", ()), {"not": factors}]
     if "friction" in model.model_fields:
         sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
         rule = {"properties": {"friction": sleeve}, "required": ["friction"]}
         schema["allOf"].append({"if": rule, "then": {"required": ["pin"]}})
+
+
+def section_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """The same of a section by itself: satellites that give in one way, and the difference of teeth
+    of a mechanism without them. (Beside all sections it is more than generators of requests can
+    take.)
+    """
+    design_schema(schema, model)
+    for rule in schema["allOf"]:
+        if "not" in rule:
+            rule["not"] = {"anyOf": [rule["not"], BOTH]}
     if "gear" in model.model_fields:
         teeth = {"properties": {"kind": {"const": "involute"}}, "required": ["kind"]}
         toothless = given_schema(("gear", "mechanism/ratio"))
@@ -170,7 +179,7 @@ class DesignFields(GivingFields):
     deviations: Maybe[DeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
 
-    model_config = ConfigDict(json_schema_extra=design_schema)
+    model_config = ConfigDict(json_schema_extra=section_schema)
 
     @model_validator(mode="after")
     def _one_factor(self) -> Self:

@@ -14,9 +14,9 @@ from app.calculations.design import (
     DesignLoadFields,
     DesignPinFields,
     ForcesUsed,
-    design_schema,
     forces_used,
     given_schema,
+    section_schema,
 )
 from app.calculations.fatigue import FactorsOut, PinFatigueFields
 from app.model import (
@@ -50,7 +50,7 @@ BOUNDS: tuple[Support, ...] = ("supported", "fixed")
 
 def _pin_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """What a pin without a contact has to say, and what needs a contact."""
-    design_schema(schema, model)
+    section_schema(schema, model)
     schema["dependentRequired"] = {name: ["contact"] for name in TOUCHING}
     schema["if"] = {"not": {"required": ["contact"]}}
     schema["then"] = {"properties": {"pin": {"required": [*ALONE]}}}

@@ -9,8 +9,8 @@ from app.calculations.design import (
     DesignFields,
     DrivenLoadFields,
     ForcesUsed,
-    design_schema,
     forces_used,
+    section_schema,
 )
 from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
@@ -107,7 +107,7 @@ class BearingFields(ShaftBearingFields):
 
 def _cranked_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """What needs pins that touch their holes."""
-    design_schema(schema, model)
+    section_schema(schema, model)
     some = {"anyOf": [{"required": [name]} for name in OF_PINS]}
     touching = {"properties": {"contact": {"required": [*TOUCHING]}}}
     schema["allOf"].append({"if": some, "then": touching})

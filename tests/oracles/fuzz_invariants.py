@@ -162,7 +162,9 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
     asked = {*body.get("include", usual)}
     verdict = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
     said = {"warnings", "not_considered", *verdict}
-    expect(set(answer) - said == asked, "sections", list(answer))
+    unknown = asked - set(answer)  # a section that nobody named, of forces that cannot be solved
+    unsolved = unknown == {"hertz"} and "include" not in body and answer["verdict"] != "pass"
+    expect(set(answer) - said <= asked and (unsolved or not unknown), "sections", list(answer))
     if "cyclogram" in answer:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)
     mechanism = {key: value for key, value in body["mechanism"].items() if key != "revolutions"}

@@ -37,7 +37,7 @@ def request(r: Draw) -> Body:
         "eccentricity_mm": r.size(0.5, 5),
     }
     if r.chance(0.3):
-        radius = contact["pin_radius_mm"] + contact["eccentricity_mm"] * r.uniform(0.9, 1.1)
+        radius = contact["pin_radius_mm"] + contact["eccentricity_mm"] * r.uniform(0.9, 1.0)
         if contact["pin_radius_mm"] < radius < 1e12:
             contact["hole_radius_mm"] = radius
     friction: Body = {"coefficient": r.choice((0.0, 0.08, r.decimal(0.001, 0.3)))}
