@@ -3,7 +3,7 @@ import { checkRow, fixRow, judgedOf, percent } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
-import { barMarkup, sign, symbolMarkup } from "./parts.js";
+import { barMarkup, keepRoom, sign, symbolMarkup } from "./parts.js";
 
 const AT_ONCE = 6; // rows in sight; the rest is folded
 const FIXES = 4;
@@ -53,7 +53,7 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
   const more = root.querySelector(".more");
   const fixes = root.querySelector(".fixes");
   let list = [];
-  let room = { width: 0, height: 0 };
+  const keep = keepRoom(root);
 
   root.addEventListener("click", ({ target }) => {
     const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
@@ -81,11 +81,7 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
       list = found?.of === shown ? found.list.slice(0, FIXES) : [];
       fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
         <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);
-      // It keeps the room that it has had, so that nothing under it moves while one types.
-      if (room.width !== innerWidth) room = { width: innerWidth, height: 0 };
-      root.style.minHeight = "";
-      room.height = Math.max(room.height, more.open ? 0 : root.offsetHeight);
-      root.style.minHeight = `${room.height}px`;
+      keep(!more.open);
     }),
   };
 }

@@ -7,7 +7,7 @@ import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following, standing } from "../store.js";
-import { barMarkup, sign } from "./parts.js";
+import { barMarkup, keepRoom, sign } from "./parts.js";
 
 function cellMarkup({ label, value, unit, note, level }) {
   return html`
@@ -37,9 +37,9 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-function torqueMarkup(judged) {
+function torqueMarkup({ numbers }, judged) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
-  if (judged?.largest_torque_Nm === undefined) return html`${label}<p class="note">${judged ? torqueUnknown(judged) : "–"}</p>`;
+  if (judged?.largest_torque_Nm === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
   const { value, unit } = quantityParts(judged.largest_torque_Nm, "N·m", 4);
   return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>`;
 }
@@ -59,9 +59,10 @@ export function createVerdict({ calculator, titles }) {
     root,
     update: following(({ shown, typed, phase }) => [shown, typed, phase], (state) => {
       const judged = judgedOf(calculator, state.shown?.answer);
-      fill(part("judged"), wordMarkup(standing(state), judged));
+      const stands = standing(state);
+      fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(judged));
+      fill(part("torque"), torqueMarkup(stands, judged));
     }),
   };
 }
@@ -77,6 +78,7 @@ export function createNumbers({ calculator }) {
   const numbers = root.querySelector(".numbers");
   const say = root.querySelector(".say");
   const aside = root.querySelector(".aside");
+  const keepAside = keepRoom(aside);
   const none = calculator.verdict({});
   return {
     root,
@@ -86,6 +88,7 @@ export function createNumbers({ calculator }) {
       say.dataset.level = level;
       fill(say, html`${sign(level)}<span>${text}</span>`);
       aside.textContent = shown ? notConsidered(judgedOf(calculator, shown.answer) ?? {}) : "";
+      keepAside();
     }),
   };
 }
