@@ -528,7 +528,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         )
     if "hertz" in asked:
         contact, hertz_us = run(body, body.solve_hertz)
-        factor = body.design.edge_factor(1.0) if body.pin else None
+        factor = body.design.line_load_factor if body.pin else None
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:

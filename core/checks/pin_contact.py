@@ -1,6 +1,5 @@
 """Checks of the contact of pin and hole: pressure, shakedown, first yield, width."""
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -8,20 +7,12 @@ from typing import Any
 
 from core.checks.check import Check, judged
 from core.checks.crank_design import CrankDesign
+from core.checks.design.contact import force_factor
 from core.checks.design.given import Body
-from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
 from core.output.limit_torque import limit_torque
 from core.output.sampled_turn import WAYS
-from core.results import ROUNDING
-
-FIRST_YIELD = 1.79
-"""Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""
-
-SHAKEDOWN = 4 / math.sqrt(3)
-"""Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
-quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
 
 
 def _material(design: CrankDesign, body: Body) -> ElasticMaterial:
@@ -36,9 +27,9 @@ def _missing(design: CrankDesign, body: Body, value: str) -> tuple[str, ...]:
     return (f"{name}.{value}",) if name in design.own_limits else (name,)
 
 
-def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **more: Any) -> Check:
-    """The governing pressure against a limit."""
-    contact = design.contact
+def _against(design: CrankDesign, code: str, warning: str = "", **more: Any) -> Check:
+    """The governing pressure against its limit."""
+    contact, limit = design.contact, design.pressure_limits[code]
     pressure = None if contact is None else contact.governing_pressure
     if contact is None or pressure is None:
         reason = design.unsolved if contact is None else "no_pressure"
@@ -47,39 +38,12 @@ def _against(design: CrankDesign, code: str, limit: float, warning: str = "", **
         code,
         pressure,
         limit,
-        reserve=design.torque_factor(_force_factor(contact, design.contact_at, limit)),
+        reserve=design.contact_reserves[code],
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=design.peak,
         **more,
     )
-
-
-def _force_factor(
-    contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
-) -> float:
-    """Factor on the force at which the governing pressure of a contact is at a limit, Pa.
-
-    Hertz's pressure grows with the root of the force, Persson's faster, up to the force itself;
-    where Persson's takes over, the governing pressure jumps by a per cent.
-    """
-    by_hertz = float((limit / contact.max_pressure) ** 2)
-    if contact_at(by_hertz).conformal_pressure is None:
-        # where no theory holds any more, that is the end
-        return min(by_hertz, float(contact.half_width_ratio**-2))
-
-    def left(factor: float) -> float:
-        there = contact_at(factor).governing_pressure
-        return math.nan if there is None else float(limit - there)
-
-    assert contact.governing_pressure is not None
-    ratio = float(limit / contact.governing_pressure)
-    met, _ = edge(
-        inside=0.97 * min(ratio, ratio * ratio),
-        outside=1.03 * max(ratio, ratio * ratio),
-        excess=left,
-    )
-    return met * (1 - 512 * ROUNDING)  # not beyond the jump by the rounding of forces
 
 
 def real_reserve(*, design: CrankDesign, limit: float) -> float:
@@ -106,7 +70,9 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
         return found
 
     start = float((limit / contact(1.0).max_pressure) ** 2)  # N
-    force = start * _force_factor(contact(start), lambda factor: contact(start * factor), limit)
+    force = start * force_factor(
+        contact=contact(start), contact_at=lambda factor: contact(start * factor), limit=limit
+    )
     torques = [
         limit_torque(real=real, direction=way, pair=0, force=force)
         for way in WAYS[design.torque_direction]
@@ -133,7 +99,6 @@ def _pressure(design: CrankDesign, body: Body) -> Check:
     found = _against(
         design,
         code,
-        float(limit.allowable) / design.pitting_safety,
         limit_source=limit.source,
         criterion=limit.criterion,
         verified=limit.verified or "",
@@ -142,8 +107,8 @@ def _pressure(design: CrankDesign, body: Body) -> Check:
     return found if found.reason else replace(found, reason=reason, missing=missing)
 
 
-def _plastic(design: CrankDesign, code: str, body: Body, ratio: float, warning: str = "") -> Check:
-    """The pressure against so many times the yield strength, where that governs."""
+def _plastic(design: CrankDesign, code: str, body: Body, warning: str = "") -> Check:
+    """The pressure against one by the yield strength, where that governs."""
     material = _material(design, body)
     if not material.yield_governs:
         return Check(code=code, status="not_applicable", reason="tested_limit")
@@ -155,15 +120,15 @@ def _plastic(design: CrankDesign, code: str, body: Body, ratio: float, warning: 
             reason="yield_unknown",
             missing=_missing(design, body, "yield_strength"),
         )
-    return _against(design, code, ratio * material.yield_strength, warning=warning)
+    return _against(design, code, warning=warning)
 
 
 def _shakedown(design: CrankDesign, body: Body) -> Check:
-    return _plastic(design, f"contact_shakedown_{body}", body, SHAKEDOWN)
+    return _plastic(design, f"contact_shakedown_{body}", body)
 
 
 def _yield(design: CrankDesign, body: Body) -> Check:
-    return _plastic(design, f"contact_yield_{body}", body, FIRST_YIELD, "plastic_first")
+    return _plastic(design, f"contact_yield_{body}", body, "plastic_first")
 
 
 def _conformity(design: CrankDesign) -> Check:
@@ -174,7 +139,7 @@ def _conformity(design: CrankDesign) -> Check:
     if contact.conformal_pressure is not None:
         why = "conformal_solution"
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
-    reserve = design.torque_factor((limit / ratio) ** 2)
+    reserve = design.contact_reserves[code]
     return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
 
 

@@ -7,7 +7,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -317,7 +317,7 @@ class PinStresses:
         )
 
     def edge_load(
-        self, *, contact_length: float, compliance: Callable[[Number], Number], factor: float = 1.0
+        self, *, contact_length: float, compliance: Callable[[Number], Number]
     ) -> EdgeLoad:
         """The largest line load of a contact: each force with the slope of its pin at that angle.
 
@@ -330,36 +330,27 @@ class PinStresses:
             Length b of the contact, m, > 0.
         compliance : callable
             Approach of a level contact over its force, m/N, of forces, N.
-        factor : float
-            Factor on all forces, > 0.
 
         Returns
         -------
         EdgeLoad
         """
-        z, worst = self.pin.positions, (0.0, 0.0, 0.0)
-        own, slopes = factor * np.eye(len(z)), factor * self.pin.beam.slope(z[:, None], z)
+        worst = (0.0, 0.0, 0.0)
 
-        def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+        def even(force: FloatArray, slope: FloatArray) -> FloatArray:
             nonlocal worst
-            force = np.abs(forces)
-            felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
-            slope = np.abs((turned * forces.conj()).real) / felt
-            found = even_force(
-                force=felt, slope=slope, contact_length=contact_length, compliance=compliance
+            found = np.asarray(
+                even_force(
+                    force=force, slope=slope, contact_length=contact_length, compliance=compliance
+                )
             )
-            top = np.unravel_index(int(np.argmax(found)), felt.shape)
-            worst = max(worst, (float(found[top]), float(felt[top]), float(slope[top])))
-            return np.asarray(found)
+            top = np.unravel_index(int(np.argmax(found)), found.shape)
+            worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
+            return found
 
-        loads = [each.loads for each in self.cases]
-        found = np.array(
-            [
-                largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=edge)
-                for each in loads
-            ]
-        )
+        found = self._edges(even, (1.0,))[:, 0]
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
+        loads = [each.loads for each in self.cases]
         alike = all(each.pin == loads[0].pin for each in loads)
         force, force_there, slope_there = worst
         return EdgeLoad(
@@ -369,6 +360,51 @@ class PinStresses:
             own=force_there,
             slope=slope_there,
         )
+
+    def edge_forces(
+        self,
+        *,
+        contact_length: float,
+        compliance: Callable[[Number], Number],
+        factors: Sequence[float],
+    ) -> FloatArray:
+        """The even force of `edge_load` under other forces.
+
+        Parameters
+        ----------
+        contact_length, compliance : as of `edge_load`
+        factors : sequence of float, n
+            Factors on all forces, > 0.
+
+        Returns
+        -------
+        array, shape (n,)
+            N.
+        """
+
+        def even(force: FloatArray, slope: FloatArray) -> Number:
+            return even_force(
+                force=force, slope=slope, contact_length=contact_length, compliance=compliance
+            )
+
+        return np.asarray(self._edges(even, factors).max(axis=(0, 2)))
+
+    def _edges(self, even: Callable[..., Any], factors: Sequence[float]) -> FloatArray:
+        """The largest of a function of force and slope, by case, factor on both and satellite."""
+        z = self.pin.positions
+        arms = np.stack((np.eye(len(z)), self.pin.beam.slope(z[:, None], z)))
+        own, slopes = np.concatenate([factor * arms for factor in factors], axis=1)
+
+        def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+            force = np.abs(forces)
+            felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
+            return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
+
+        found = [
+            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=edge)
+            for each in (case.loads for case in self.cases)
+        ]
+        return np.reshape(found, (len(found), len(factors), len(z)))
 
 
 def pin_stresses(

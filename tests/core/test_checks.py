@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from core.checks.check import MARGIN, Check, judged, verdict
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.design.contact import SHAKEDOWN
 from core.checks.kinds import CHECKS
-from core.checks.pin_contact import SHAKEDOWN
 from core.checks.rollers import roller_checks
 from core.fixes.changes import vary
 from core.fixes.crank import crank_fixes

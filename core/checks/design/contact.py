@@ -1,16 +1,38 @@
 """Contact of pin and hole under the forces, at the end of its length where the pin slopes."""
 
 import math
+from collections.abc import Callable
 from functools import cached_property
+from typing import TypedDict, get_args
 
+import numpy as np
+
+from core.arrays import Number
+from core.checks.design.given import Body
 from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
-from core.hertz import HertzContact, hertz
+from core.exploration.solve import edge
+from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
 from core.output.pin_strength import EdgeLoad, PinStresses
+from core.results import ROUNDING
 
-LOOKS, ALIKE = 50, 1e-6
-"""Most looks for the largest line load under other forces, and how near to those of the last they
-are where it does for them too."""
+FIRST_YIELD = 1.79
+"""Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""
+
+SHAKEDOWN = 4 / math.sqrt(3)
+"""Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
+quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+
+LOOKS, ALIKE = 50, 1e-9
+"""Most looks for the largest line load under other forces, and what it is missed by then, as a part
+of it."""
+
+
+class Held(TypedDict):
+    """What stays when the forces grow."""
+
+    contact_length: float
+    compliance: Callable[[Number], Number]
 
 
 class DesignContact(DesignPins):
@@ -25,41 +47,28 @@ class DesignContact(DesignPins):
             return None
         if self.pin is not None and not isinstance(self._pin_stresses, PinStresses):
             return None
-        return self.contact_at(self.edge_factor(1.0))
+        return self.contact_at(self.line_load_factor)
 
-    def edge_factor(self, factor: float) -> float:
+    @cached_property
+    def line_load_factor(self) -> float:
         """Largest line load of a contact over the mean one of the largest force: where pins bend,
         by the worse of equal and stiffness sharing, and by their slope at that angle.
-
-        Parameters
-        ----------
-        factor : float
-            Factor on the forces and the slopes.
-
-        Returns
-        -------
-        float
         """
-        edge = self.edge if factor == 1 else self._edge(factor)
-        judged = self.judged_forces
+        edge, judged = self.edge, self.judged_forces
         if edge is None or judged is None:
             return 1.0
         if isinstance(judged, RealForces):
-            return edge.force / (factor * judged.force)
-        return edge.force / (factor * self.dynamic_factor * judged.peak_force)
+            return edge.force / judged.force
+        return edge.force / (self.dynamic_factor * judged.peak_force)
 
     @cached_property
     def edge(self) -> EdgeLoad | None:
         """The contact with that line load; None without pins."""
-        return self._edge(1.0)
-
-    def _edge(self, factor: float) -> EdgeLoad | None:
-        """The same under so many times the forces."""
         if not isinstance(self._pin_stresses, PinStresses):
             return None
         assert self.contact_length is not None
         return self._pin_stresses.edge_load(
-            contact_length=self.contact_length, compliance=self._compliance, factor=factor
+            contact_length=self.contact_length, compliance=self._compliance
         )
 
     def contact_at(self, factor: float) -> HertzContact:
@@ -83,22 +92,59 @@ class DesignContact(DesignPins):
             distribution_factor=self.distribution_factor,
         )
 
-    def torque_factor(self, factor: float) -> float:
-        """Factor on the torque under which the largest line load is so many times as large."""
-        force, on_force, edge = self.judged_forces, factor, self.edge
-        if edge is not None and 0 < factor < math.inf:
-            assert self.contact_length is not None
-            wanted, on_force = factor * edge.force, 1.0
-            for _ in range(LOOKS):
-                growth = edge.growth_to(
-                    wanted, contact_length=self.contact_length, compliance=self._compliance
+    @cached_property
+    def pressure_limits(self) -> dict[str, float]:
+        """Limits of the largest pressure, Pa, by the code of their check."""
+        found: dict[str, float] = {}
+        for body in get_args(Body):
+            material = self.lasting(body)
+            assert material is not None
+            if material.limit is not None:
+                allowed = float(material.limit.allowable) / self.pitting_safety
+                found[f"contact_pressure_{body}"] = allowed
+            if material.yield_governs and material.yield_strength is not None:
+                found[f"contact_shakedown_{body}"] = SHAKEDOWN * material.yield_strength
+                found[f"contact_yield_{body}"] = FIRST_YIELD * material.yield_strength
+        return found
+
+    @cached_property
+    def contact_reserves(self) -> dict[str, float]:
+        """Factors on the torque under which the contact is at its limits, by the code of their
+        check, where its pressure is known.
+        """
+        contact = self.contact
+        if contact is None:
+            return {}
+        factors = {
+            "contact_conformity": float(HALF_WIDTH_RATIO_LIMIT / contact.half_width_ratio) ** 2
+        }
+        if contact.governing_pressure is not None:
+            for code, limit in self.pressure_limits.items():
+                factors[code] = force_factor(
+                    contact=contact, contact_at=self.contact_at, limit=limit
                 )
-                on_force *= growth
-                if abs(growth - 1) <= ALIKE:  # where it is largest hardly moves with the forces
-                    break
-                edge = self._edge(on_force)
-                assert edge is not None
-        return force.torque_factor(on_force) if isinstance(force, RealForces) else on_force
+        on_forces, forces = self._on_forces(list(factors.values())), self.judged_forces
+        if isinstance(forces, RealForces):
+            on_forces = [forces.torque_factor(factor) for factor in on_forces]
+        return dict(zip(factors, on_forces, strict=True))
+
+    def _on_forces(self, factors: list[float]) -> list[float]:
+        """Factors on all forces under which the largest line load is so many times as large."""
+        edge, stresses = self.edge, self._pin_stresses
+        if edge is None or not isinstance(stresses, PinStresses):
+            return factors
+        assert self.contact_length is not None
+        held: Held = {"contact_length": self.contact_length, "compliance": self._compliance}
+        wanted = np.array(factors) * edge.force
+        some = (wanted > 0) & np.isfinite(wanted)
+        aims, reached = wanted[some], np.array(factors)
+        for _ in range(LOOKS):  # where it is largest hardly moves with the forces
+            reached[some] = [edge.growth_to(aim, **held) for aim in aims.tolist()]
+            missed = wanted[some] / stresses.edge_forces(factors=reached[some].tolist(), **held)
+            if np.all(np.abs(missed - 1) <= ALIKE):
+                break
+            aims = aims * missed
+        return [float(factor) for factor in reached]
 
     @cached_property
     def peak(self) -> dict[str, float]:
@@ -119,3 +165,43 @@ class DesignContact(DesignPins):
             "pin": force.peak_pair.pin,
             "crank_angle": force.peak_crank_angle,
         }
+
+
+def force_factor(
+    *, contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
+) -> float:
+    """Factor on the force at which the governing pressure of a contact is at a limit.
+
+    Hertz's pressure grows with the root of the force, Persson's faster, up to the force itself;
+    where Persson's takes over, the governing pressure jumps by a per cent.
+
+    Parameters
+    ----------
+    contact : HertzContact
+        The contact, of a known governing pressure.
+    contact_at : callable
+        The contact under so many times the force.
+    limit : float
+        The limit, Pa, > 0.
+
+    Returns
+    -------
+    float
+    """
+    by_hertz = float((limit / contact.max_pressure) ** 2)
+    if contact_at(by_hertz).conformal_pressure is None:
+        # where no theory holds any more, that is the end
+        return min(by_hertz, float(contact.half_width_ratio**-2))
+
+    def left(factor: float) -> float:
+        there = contact_at(factor).governing_pressure
+        return math.nan if there is None else float(limit - there)
+
+    assert contact.governing_pressure is not None
+    ratio = float(limit / contact.governing_pressure)
+    met, _ = edge(
+        inside=0.97 * min(ratio, ratio * ratio),
+        outside=1.03 * max(ratio, ratio * ratio),
+        excess=left,
+    )
+    return met * (1 - 512 * ROUNDING)  # not beyond the jump by the rounding of forces
