@@ -61,6 +61,7 @@ TEXTS = (
         "needed_beside": "is needed beside {field}",
         "needed_for": "is needed for {section}",
         "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
+        "not_there": "names nothing in {field}",
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
         "only_one": "excludes {field}: give one of them",
@@ -84,12 +85,13 @@ PHYSICAL = frozenset(
     {
         *IMPOSSIBLE,
         "at_most",
-        "different_length",
-        "different_sum",
-        "greater_than",
-        "hole_disagrees",
         "below_working",
         "beyond_support",
+        "different_length",
+        "different_sum",
+        "dust",
+        "greater_than",
+        "hole_disagrees",
         "in_carrier",
         "infinite_line",
         "larger_than",
@@ -99,6 +101,7 @@ PHYSICAL = frozenset(
         "no_mesh",
         "no_sleeve",
         "not_in_table",
+        "not_there",
         "not_zero",
         "other_branch",
         "other_pitch",
@@ -119,7 +122,7 @@ PHYSICAL = frozenset(
     }
 )
 """Codes with which a request may be refused that its schema admits: what cannot exist, does not fit
-together, or is too much."""
+together, is too much, or too little to be meant."""
 
 KINDS = {
     "bad-request": "What was sent is no HTTP request.",

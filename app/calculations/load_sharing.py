@@ -67,7 +67,7 @@ DRAWN_SAMPLES = 361
 Torque = Annotated[float, Field(ge=-SIZE["le"], le=SIZE["le"])]
 
 
-class LoadSharingRequest(RealDesignFields, CurveFields):
+class LoadSharingRequest(CurveFields, RealDesignFields):
     """Mechanism, load and contact as the parts are made, and which results are wanted."""
 
     deviations: Maybe[DeviationsFields] = None

@@ -38,7 +38,7 @@ def _ring_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """What each kind needs, and that it takes nothing of the others."""
     request_schema(schema, model)
     ratio = {"not": {"required": ["kind"]}}
-    schema["allOf"] = [
+    schema["allOf"] += [
         {
             "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]}
             if kind

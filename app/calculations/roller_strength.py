@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import ConfigDict, Field, field_validator, model_validator
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
@@ -14,12 +14,14 @@ from app.model import (
     Calculation,
     Forms,
     Maybe,
+    RequestModel,
     Values,
     WarningOut,
     Whole,
     field_error,
     no_dust,
     quantity,
+    request_schema,
     result,
     warning,
 )
@@ -67,6 +69,19 @@ _CHECKED = (
 """What the checks look at besides the result."""
 
 Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+
+NOTCHES = ("fatigue_notch_factor", "notch")
+
+
+def _notched_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """A notch counts once: beside the middle sphere or in the fatigue."""
+    request_schema(schema, model)
+    twice = {
+        "stress_concentration": {"exclusiveMinimum": 1},
+        "fatigue": {"anyOf": [{"required": [name]} for name in NOTCHES]},
+    }
+    schema["allOf"].append({"not": {"properties": twice, "required": [*twice]}})
 
 
 class RollerStrengthRequest(JudgedFields):
@@ -238,6 +253,8 @@ class RollerStrengthRequest(JudgedFields):
     )
     fatigue: Maybe[FatigueFields] = None
 
+    model_config = ConfigDict(json_schema_extra=_notched_schema)
+
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 
     @model_validator(mode="after")
@@ -247,8 +264,8 @@ class RollerStrengthRequest(JudgedFields):
             raise field_error("gaps_mm", "different_length", **count)
         asked = self.fatigue
         if asked is not None and self.stress_concentration > 1:
-            for name in ("fatigue_notch_factor", "notch"):
-                if getattr(asked, name) is not None:  # a notch counts once
+            for name in NOTCHES:
+                if getattr(asked, name) is not None:
                     raise field_error(f"fatigue/{name}", "exclusive", field="stress_concentration")
         return self
 

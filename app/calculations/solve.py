@@ -2,7 +2,7 @@
 
 import math
 from copy import deepcopy
-from typing import Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
 
@@ -54,13 +54,13 @@ HOLE = "/contact/hole_radius_mm"
 LONG_SAMPLES = 17
 """Places at which the range is looked at first where each takes long."""
 
-MAX_POINTER = 200
+Pointer = Annotated[str, Field(pattern="^/", max_length=200)]
 
 
 class VariableFields(RequestModel):
     """The input that is looked for."""
 
-    pointer: str = Field(max_length=MAX_POINTER, description="JSON pointer into `input`.")
+    pointer: Pointer = Field(description="JSON pointer into `input`.")
     low: float = Field(alias="from", ge=-1e12, le=1e12, description="Start of its range.")
     to: float = Field(ge=-1e12, le=1e12, description="End of its range.")
     integer: bool = Field(default=False, description="Whether only whole numbers are tried.")
@@ -72,8 +72,7 @@ class TargetFields(RequestModel):
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("at_least",), ("at_most",), ("equals",)),)
 
-    pointer: str = Field(
-        max_length=MAX_POINTER,
+    pointer: Pointer = Field(
         description="JSON pointer into the answer; a check by its code: "
         "`/checks/contact_pressure_hole/torque_reserve`.",
     )
@@ -119,7 +118,8 @@ class SolveRequest(RequestModel):
         parts = _parts(self.variable.pointer)
         place = _parent(self.input, parts)
         if place is None or not isinstance(place, dict):
-            raise _wrong("/variable/pointer")
+            item = ErrorItem("/variable/pointer", "not_there", {"field": "input"})
+            raise invalid_input([item])
         target = _parts(self.target.pointer)
         design = self._asking(target)
         start: Any = place.get(parts[-1])
@@ -180,10 +180,6 @@ class SolveRequest(RequestModel):
         return design
 
 
-def _wrong(place: str) -> Problem:
-    return invalid_input([ErrorItem(place, "not_valid")])
-
-
 def _within_input(problem: Problem) -> Problem:
     errors = [ErrorItem(f"/input{each.pointer}", each.code, each.params) for each in problem.errors]
     return invalid_input(errors, problem.more)
@@ -191,15 +187,11 @@ def _within_input(problem: Problem) -> Problem:
 
 def _parts(pointer: str) -> list[str]:
     """Keys of a JSON pointer."""
-    if not pointer.startswith("/"):
-        return []
     return [part.replace("~1", "/").replace("~0", "~") for part in pointer[1:].split("/")]
 
 
 def _parent(document: Any, parts: list[str]) -> Any:
     """What holds the last key of a path, None where there is no such thing."""
-    if not parts:
-        return None
     for part in parts[:-1]:
         document = _inner(document, part)
     return document
