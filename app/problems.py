@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
+from functools import lru_cache
 from http import HTTPStatus
 from typing import Any, Self, cast
 
@@ -357,11 +358,14 @@ def failure(request_id: str) -> Problem:
 
 def pointer(path: Iterable[str | int]) -> str:
     """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
-    return "".join("/" + _cut(str(part)).replace("~", "~0").replace("/", "~1") for part in path)
+    return "".join(map(_token, path))
 
 
-def _cut(name: str) -> str:
-    return name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
+@lru_cache(maxsize=1000)
+def _token(part: str | int) -> str:
+    name = str(part)
+    cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
+    return "/" + cut.replace("~", "~0").replace("/", "~1")
 
 
 def wrong_json(why: str) -> Problem:

@@ -136,7 +136,7 @@ def every(condition: Any) -> bool:
     condition : bool or array of bool
         The condition.
     """
-    return condition if isinstance(condition, bool) else bool(np.all(condition))
+    return condition if isinstance(condition, bool) else bool(condition.all())
 
 
 def some(condition: Any) -> bool:
@@ -147,7 +147,7 @@ def some(condition: Any) -> bool:
     condition : bool or array of bool
         The condition.
     """
-    return condition if isinstance(condition, bool) else bool(np.any(condition))
+    return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def check_positive(**values: Number) -> None:

@@ -329,6 +329,9 @@ Places = Callable[[str], tuple[str, bool] | None]
 where there is no such field."""
 
 
+SOURCES = LIMIT_SOURCES | CHECK_SOURCES
+
+
 def check_values(check: Check, places: Places) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
     kind, unit = check.kind, f"value_{check.kind.unit}"
@@ -355,7 +358,7 @@ def check_values(check: Check, places: Places) -> Values:
         "formula": kind.formula,
         "why": kind.why,
         "reason": {"code": check.reason, "detail": REASONS[check.reason]} if check.reason else None,
-        "source": (LIMIT_SOURCES | CHECK_SOURCES)[source] if source else CHECK_SOURCES["user"],
+        "source": SOURCES[source or "user"],
         "source_code": source or "user",
         "criterion": check.criterion or None,
         "verified": check.verified or None,

@@ -31,7 +31,7 @@ from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import MISSED, largest
-from core.output.pin_turn import SatelliteTurn, combine, satellite_turn
+from core.output.pin_turn import BLOCK, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
@@ -422,7 +422,7 @@ def mean_power(
     arms : tuple of array, each shape (rows, 2*K)
         What the satellites' shares and forces do.
     measure : callable
-        The load by the sums, each shape (1, n).
+        The load by the sums, each shape (rows, n).
     largest : array, shape (rows,)
         Largest loads, > 0.
     exponents : sequence of float
@@ -434,17 +434,18 @@ def mean_power(
     error : float
         Relative difference of the last two rules.
     """
-    before = np.zeros(len(largest))
+    before, powers = np.zeros(len(largest)), np.array(exponents)
     for level in range(COARSEST, FINEST + 1):
         values, weights = turn.nodes_of(level)
-        mean = np.zeros(len(largest))
-        for row, (top, power) in enumerate(zip(largest.tolist(), exponents, strict=True)):
-            sums = (combine(arms=each[row : row + 1], forces=values) for each in arms)
-            mean[row] = weights @ (measure(*sums)[0] / top) ** power
+        mean, rows = np.zeros(len(largest)), max(1, BLOCK // len(weights))
+        for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
+            sums = (combine(arms=each[some], forces=values) for each in arms)
+            shares = measure(*sums) / largest[some, None]
+            mean[some] = shares ** powers[some, None] @ weights
         off, before = np.abs(mean - before), mean
         if (off <= CONVERGED * mean).all():
             break
-    return largest * mean ** (1 / np.array(exponents)), float((off / mean).max())
+    return largest * mean ** (1 / powers), float((off / mean).max())
 
 
 @dataclass(frozen=True, slots=True)

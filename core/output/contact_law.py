@@ -1,6 +1,7 @@
 """How a pair of pin and hole gives under a force: its law of contact, and the pin's bending."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from core.arrays import Number, check_positive, larger, log
@@ -160,21 +161,18 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
 def contact_compliance(
     *,
     law: ContactLaw,
-    force: Number,
     contact_length: float,
     pin_radius: float,
     hole_radius: float,
     pin: ElasticMaterial | None = None,
     hole: ElasticMaterial | None = None,
-) -> Number:
+) -> Callable[[Number], Number]:
     """Approach of a contact over its force: the secant of its law.
 
     Parameters
     ----------
     law : ContactLaw
         The law.
-    force : float or array
-        Force F, N, > 0.
     contact_length, pin_radius, hole_radius : float
         Length b and radii, m.
     pin, hole : ElasticMaterial, optional
@@ -182,34 +180,30 @@ def contact_compliance(
 
     Returns
     -------
-    float or array
-        m/N; times the force it is the approach.
+    callable
+        Of forces F, N, > 0: m/N; times the force it is the approach.
 
     Examples
     --------
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> size = {"contact_length": 0.02, "pin_radius": 0.008, "hole_radius": 0.010}
-    >>> found = contact_compliance(law=HertzLaw(), force=1e4/3, **size, pin=steel, hole=steel)
-    >>> round(found*1e4/3*1e6, 4)
+    >>> found = contact_compliance(law=HertzLaw(), **size, pin=steel, hole=steel)
+    >>> round(found(1e4/3)*1e4/3*1e6, 4)
     3.8423
     """
     check_law(law)
-    check_positive(
-        force=force,
-        contact_length=contact_length,
-        pin_radius=pin_radius,
-        clearance=hole_radius - pin_radius,
-    )
+    clearance = hole_radius - pin_radius
+    check_positive(contact_length=contact_length, pin_radius=pin_radius, clearance=clearance)
     kind, exponent = law_kind(law)
     constants = law_constants(
         law=law, contact_length=contact_length, hole_radius=hole_radius, pin=pin, hole=hole
     )
-    a, b, _ = pair_law(kind, constants, pin_radius, hole_radius - pin_radius, 0.0)
+    a, b, _ = pair_law(kind, constants, pin_radius, clearance, 0.0)
     if kind == LINEAR:
-        return a + 0.0 * force
+        return lambda force: a + 0.0 * force
     if kind == HERTZ:
-        return b * larger(a / b - log(force), HERTZ_END)
-    return (force / a) ** (1 / exponent) / force
+        return lambda force: b * larger(a / b - log(force), HERTZ_END)
+    return lambda force: (force / a) ** (1 / exponent) / force
 
 
 def law_kind(law: ContactLaw) -> tuple[int, float]:

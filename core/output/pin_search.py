@@ -145,18 +145,15 @@ def summits(
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
     room = drop / 2
-    for end in (np.s_[:3], np.s_[:-4:-1]):  # an arc's first sample may have a summit beside it
-        (x0, x1, x2), (f0, f1, f2) = turn.nodes[end], np.moveaxis(values[..., end], -1, 0)
+    for end in ((0, 1, 2), (-1, -2, -3)):  # an arc's first sample may have a summit beside it
+        (x0, x1, x2), (f0, f1, f2) = turn.nodes[[*end]], (values[..., each] for each in end)
         bent = ((f2 - f1) / (x2 - x1) - (f1 - f0) / (x1 - x0)) / (x2 - x0)
-        beside = room[..., end][..., 0]  # twice what a parabola may rise between
-        beside += np.abs(bent) * (x1 - x0) ** 2 / 2
+        room[..., end[0]] += np.abs(bent) * (x1 - x0) ** 2 / 2  # twice what a parabola may rise
     chosen &= values + room >= values.max(axis=(1, 2), keepdims=True)
     if not flat:
         chosen &= drop > 0
     row, arc, node = np.nonzero(chosen)
-    gaps = np.concatenate(([0.0], np.diff(turn.nodes), [0.0]))
-    width = np.maximum(gaps[node], gaps[node + 1])
-    found = Summits(row, turn.arcs[arc], turn.nodes[node], width)
+    found = Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
     return np.asarray(values.max(axis=(1, 2))), found
 
 

@@ -82,8 +82,9 @@ class Turn:
     ----------
     smooth : bool
         Whether the forces have a slope and a curvature where a pair switches.
-    nodes : array, shape (n,)
-        Places of the samples, as parts of the way along an arc, by the tangent.
+    nodes, gaps : array, shape (n,)
+        Places of the samples, as parts of the way along an arc, by the tangent; the distance of
+        the farther neighbour of each.
     arcs : array of int, shape (a,)
         Arcs over which any of the pairs drives, and one of the others.
     forces : array, shape (K, a, n)
@@ -127,7 +128,7 @@ class Turn:
         felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
-        self.nodes = _nodes(force_exponent, self.weights.shape[1])
+        self.nodes, self.gaps = _nodes(force_exponent, self.weights.shape[1] > MANY)
         every = np.arange(len(self.weights))
         total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[self.part[self.arcs]]
         forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
@@ -377,9 +378,11 @@ class SatelliteTurn(Turn):
             cosines = _between(low, high, way[:, None])
             powers = self._power(cosines) * drives
             secant = np.sqrt(1 + _between(start, stop, way) ** 2)
-            both = np.stack((powers * cosines, powers * secant[:, None]), axis=1)
-            summed = both.reshape(len(way), -1, self.pins, way.shape[1]).sum(axis=2)
-            return np.asarray(summed)
+            both = np.empty((len(way), 2, *powers.shape[1:]))
+            np.multiply(powers, cosines, out=both[:, 0])
+            np.multiply(powers, secant[:, None], out=both[:, 1])
+            found: FloatArray = both.reshape(len(way), -1, self.pins, way.shape[1]).sum(axis=2)
+            return found
 
         return own
 
@@ -432,13 +435,18 @@ def _smooth(exponent: float) -> bool:
     return exponent in (0.0, 1.0) or exponent >= 2
 
 
-def _nodes(exponent: float, pairs: int) -> FloatArray:
-    """Places at which an arc is sampled, as parts of the way: the denser the nearer to an end."""
+@lru_cache(maxsize=16)
+def _nodes(exponent: float, many: bool) -> tuple[FloatArray, FloatArray]:
+    """Places at which an arc is sampled, as parts of the way: the denser the nearer to an end; the
+    distance of the farther neighbour of each.
+    """
     first = FIRST / max(exponent, 1.0) if _smooth(exponent) else SINGULAR
-    ratio = DENSE if pairs <= MANY else SPARSE
+    ratio = SPARSE if many else DENSE
     count = math.ceil(math.log(2 * first) / math.log(ratio))
     half = np.concatenate(([0.0], 0.5 * ratio ** np.arange(count, -1, -1.0)))
-    return np.concatenate((half, 1 - half[-2::-1]))
+    nodes = np.concatenate((half, 1 - half[-2::-1]))
+    gaps = np.concatenate(([0.0], np.diff(nodes), [0.0]))
+    return nodes, np.maximum(gaps[:-1], gaps[1:])
 
 
 def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:

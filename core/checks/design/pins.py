@@ -1,6 +1,7 @@
 """Pins of a reducer under its forces: how they share the load, and how strong they are."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -26,15 +27,15 @@ ALIKE = 64 * ROUNDING
 class DesignPins(DesignForces):
     """Forces that bending pins share, and the strength of these."""
 
-    def _compliance(self, force: Number) -> Number:
-        """Approach of a contact over its force, m/N."""
+    @cached_property
+    def _compliance(self) -> Callable[[Number], Number]:
+        """Approach of a contact over its force, m/N, of forces, N."""
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
         if not self.hole_radius > self.pin_radius:
             raise InvalidInput("hole_radius", self.hole_radius, "larger_than", field="pin_radius")
         return contact_compliance(
             law=self.law or HertzLaw(),
-            force=force,
             contact_length=self.contact_length,
             pin_radius=self.pin_radius,
             hole_radius=self.hole_radius,
@@ -65,7 +66,7 @@ class DesignPins(DesignForces):
         )
         found = beam.pair_stiffness(
             positions=pin.satellite_positions,
-            contact_compliance=self._compliance(force.peak_force * self.dynamic_factor),
+            contact_compliance=float(self._compliance(force.peak_force * self.dynamic_factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
 
