@@ -184,4 +184,5 @@ def _worst(sizes: list[FloatArray]) -> IntArray:
     samples of a curve may miss of its peak.
     """
     peaks = np.max(sizes, axis=1)
-    return np.argmax(peaks >= (1 - MISSED_OF_PEAK) * peaks.max(axis=0), axis=0)
+    worst: IntArray = np.argmax(peaks >= (1 - MISSED_OF_PEAK) * peaks.max(axis=0), axis=0)
+    return worst
