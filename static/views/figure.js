@@ -62,7 +62,6 @@ export function createFigure({ figure: about, client, titles, on }) {
   let chart = null; // of `latest`, in the language of the page
   let drawing = Promise.resolve(); // until the latest is drawn
   let drawnOf = null; // the answer that is drawn
-  let stopped = false; // whether the latest was not drawn, as another input was asked for
   let again = 0; // the timer after a failure of the service
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
@@ -128,7 +127,6 @@ export function createFigure({ figure: about, client, titles, on }) {
   /** Draw the latest; the problem where it has none. */
   async function draw() {
     clearTimeout(again);
-    stopped = false;
     const asked = latest;
     root.dataset.stale = String(asked.answer !== drawnOf);
     const loading = loadPlotly().catch(() => null);
@@ -189,12 +187,6 @@ export function createFigure({ figure: about, client, titles, on }) {
     tools.hidden = false;
   });
 
-  /** Of other inputs than are asked for no figure is calculated: it would keep the service from these. */
-  function stop() {
-    stopped = root.dataset.stale === "true";
-    if (stopped) newest.cancel();
-  }
-
   /** A figure on demand of other inputs than these gives way to its button. */
   function fold() {
     example = false;
@@ -237,7 +229,6 @@ export function createFigure({ figure: about, client, titles, on }) {
     /** Keep the room that the figure of what is asked will take. */
     following(({ pending }) => [pending], (state) => {
       askAhead(state);
-      if (!measure && state.pending !== latest?.filled) stop();
       if (!measure) return reserve(heightOf(state.pending));
       take(null);
       return fold();
@@ -255,14 +246,9 @@ export function createFigure({ figure: about, client, titles, on }) {
     following(({ shown, refusal }) => [shown, refusal], ({ shown, refusal }) => {
       if (!refusal || shown?.answer[figure.section]) return;
       newest.cancel();
-      stopped = false;
       root.dataset.stale = "false";
       take(null);
       complain(message("figure.none"));
-    }),
-    /** Draw what was left for an input that has no results after all. */
-    following(({ phase }) => [phase], ({ phase }) => {
-      if (stopped && !["computing", "offline"].includes(phase)) drawing = draw();
     }),
     following(({ turn }) => [turn], ({ turn }) => plot.follow(turn)),
   ];

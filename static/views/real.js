@@ -75,7 +75,7 @@ export function createView({ id, client, titles, figures, logic, asking }) {
       numbers({ ...now, body: body ?? {} });
       // Its figure, which takes longest, comes behind the results.
       if (body && drawn.body !== body && state.phase !== "computing") drawn = { body, shown: { input: body, filled: body, answer: { real: true } } };
-      figure.update({ ...state, pending: state.phase === "computing" ? null : drawn.body ?? null, shown: drawn.shown ?? null, kept: NONE, refusal: null });
+      figure.update({ ...state, pending: drawn.body ?? null, shown: drawn.shown ?? null, kept: NONE, refusal: null });
     },
     close() {
       figure.close();
