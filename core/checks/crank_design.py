@@ -4,7 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, IntArray
 from core.checks.design.losses import DesignLosses
 from core.checks.design.refusals import known, named
 from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
@@ -17,10 +17,13 @@ from core.crank.satellite_bearing import (
     satellite_bearings,
 )
 from core.errors import ImpossibleMechanism
-from core.output.sampled_turn import WAYS, SampledTurn
+from core.output.sampled_turn import WAYS
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
+
+MISSED_OF_PEAK = 0.01
+"""Part of a peak that samples of a curve may miss."""
 
 
 class CrankDesign(DesignLosses):
@@ -91,18 +94,44 @@ class CrankDesign(DesignLosses):
             ),
         )
 
-    @cached_property
-    def _shown_turn(self) -> SampledTurn | None:
-        """Forces of the mechanism as it is made, where they are judged; of an alternating torque
-        the driving ones are shown.
+    def _load_curves(self, crank_angle: FloatArray) -> list[BearingCurves]:
+        """Load of the satellites' bearings at crank angles in each direction of the torque and, of
+        ideal forces, in each way in which the satellites may share them.
         """
+        mesh = self.mesh
+        assert mesh is not None and self.eccentricity is not None
+        assert self.output_torque is not None and self.pin_circle_radius is not None
+        rho = float(mesh.radial_force_ratio)
+        ways = WAYS[self.torque_direction]
         if self.made is None:
-            return None
-        assert self.output_torque is not None
-        return self.made(WAYS[self.torque_direction][0] * self.output_torque)
+            return [
+                bearing_curves(
+                    mechanism=self.mechanism,
+                    force_exponent=self.force_exponent,
+                    output_torque=self.output_torque,
+                    pin_circle_radius=self.pin_circle_radius,
+                    eccentricity=self.eccentricity,
+                    radial_force_ratio=rho,
+                    crank_angle=crank_angle,
+                    torque_direction="driving" if way > 0 else "reverse",
+                    pair_stiffness=stiffness,
+                )
+                for stiffness in dict.fromkeys((None, self.pair_stiffness))
+                for way in ways
+            ]
+        arm = self.eccentricity * self.mechanism.ratio
+        wave = self.mechanism.wave_angle(crank_angle)
+        curves = []
+        for way in ways:
+            turn = self.made(way * self.output_torque)
+            parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
+            load = turn.at(wave=wave, values=parts.load).T
+            curves.append(BearingCurves(crank_angle, load.imag, load.real, np.abs(load)))
+        return curves
 
     def bearing_curves(self, crank_angle: FloatArray) -> BearingCurves:
-        """Load of the satellites' bearings at crank angles; ideal forces are shared equally.
+        """Load of the satellites' bearings at crank angles: of each as `bearings` judges it, in the
+        worst direction and sharing.
 
         Parameters
         ----------
@@ -113,29 +142,16 @@ class CrankDesign(DesignLosses):
         -------
         BearingCurves
         """
-        mesh, turn = self.mesh, self._shown_turn
-        assert mesh is not None and self.eccentricity is not None
-        assert self.output_torque is not None and self.pin_circle_radius is not None
-        rho = float(mesh.radial_force_ratio)
-        if turn is None:
-            return bearing_curves(
-                mechanism=self.mechanism,
-                force_exponent=self.force_exponent,
-                output_torque=self.output_torque,
-                pin_circle_radius=self.pin_circle_radius,
-                eccentricity=self.eccentricity,
-                radial_force_ratio=rho,
-                crank_angle=crank_angle,
-                torque_direction=self.torque_direction,
-            )
-        arm = self.eccentricity * self.mechanism.ratio
-        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
-        wave = self.mechanism.wave_angle(crank_angle)
-        load = turn.at(wave=wave, values=parts.load).T
-        return BearingCurves(crank_angle, load.imag, load.real, np.abs(load))
+        cases = self._load_curves(crank_angle)
+        worst = _worst([each.load for each in cases])
+        across, along, load = (
+            np.choose(worst, [getattr(each, name) for each in cases])
+            for name in ("across", "along", "load")
+        )
+        return BearingCurves(crank_angle, across, along, load)
 
     def reaction_curves(self, crank_angle: FloatArray) -> ReactionCurves:
-        """Reactions of the crankshaft's bearings to the same.
+        """Reactions of the crankshaft's bearings to the same, each in its worst case.
 
         Parameters
         ----------
@@ -146,11 +162,27 @@ class CrankDesign(DesignLosses):
         -------
         ReactionCurves
         """
-        own, turn = self.crankshaft, self._shown_turn
-        assert own is not None
-        return reaction_curves(
-            loads=self.bearing_curves(crank_angle),
-            crank_angles=self.mechanism.crank_angles if turn is None else turn.crank_angles,
-            satellite_positions=own.satellite_positions,
-            bearing_positions=own.bearing_positions,
-        )
+        own, cranks = self.crankshaft, self.mechanism.crank_angles
+        assert own is not None and self.output_torque is not None
+        if self.made is not None:
+            cranks = self.made(WAYS[self.torque_direction][0] * self.output_torque).crank_angles
+        cases = [
+            reaction_curves(
+                loads=each,
+                crank_angles=cranks,
+                satellite_positions=own.satellite_positions,
+                bearing_positions=own.bearing_positions,
+            ).reaction
+            for each in self._load_curves(crank_angle)
+        ]
+        worst = _worst([np.abs(each) for each in cases])
+        return ReactionCurves(crank_angle, np.choose(worst, cases))
+
+
+def _worst(sizes: list[FloatArray]) -> IntArray:
+    """The case in which each column is largest; the first of those that differ by less than
+    samples of a curve may miss of its peak.
+    """
+    peaks = np.max(sizes, axis=1)
+    worst: IntArray = np.argmax(peaks >= (1 - MISSED_OF_PEAK) * peaks.max(axis=0), axis=0)
+    return worst

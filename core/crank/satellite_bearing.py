@@ -478,6 +478,7 @@ def bearing_curves(
     radial_force_ratio: float,
     crank_angle: FloatArray,
     torque_direction: Direction = "driving",
+    pair_stiffness: tuple[float, ...] | None = None,
 ) -> BearingCurves:
     """Load of the satellites' bearings under the ideal forces at given crank angles.
 
@@ -499,6 +500,9 @@ def bearing_curves(
         Crank angles, rad.
     torque_direction : {"driving", "reverse", "alternating"}
         Of an alternating torque the driving one is shown.
+    pair_stiffness : tuple of float, K, optional
+        Stiffness of the pairs of each satellite against each other, by which the satellites share
+        the load; equally without it.
 
     Returns
     -------
@@ -513,6 +517,9 @@ def bearing_curves(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
     cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angle)
+    if pair_stiffness is not None:
+        ratios = ratios * np.array(pair_stiffness)[:, None]
+        ratios /= (ratios * cosines).sum(axis=(1, 2), keepdims=True)
     across = output_torque / (eccentricity * mechanism.ratio) * (ratios * cosines).sum(axis=2)
     pins = output_torque / pin_circle_radius * ratios.sum(axis=2)
     along = radial_force_ratio * across + pins

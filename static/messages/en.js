@@ -101,7 +101,6 @@ export default {
     needed: "Still needed: {fields}",
     stopped: "Stopped.",
     leftOut: "Left out here: {what}.",
-    ideal: "Drawn for ideal forces, equally shared among the satellites; the numbers above are those of the checks.",
   },
   real: {
     title: "Real forces, play and stiffness",

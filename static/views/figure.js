@@ -58,9 +58,10 @@ export function createFigure({ figure: about, client, titles, on }) {
   if (figure.follows) canvas.append(plot.cursor);
   const newest = newestOnly();
   let tabled = false;
-  let latest = null; // { input, filled, answer, theme, others } of what is drawn or to be drawn
+  let latest = null; // { input, filled, answer, requests, theme, others } of what is drawn or to be drawn
   let chart = null; // of `latest`, in the language of the page
   let drawing = Promise.resolve(); // until the latest is drawn
+  let drawnOf = null; // the answer that is drawn
   let again = 0; // the timer after a failure of the service
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
@@ -82,8 +83,8 @@ export function createFigure({ figure: about, client, titles, on }) {
     canvas.style.height = `${height}px`;
   }
 
-  async function post({ input, answer }, theme, signal) {
-    const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer);
+  async function post({ input, answer, requests }, theme, signal) {
+    const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer, requests);
     return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
@@ -118,7 +119,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   /** The figure with those of the designs it is compared with, where it has curves to compare. */
   async function ask(signal) {
     const { theme, others } = latest;
-    const [own, ...charts] = await Promise.all([latest, ...(figure.compared ? others : [])].map((design) =>
+    const [own, ...charts] = await Promise.all([latest, ...others].map((design) =>
       chartOf(design, theme, signal)));
     return { own, all: overlaid(shaped(own, theme), charts.map((one, i) => ({ name: others[i].name, chart: shaped(one, theme) })), theme) };
   }
@@ -127,6 +128,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   async function draw() {
     clearTimeout(again);
     const asked = latest;
+    root.dataset.stale = String(asked.answer !== drawnOf);
     const loading = loadPlotly().catch(() => null);
     const { answer, problem, superseded } = await newest.ask(ask);
     if (superseded) return;
@@ -138,7 +140,11 @@ export function createFigure({ figure: about, client, titles, on }) {
     if (latest !== asked || !root.isConnected) return;
     complain(problem || !Plotly
       ? message("figure.failed", { detail: problem ? problemText(problem, titles) : message("figure.noPlotly") }) : "");
-    if (answer && Plotly) await show(answer.all);
+    if (answer && Plotly) {
+      await show(answer.all);
+      drawnOf = asked.answer;
+    }
+    root.dataset.stale = "false";
     if (problem?.passing && !measure) again = setTimeout(() => latest === asked && (drawing = draw()), AGAIN_MS);
     return problem;
   }
@@ -228,9 +234,9 @@ export function createFigure({ figure: about, client, titles, on }) {
       return fold();
     }),
     /** Draw the results, over them those of the designs that are kept. */
-    following(({ shown, kept, theme }) => [shown, kept?.length > 0 ? kept : NONE, theme], ({ shown, kept, theme }) => {
+    following(({ shown, kept, theme }) => [shown, figure.compared && kept?.length > 0 ? kept : NONE, theme], ({ shown, kept, theme }) => {
       if (!shown?.answer[figure.section]) return;
-      take({ ...shown, theme, others: (kept ?? NONE).filter(({ answer }) => answer?.[figure.section]) });
+      take({ ...shown, theme, others: (figure.compared && kept ? kept : NONE).filter(({ answer }) => answer?.[figure.section]) });
       chart = null;
       if (tabled && figure.tables) fill(table, html`${figure.tables(shown.answer).map(tableMarkup)}`);
       if (measure) fold();
@@ -240,6 +246,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     following(({ shown, refusal }) => [shown, refusal], ({ shown, refusal }) => {
       if (!refusal || shown?.answer[figure.section]) return;
       newest.cancel();
+      root.dataset.stale = "false";
       take(null);
       complain(message("figure.none"));
     }),

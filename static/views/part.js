@@ -28,12 +28,6 @@ function stacked({ data, layout }) {
   };
 }
 
-/** Whether a section is of other forces than its figure shows, the ideal ones that all satellites share alike. */
-function ofOtherForces(answer, section) {
-  const bends = answer.pin_strength && section !== "output_efficiency"; // whose sum of forces does not hang on who carries them
-  return answer[section]?.forces === "real" || Boolean(bends);
-}
-
 /** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
 function listMarkup(name, records, nameOf) {
   const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, DIGITS).value);
@@ -46,7 +40,7 @@ function listMarkup(name, records, nameOf) {
 
 export function createView({ id, section, client, titles, figures, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
-    <p class="drawn-for note"></p><p class="left-out note"></p></div>`);
+    <p class="left-out note"></p></div>`);
   const { model } = calculations.find(({ name }) => logic.figure.path.startsWith(`/${name}/`));
   const part = (name) => root.querySelector(`.${name}`);
   const figure = createFigure({
@@ -57,7 +51,7 @@ export function createView({ id, section, client, titles, figures, calculations,
   const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
-  part("drawn-for").before(figure.root);
+  part("left-out").before(figure.root);
   figures.push(figure);
 
   const numbers = following(({ shown }) => [shown], ({ shown }) => {
@@ -65,7 +59,6 @@ export function createView({ id, section, client, titles, figures, calculations,
     fill(part("numbers"), html`${answer && logic.cells(answer, shown.filled).map((cell) => html`
       <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
     part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model }).join("; ") });
-    part("drawn-for").textContent = ofOtherForces(shown?.answer ?? {}, section) ? message("besides.ideal") : "";
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [
       valuesMarkup(answer, calculator.elsewhere, titles),

@@ -670,6 +670,39 @@ async def test_curves_and_figures_are_of_the_forces_that_are_answered(api):
     )
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},  # of pins that bend one satellite carries more by its stiffness, one if shared alike
+        {"load__torque_direction": "reverse"},
+        {
+            "pin": None,
+            "mechanism__crank_angles_deg": [0.0, 100.0],
+            "load__torque_direction": "alternating",
+        },
+        {
+            "mechanism__pins": 3,
+            "contact__hole_clearance_mm": 0.02,
+            **DEVIATIONS,
+            "load__torque_direction": "alternating",
+        },
+    ],
+)
+async def test_curves_are_of_the_sharing_and_the_direction_that_are_judged(api, changes):
+    path, body = single("satellite_bearing", changed(**changes))
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    loads = [trace["y"] for trace in figure["data"] if trace.get("xaxis") == "x2"]
+    peaks = [max(load) for load in loads if len(load) > 2]
+    expected = [each["peak_load_N"] for each in answer["satellites"]]
+    assert peaks == pytest.approx(expected, rel=1e-2)
+    path, body = single("crankshaft", changed(**changes))
+    answer = await answered(api, body, path)
+    figure = await answered(api, body, f"{path}/chart")
+    peaks = [max(trace["y"]) for trace in figure["data"][1::2]]
+    assert peaks == pytest.approx([each["peak_N"] for each in answer["bearings"]], rel=1e-2)
+
+
 def test_only_real_forces_of_a_section_leave_the_event_loop():
     for section in STRENGTH:
         name, body = single(section, ALONE)

@@ -259,6 +259,95 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     assert foreign(page) == set()
 
 
+REAL_DESIGN = {
+    "load.input_speed_rpm": "1500",
+    "contact.dynamic_factor": "1.25",
+    "real.on": "on",
+    "contact.hole_clearance_mm": "0.02",
+    "deviations.pins": "; -0.02|;0|;0.01",
+    "strength.on": "on",
+    "pin.satellite_positions_mm": "8;22",
+    "losses.on": "on",
+    "friction.coefficient": "0.08",
+    "friction.wear_rate_mm3_per_Nm": "1e-8",
+    "bearings.on": "on",
+    "gear.kind": "cycloid",
+    "gear.ring_pin_circle_radius_mm": "80",
+    "crank.on": "on",
+}
+FIGURES = {
+    "strength": ("pin-strength", "peak_bending_stress_MPa"),
+    "losses": ("output-efficiency", "min_efficiency"),
+    "bearings": ("satellite-bearing", "Largest load"),
+    "crank": ("crankshaft", "Largest reaction"),
+}
+EXTREMES = """(plot, below) => {
+  const traces = plot.data.filter(({ y, yaxis }) => y.length > 2 && yaxis === "y2");
+  return traces.map(({ y }) => (below ? Math.min(...y) : Math.max(...y.map(Math.abs))));
+}"""
+
+
+def drawn(page: Page) -> None:
+    """Wait until every figure is of the results on the page."""
+    expect(page.locator('.figure[data-stale="true"]')).to_have_count(0, timeout=60_000)
+    expect(page.locator(".part .js-plotly-plot")).to_have_count(4, timeout=60_000)
+
+
+def numbers_of(page: Page, group: str) -> list[float]:
+    """The numbers that the figure of a group has as extremes."""
+    name = FIGURES[group][1]
+    if "_" in name:
+        return [value(page, group, name)]
+    cells = part(page, group).locator("tr", has_text=name).locator("td")
+    return [number(text) for text in cells.all_text_contents()]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"load.torque_direction": "alternating"},
+        {"real.on": "", "contact.hole_clearance_mm": "", "deviations.pins": ""},
+    ],
+)
+def test_figures_are_of_the_forces_of_their_numbers(
+    page: Page, service: str, watch: Watch, changes: dict[str, str]
+) -> None:
+    show(page, service, "crank-planetary", **DESIGN | REAL_DESIGN | changes)
+    drawn(page)
+    for group in FIGURES:
+        plot = part(page, group).locator(".js-plotly-plot")
+        extremes = plot.evaluate(EXTREMES, group == "losses")
+        assert extremes == pytest.approx(numbers_of(page, group), rel=0.01), group
+    asked = watch.paths()
+    for path, _ in FIGURES.values():
+        assert asked.count(f"/api/v1/{path}/chart") == 1, path
+
+
+def test_a_figure_is_grey_until_it_is_of_the_numbers(
+    page: Page, service: str, watch: Watch
+) -> None:
+    """And what is kept does not ask for it again."""
+    show(page, service, "crank-planetary", **DESIGN | REAL_DESIGN)
+    drawn(page)
+    figure = part(page, "bearings").locator(".figure")
+    path = "/api/v1/satellite-bearing/chart"
+    page.get_by_role("button", name="Keep this design").click()
+    expect(page.locator(".compare thead input")).to_have_count(1, timeout=30_000)
+    page.wait_for_timeout(300)
+    assert watch.paths().count(path) == 1
+    held: list[Route] = []
+    page.route(f"**{path}*", lambda route: held.append(route))
+    box(page, "load.output_torque_Nm").fill("150")
+    settled(page)
+    expect(figure).to_have_attribute("data-stale", "true")
+    expect(figure.locator(".plot")).to_have_css("opacity", "0.5")
+    held[0].continue_()
+    drawn(page)
+    expect(figure.locator(".plot")).to_have_css("opacity", "1")
+    assert watch.paths().count(path) == 2
+
+
 def test_fatigue_of_rollers_and_of_the_shaft_with_its_contact_lines(
     page: Page, service: str
 ) -> None:

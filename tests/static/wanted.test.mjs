@@ -219,6 +219,41 @@ test("the verdict is of the design as it is made: its clearance, deviations, con
   assert.ok(!("deviations" in await asked({ ...parts, besides: { ...besides, real: undefined } })));
 });
 
+test("a figure of strength and life asks with the design that its numbers are of, and only what it takes", async () => {
+  const besides = {
+    real: { on: "on", play: "fits", pin_class: "h6", hole_class: "H7" }, contact_law: { kind: "palmgren" },
+    deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, satellite_coupling: { shares: [0.4, 0.6] },
+    strength: { on: "on", surface: "sleeved" }, pin: { support: "cantilever", satellite_positions_mm: [5, 15], diameter_mm: 8 },
+    fatigue: { reliability_percent: 99 }, losses: { on: "on" }, friction: { coefficient: 0.08, wear_rate_mm3_per_Nm: 1e-8 },
+    bearings: { on: "on" }, gear: { kind: "ratio", radial_force_ratio: 0.4 }, bearing: { kind: "ball" },
+    crank: { on: "on" }, crankshaft: { bearing_positions_mm: [0, 20] }, requirements: { min_efficiency: 0.9 },
+  };
+  const load = { input_torque_Nm: 6, efficiency: 0.9, pin_circle_radius_mm: 40, input_speed_rpm: 1500, peak_torque_Nm: 200, torque_direction: "alternating" };
+  const contact = { ...DESIGN.contact, pin_radius_mm: 6, hole_radius_mm: 8, dynamic_factor: 1.25 };
+  const requests = [];
+  await calculator.ask({
+    post: async (path, body) => {
+      requests.push({ path, body });
+      return {};
+    },
+    get: async () => ({ tolerances: [{ lower_mm: 0, upper_mm: 0.01 }] }),
+    input: { ...DESIGN, load, contact, satellite_body: { bore_radius_mm: 20 }, besides }, filled: DESIGN, sections: calculator.sections, tables: new Set(),
+  });
+  const [{ body: { pin, fatigue, friction: { wear_rate_mm3_per_Nm, ...friction }, gear, bearing, crankshaft } }] = requests;
+  const { hole_radius_mm: _, ...others } = contact;
+  const forces = {
+    mechanism: { pins: 3, satellites: 2, ratio: 20 }, load, pin,
+    contact: { ...others, hole_clearance_mm: 0 }, contact_law: { kind: "palmgren" },
+    deviations: { pin_radial_mm: [0.01, 0, 0] }, satellite_coupling: { kind: "shares", shares: [0.4, 0.6] },
+  };
+  assert.deepEqual([pin, friction, gear], [besides.pin, { coefficient: 0.08, sleeve: true }, { radial_force_ratio: 0.4 }]);
+  for (const [id, own] of Object.entries({ strength: { fatigue }, losses: { friction }, bearings: { gear, bearing }, crank: { gear, crankshaft } })) {
+    const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
+    assert.deepEqual(figure.body({}, {}, requests), { ...forces, ...own }, id);
+    assert.ok(figure.body.length > 1, id); // it is not asked for before the numbers
+  }
+});
+
 test("the tables of a measured part as lists, holes by satellites, what is not said as 0", () => {
   const holes = Array.from({ length: 6 }, (_, i) => (i === 4 ? { hole_radius_mm: 0.02 } : {}));
   assert.deepEqual(real.deviationsOf({ pins: [{}, { pin_radial_mm: -0.01 }, {}], holes }, DESIGN.mechanism), {

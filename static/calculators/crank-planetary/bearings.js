@@ -5,20 +5,11 @@ import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { sharingOf, sharings } from "./pin_beam.js";
 import { largestOf, meanOf, onSatellite } from "./turn.js";
-import { chartOf } from "./wanted.js";
+import { figureBody } from "./wanted.js";
 
 const ROUNDING = 1e-9;
 
-export const figure = {
-  id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart",
-  body: (input) => ({ ...crankedBody(input), bearing: input.besides.bearing }),
-};
-
-/** What loads the crank: mechanism, load, eccentricity, ring. */
-export function crankedBody(input) {
-  const { mechanism, load, gear } = chartOf(input);
-  return { mechanism, load, contact: { eccentricity_mm: input.contact.eccentricity_mm }, gear };
-}
+export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: figureBody("gear", "bearing") };
 
 export const torqueOf = ({ load, mechanism }) => load.output_torque_Nm ?? load.input_torque_Nm * mechanism.ratio * load.efficiency;
 

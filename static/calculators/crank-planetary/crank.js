@@ -4,16 +4,13 @@ import { quantity as q } from "../../lib/formula/evaluate.js";
 import { asValue, intermediate, result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
-import { crankedBody, equivalentStep, exponentOf, lifeStep, satelliteLoads } from "./bearings.js";
+import { equivalentStep, exponentOf, lifeStep, satelliteLoads } from "./bearings.js";
 import { cranksOf } from "./mechanism.js";
 import { once, sharings } from "./pin_beam.js";
 import { largestOf } from "./turn.js";
-import { chartOf } from "./wanted.js";
+import { figureBody } from "./wanted.js";
 
-export const figure = {
-  id: "crank", section: "crankshaft", path: "/crankshaft/chart",
-  body: (input) => ({ ...crankedBody(input), crankshaft: chartOf(input).crankshaft }),
-};
+export const figure = { id: "crank", section: "crankshaft", path: "/crankshaft/chart", body: figureBody("gear", "crankshaft") };
 
 const LETTERS = ["A", "B"];
 const MOST_SATELLITES = 4; // whose forces are worked

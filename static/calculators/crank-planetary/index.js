@@ -12,10 +12,9 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { partsOf, WANTED, wantedSections } from "./wanted.js";
+import { MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
-const MADE = ["contact_law", "deviations", "satellite_coupling"]; // parts by which the real forces are judged
 const DESIGN = [ // parts that are judged beside the contact
   ...MADE, "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
 ];

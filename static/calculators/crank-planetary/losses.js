@@ -5,19 +5,16 @@ import { result } from "../../lib/formula/step.js";
 import { message } from "../../messages/index.js";
 import { torqueOf } from "./bearings.js";
 import { diameterOf } from "./strength.js";
-import { chartOf, sleeved } from "./wanted.js";
+import { figureBody, sleeved } from "./wanted.js";
 
 export const figure = { id: "losses", section: "output_efficiency", path: "/output-efficiency/chart", body: lossBody, height: 420 };
 
-function lossBody(input) {
-  const { mechanism, load, pin, friction: { coefficient, sleeve } } = chartOf(input);
-  const { contact_length_mm, pin_radius_mm, eccentricity_mm } = input.contact;
-  return {
-    mechanism, load,
-    friction: { coefficient, sleeve },
-    contact: { contact_length_mm, pin_radius_mm, eccentricity_mm },
-    ...(sleeve && { pin: { diameter_mm: pin.diameter_mm } }),
-  };
+const designBody = figureBody("friction");
+
+/** Without the wear, which takes a life and is not drawn. */
+function lossBody(input, answer, requests) {
+  const { friction: { wear_rate_mm3_per_Nm, ...friction }, ...body } = designBody(input, answer, requests);
+  return { ...body, friction };
 }
 
 export function cells(section) {

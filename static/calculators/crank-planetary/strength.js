@@ -8,24 +8,12 @@ import { pinDrawing } from "./along.js";
 import { staticStep, torqueOf } from "./bearings.js";
 import { beamOf, complianceSteps, once, sharingOf, sharings } from "./pin_beam.js";
 import { largestOf } from "./turn.js";
-import { chartOf, sleeved } from "./wanted.js";
+import { figureBody, sleeved } from "./wanted.js";
 
-export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: pinBody };
+export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: figureBody("fatigue") };
 
 /** Diameter of the steel pin: that inside its sleeve where it has one. */
 export const diameterOf = (input) => (sleeved(input) ? input.besides.pin.diameter_mm : 2 * input.contact.pin_radius_mm);
-
-function pinBody(input) {
-  const { mechanism, load, pin, fatigue } = chartOf(input);
-  const { contact_length_mm, pin_material: material, dynamic_factor: factor = 1 } = input.contact;
-  const torque = load.output_torque_Nm === undefined ? "input_torque_Nm" : "output_torque_Nm";
-  return {
-    mechanism,
-    load: { ...load, [torque]: factor * load[torque] },
-    pin: { contact_length_mm, material, ...pin, diameter_mm: diameterOf(input) },
-    ...(fatigue && { fatigue }),
-  };
-}
 
 export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection }) {
   const title = (name) => message(`quantity.${name}`)[0];

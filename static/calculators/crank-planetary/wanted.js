@@ -250,13 +250,17 @@ export function partsOf(input, sections) {
   };
 }
 
-const DRIVEN = [
-  "output_torque_Nm", "input_torque_Nm", "efficiency", "pin_circle_radius_mm", "force_exponent", "input_speed_rpm", "torque_direction",
-];
+/** Parts by which the real forces are judged. */
+export const MADE = ["contact_law", "deviations", "satellite_coupling"];
 
-/** The parts of the document that a figure of a wanted section asks with. */
-export function chartOf(input) {
-  const { revolutions, ...mechanism } = input.mechanism;
-  const load = Object.fromEntries(Object.entries(input.load).filter(([name]) => DRIVEN.includes(name)));
-  return { mechanism, load, ...partsOf(input, wantedSections(input)) };
+/**
+ * What a figure of a wanted section asks with: of the body that its numbers were asked with, all that the forces follow
+ * from, and the section's own parts.
+ */
+export function figureBody(...own) {
+  return (input, answer, [{ body: { mechanism: { revolutions, ...mechanism }, load: { include, ...load }, ...parts } }]) => ({
+    mechanism,
+    load,
+    ...Object.fromEntries(["contact", "pin", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
+  });
 }
