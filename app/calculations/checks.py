@@ -240,7 +240,10 @@ class CheckOut(ResponseModel):
     )
     margin: Maybe[float] = Field(default=None, description="What is left to the limit, in `unit`.")
     torque_reserve: Maybe[float] = Field(
-        default=None, description="Factor on the torque at which the value is at its limit."
+        default=None,
+        description="Factor on the torque at which the value is at its limit; where the forces "
+        "are shared by stiffness or solved, an estimate by the sharing as it is, but for the "
+        "contact of pins that do not bend.",
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")
@@ -401,6 +404,11 @@ SETS = {
 """What fixes of several fields set."""
 
 
+def _short(value: float) -> float:
+    """Without the rounding of units and sums."""
+    return float(f"{value:.12g}")
+
+
 def fix_values(fix: Fix, body: RequestModel) -> Values:
     """Values of a fix, with all that it sets in a request."""
     paths = [
@@ -411,21 +419,30 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
     path = paths[0]
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
-    if fix.after != fix.exact:  # a rounded size stays one in the unit of the field
-        to = float(f"{to:.12g}")
+    if fix.variable == "output_torque" and _value(body, path) is None:  # that of the input is given
+        name = "input_torque_Nm"
+        given_path = (*path[:-1], name)
+        path, paths, given = given_path, [given_path], _value(body, given_path)
+        to, exact = (None if each is None else given * each / before for each in (to, exact))
+        before = given
+        if to is not None:  # no more torque than what cures
+            digit = 10.0 ** (math.floor(math.log10(to)) - 2)
+            to = math.floor(to / digit) * digit
+    if to is not None and fix.after != fix.exact:  # a rounded size stays one in the field's unit
+        to = _short(to)
     sets = {pointer(each): to for each in paths}
     hole, clearance, pin = (
         path_of(body, each) for each in ("hole_radius", "hole_clearance", "pin.diameter")
     )
     if fix.variable == "pin_radius" and hole is not None and _value(body, hole) is not None:
-        sets[pointer(hole)] = round(float(_value(body, hole)) + to - before, 9)
+        sets[pointer(hole)] = _short(_value(body, hole) + to - before)
     inside = _value(body, pin) if pin is not None else None
     no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)
     if fix.variable == "pin_radius" and no_sleeve:
         sets[pointer(pin)] = 2 * to  # type: ignore[arg-type]
-    loose = _value(body, clearance) if clearance is not None else None
-    if fix.variable == "hole_radius" and loose is not None:
-        sets[pointer(clearance)] = round(float(loose) + to - before, 9)  # type: ignore[arg-type]
+    loose = None if clearance is None else _value(body, clearance)
+    if fix.variable == "hole_radius" and clearance is not None and loose is not None:
+        sets[pointer(clearance)] = _short(loose + to - before)
         if _value(body, path) is None:  # the hole follows the clearance
             del sets[pointer(path)]
     parent: Any = _value(body, path[:-1])

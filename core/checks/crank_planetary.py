@@ -41,10 +41,12 @@ def _interference(design: CrankDesign) -> Check:
     if clearance is None:
         return no_eccentricity(code)
     assert design.hole_radius is not None
-    forces = design.judged_forces if design.deviations and design.loaded else None
-    if clearance >= 0 and isinstance(forces, RealForces) and forces.turn.pressed_without_load:
-        reason = "pressed_without_load"
-        return Check(code=code, status="fail", value=design.hole_radius, reason=reason)
+    if clearance >= 0 and design.deviations and design.loaded:
+        forces, size = design.judged_forces, design.hole_radius
+        if not isinstance(forces, RealForces):  # which parts press without load is not known
+            return Check(code=code, status="not_checked", value=size, reason=design.unsolved)
+        if forces.turn.pressed_without_load:
+            return Check(code=code, status="fail", value=size, reason="pressed_without_load")
     needed = design.hole_radius - clearance
     return judged(code, design.hole_radius, needed, impossible=clearance < 0)
 
@@ -53,7 +55,10 @@ def _clearance(design: CrankDesign) -> Check:
     code, clearance = "clearance", design.clearance
     if clearance is None:
         return no_eccentricity(code)
-    if clearance > 0 and isinstance(design.judged_forces, RealForces):
+    if clearance > 0 and design.as_made and design.loaded:
+        if not isinstance(design.judged_forces, RealForces):
+            why = design.unsolved
+            return Check(code=code, status="not_checked", value=clearance, reason=why)
         why = "real_forces"
         return Check(code=code, status="not_applicable", value=clearance, reason=why)
     return judged(code, max(clearance, 0.0), 0.0, warning="force_law")

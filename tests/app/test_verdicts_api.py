@@ -202,7 +202,7 @@ CASES = {
     "more clearance than the load can close": (
         design(contact__hole_clearance_mm=2.1, contact__hole_radius_mm=None),
         "incomplete",
-        "clearance",
+        "interference",
     ),
     "too much backlash": (  # 4.75'
         design(
@@ -459,7 +459,23 @@ REDUCERS = [
     {"mechanism": {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}},
     {"satellite_body": {"outer_radius_mm": 59.0}},
     {"contact__hole_radius_mm": 10.05},
+    {"load": {"input_torque_Nm": 600.0, "efficiency": 0.9, "pin_circle_radius_mm": 50.0}},
 ]
+MICROSCOPIC = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+    "load": {"output_torque_Nm": 1.2e-5, "pin_circle_radius_mm": 0.05},
+    "contact": {
+        "pin_radius_mm": 0.008002666666666667,
+        "hole_radius_mm": 0.010002952380952381,
+        "eccentricity_mm": 0.0020002857142857144,
+        "contact_length_mm": 0.02,
+        "pin_material": "steel_bearing",
+        "hole_material": "steel_case_hardened",
+    },
+    "requirements": {"pitting_safety": 1.5},
+}
+"""Sizes of which a billionth of a millimetre counts."""
+
 SHAFT = REQUESTS["precession/shaft-deflection"]
 
 
@@ -467,6 +483,7 @@ SHAFT = REQUESTS["precession/shaft-deflection"]
     ("path", "body"),
     [("crank-planetary", design(**changes)) for changes in REDUCERS]
     + [
+        ("crank-planetary", MICROSCOPIC),
         ("precession/shaft-deflection", SHAFT | {"roller_radius_mm": 12.95}),
         ("precession/shaft-deflection", SHAFT | {"shaft_diameter_mm": 92.0}),
     ],

@@ -204,7 +204,7 @@ def test_where_the_forces_are_not_known_nothing_passes(name: str) -> None:
         assert (check.status, check.reason, check.value) == ("not_checked", reason, None), code
         assert check.torque_reserve is None
     assert found["lost_motion"].status == "not_checked"
-    assert (found["clearance"].status, found["clearance"].reason) == ("marginal", "force_law")
+    assert (found["clearance"].status, found["clearance"].reason) == ("not_checked", reason)
     assert found.verdict in ("incomplete", "fail") and found.torque_reserve is None
     assert "clearance" in found.not_considered
 
@@ -216,6 +216,9 @@ def test_deviations_that_press_are_interference() -> None:
     assert (fit.status, fit.reason, fit.impossible) == ("fail", "pressed_without_load", False)
     assert found.verdict == "fail"
     assert CRANK["interference"](replace(A, deviations=UNEVEN)).status == "pass"
+    beyond = replace(A, deviations=large, law=LinearLaw(stiffness=1e3))  # no torque cures it
+    unknown = CRANK["interference"](beyond)
+    assert (unknown.status, unknown.reason) == ("not_checked", "no_balance")
 
 
 def test_which_forces_are_judged() -> None:
