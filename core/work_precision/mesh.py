@@ -13,7 +13,6 @@ from core.precession.rollers import Roller, RollerByLength
 from core.work_precision.rules import Integrand, finite_sum, fixed_rules, integrate
 from core.work_precision.study import (
     REFERENCE_DIGITS,
-    Reference,
     WorkPoint,
     WorkPrecision,
     measured,
@@ -117,13 +116,7 @@ def _study(
         exact=exact,
         evaluations=evaluations,
     )
-    assert chosen is not None
-    points.append(chosen)
-    return WorkPrecision(
-        reference=Reference("multiple_tanh_sinh", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_tanh_sinh", points=[*points, chosen], chosen=chosen)
 
 
 def _by_rule(

@@ -11,7 +11,6 @@ from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.work_precision.study import (
     GOLDEN_STEPS,
     REFERENCE_DIGITS,
-    Reference,
     WorkPoint,
     WorkPrecision,
     golden_section,
@@ -125,12 +124,7 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
             evaluations=1,
         )
     )
-    assert chosen is not None
-    return WorkPrecision(
-        reference=Reference("multiple_peak", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_peak", points=points, chosen=chosen)
 
 
 def _reference(mechanism: Mechanism, exponent: float, crank_angle: float) -> Any:

@@ -13,7 +13,6 @@ from core.output.pin_turn import ComplexArray, PinTurn, pin_turn
 from core.work_precision.study import (
     GOLDEN_STEPS,
     REFERENCE_DIGITS,
-    Reference,
     WorkPrecision,
     golden_section,
     measured,
@@ -109,13 +108,7 @@ def pin_bending_study(
         exact=exact,
         evaluations=found.evaluations,
     )
-    assert chosen is not None
-    points.append(chosen)
-    return WorkPrecision(
-        reference=Reference("multiple_peak", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_peak", points=[*points, chosen], chosen=chosen)
 
 
 def _reference(

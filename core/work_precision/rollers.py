@@ -7,7 +7,6 @@ from typing import Any
 from core.load_sharing import share_load
 from core.work_precision.study import (
     REFERENCE_DIGITS,
-    Reference,
     WorkPoint,
     WorkPrecision,
     measured,
@@ -79,13 +78,7 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
         exact=exact,
         evaluations=1,
     )
-    assert chosen is not None
-    points.append(chosen)
-    return WorkPrecision(
-        reference=Reference("multiple_sorting", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_sorting", points=[*points, chosen], chosen=chosen)
 
 
 def _reference(total: float, stiffness: float, gaps: Sequence[float]) -> list[Any]:

@@ -12,7 +12,6 @@ from core.precession.shaft_deflection import shaft_deflection
 from core.work_precision.rules import fixed_rules, integrate
 from core.work_precision.study import (
     REFERENCE_DIGITS,
-    Reference,
     WorkPoint,
     WorkPrecision,
     measured,
@@ -88,13 +87,7 @@ def shaft_deflection_study(
         for name, setting, nodes, weights in fixed_rules()
     ]
     chosen = measured(method="closed_form", calculate=default, exact=exact, evaluations=1)
-    assert chosen is not None
-    points.append(chosen)
-    return WorkPrecision(
-        reference=Reference("multiple_closed_form", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_closed_form", points=[*points, chosen], chosen=chosen)
 
 
 def _reference(

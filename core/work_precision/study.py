@@ -3,9 +3,9 @@
 import math
 import statistics
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -93,6 +93,29 @@ class WorkPrecision:
     reference: Reference
     points: tuple[WorkPoint, ...]
     chosen: WorkPoint
+
+    @classmethod
+    def against(
+        cls, reference: str, *, points: Iterable[WorkPoint | None], chosen: WorkPoint | None
+    ) -> Self:
+        """Of what can be had, against a reference of `REFERENCE_DIGITS`.
+
+        Parameters
+        ----------
+        reference : str
+            Its method.
+        points : iterable of WorkPoint or None
+            All methods at all settings; None for those that cannot be had.
+        chosen : WorkPoint
+            The one that the calculators use, which always can.
+
+        Returns
+        -------
+        WorkPrecision
+        """
+        assert chosen is not None
+        some = tuple(point for point in points if point is not None)
+        return cls(Reference(reference, REFERENCE_DIGITS), some, chosen)
 
 
 def measured(

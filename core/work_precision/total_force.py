@@ -15,7 +15,6 @@ from core.output.pin_forces import force_ratios
 from core.work_precision.rules import fixed_rules, integrate
 from core.work_precision.study import (
     REFERENCE_DIGITS,
-    Reference,
     WorkPrecision,
     measured,
     refuse_many_pairs,
@@ -100,13 +99,7 @@ def total_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> W
         exact=[mean],
         evaluations=found.accuracy.evaluations,
     )
-    assert chosen is not None
-    points.append(chosen)
-    return WorkPrecision(
-        reference=Reference("multiple_tanh_sinh", REFERENCE_DIGITS),
-        points=tuple(point for point in points if point is not None),
-        chosen=chosen,
-    )
+    return WorkPrecision.against("multiple_tanh_sinh", points=[*points, chosen], chosen=chosen)
 
 
 def _reference(mechanism: Mechanism, exponent: float) -> tuple[list[Any], Any]:
