@@ -193,26 +193,28 @@ def points(body: RequestModel, *, drawn: bool) -> float:
 
 
 def _stated(body: BaseModel) -> dict[str, Any]:
-    """Fields of a request and of the models within it, where `SIZES` are among them."""
-    has_sizes, models = _sizing(type(body))
+    """What a request and the models within it state of `SIZES`; what any of them includes."""
+    own, models = _sizing(type(body))
     stated: dict[str, Any] = {}
     for name in models:
         inner = getattr(body, name)
         if isinstance(inner, BaseModel):
             stated |= _stated(inner)
-    if not has_sizes:
-        return stated
-    own = {name: value for name, value in vars(body).items() if value is not None}
-    asked = [*stated.get("include", ()), *own.get("include", ())]
-    return stated | own | {"include": asked}
+    included = stated.get("include", ())
+    for name in own:
+        if (value := getattr(body, name)) is not None:
+            stated[name] = value
+    if included:
+        stated["include"] = [*included, *getattr(body, "include", ())]
+    return stated
 
 
 @cache
-def _sizing(model: type[BaseModel]) -> tuple[bool, list[str]]:
-    """Whether a model has some of `SIZES`, and its fields that hold models which have."""
+def _sizing(model: type[BaseModel]) -> tuple[list[str], list[str]]:
+    """Which of `SIZES` a model has, and its fields that hold models which have some."""
     fields = model.model_fields
     holding = [name for name, each in fields.items() if _holds_sizes(each.annotation)]
-    return not SIZES.isdisjoint(fields), holding
+    return [name for name in fields if name in SIZES], holding
 
 
 def _holds_sizes(annotation: Any) -> bool:

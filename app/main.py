@@ -142,9 +142,12 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # The description, which takes half a second, is made before somebody opens the page.
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
+    counting = asyncio.create_task(observability.counting())
     async with app.state.jobs, compiled.prepared():
         yield
     ahead.cancel()
+    counting.cancel()
+    observability.count()
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:

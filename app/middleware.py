@@ -4,6 +4,7 @@ import asyncio
 import random
 import re
 import time
+from collections.abc import Awaitable
 
 from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -56,10 +57,10 @@ class Requests:
         client = scope.get("client") or ("",)
         record = Record(self.settings, _request_id(headers), headers, receive, client[0])
         at_hand.set(record)
-        observability.IN_FLIGHT.inc()
+        observability.Traffic.in_flight += 1
         failed: Exception | None = None
 
-        async def with_headers(message: Message) -> None:
+        def with_headers(message: Message) -> Awaitable[None]:
             if message["type"] == "http.response.start":
                 record.status, record.answered = message["status"], time.perf_counter()
                 message["headers"] = [
@@ -71,7 +72,7 @@ class Requests:
                     message["headers"].append((b"server-timing", _timing(record)))
             elif head:
                 message["body"] = b""
-            await send(message)
+            return send(message)
 
         try:
             await self.app(scope, receive, with_headers)

@@ -169,22 +169,19 @@ class RequestModel(BaseModel):
 
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:
-        alternatives = _alternatives(type(self))
-        if not alternatives:
-            return self
-        absent = {name for name, value in vars(self).items() if value is None}
-        for forms in alternatives:
-            given = [form for form in forms if not absent.issuperset(form)]
-            if len(given) == 1 and absent.isdisjoint(given[0]):
+        named = self.model_fields_set
+        for forms in _alternatives(type(self)):
+            given = [form for form in forms if not named.isdisjoint(form)]
+            if len(given) == 1 and named.issuperset(given[0]):
                 continue
             if len(given) > 1:
-                first, second = ([n for n in form if n not in absent] for form in given[:2])
+                first, second = ([n for n in form if n in named] for form in given[:2])
                 raise field_error(second[0], "only_one", field=first[0])
             if not given and () not in forms:
                 raise field_error(forms[0][0], "needed", field=forms[1][0])
             for form in given:
                 for name in form:
-                    if name in absent:
+                    if name not in named:
                         other = next(each for each in form if each != name)
                         raise field_error(name, "needed_beside", field=other)
         return self
@@ -314,9 +311,9 @@ class ResponseModel(BaseModel):
             Fields that are not read from the result; None for none.
         """
         values = {name: value for name, value in given.items() if value is not None}
-        plan = _plan(cls)
+        plan = _plan(cls, *given)
         for name, attribute, convert in plan.read:
-            if name not in given and (value := getattr(result, attribute)) is not None:
+            if (value := getattr(result, attribute)) is not None:
                 values[name] = value if convert is None else convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
@@ -405,13 +402,13 @@ class _Plan(NamedTuple):
 
 
 @cache
-def _plan(model: type[ResponseModel]) -> _Plan:
+def _plan(model: type[ResponseModel], *given: str) -> _Plan:
     fields = model.model_fields
     return _Plan(
         [
             (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings")
+            if name not in ("accuracy", "warnings", *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,

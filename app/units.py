@@ -110,12 +110,14 @@ def from_si_converter(field: str) -> Convert | None:
     times, over = (1.0, size) if size > 1 else (1 / size, 1.0)
 
     def convert(value: Any) -> Any:
-        if isinstance(value, (list, tuple)):
-            return [*map(convert, value)]
+        if not isinstance(value, float):
+            if isinstance(value, (list, tuple)):
+                return [*map(convert, value)]
+            if isinstance(value, np.ndarray):
+                exact = value * times / over
+                short = np.rint(exact * 1e9) / 1e9
+                return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
         exact = value * times / over
-        if isinstance(exact, np.ndarray):
-            short = np.rint(exact * 1e9) / 1e9
-            return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
         billionths = exact * 1e9
         if -1e13 < billionths < 1e13 and 0.01 < billionths % 1 < 0.99:
             return exact  # far from a short one: to see that costs a tenth of rounding

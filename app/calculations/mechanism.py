@@ -1,6 +1,6 @@
 """The parallel-crank mechanism as a request gives it."""
 
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
@@ -107,19 +107,11 @@ class MechanismFields(RequestModel):
         "reversing the torque does.",
     )
 
-    @model_validator(mode="before")
-    @classmethod
-    def _count_satellites(cls, data: Any) -> Any:
-        """A list of crank angles says how many satellites there are."""
-        if isinstance(data, dict) and "satellites" not in data:
-            angles = data.get("crank_angles_deg")
-            if isinstance(angles, list) and angles:
-                return {**data, "satellites": len(angles)}
-        return data
-
     @model_validator(mode="after")
     def _counts(self) -> Self:
         angles = self.crank_angles_deg
+        if angles is not None and "satellites" not in self.model_fields_set:
+            self.satellites = len(angles)
         if angles is not None and len(angles) != self.satellites:
             count = {"expected": self.satellites, "actual": len(angles)}
             raise field_error("crank_angles_deg", "different_length", **count)
