@@ -46,7 +46,9 @@ class PositionOut(ResponseModel):
         "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
     )
     max_pressure_MPa: float = result(
-        "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
+        "Largest Hertz pressure of the pairs; where the torque alternates that of both directions.",
+        symbol="p_0",
+        equation="Johnson 4.2",
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
         "Largest Hertz pressure of each pair, where asked.", default=None, symbol="p_0"

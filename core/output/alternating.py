@@ -32,7 +32,8 @@ def worse_position(
     Returns
     -------
     position : LoadedPosition
-        Of the worse direction.
+        Of the worse direction; the largest pressure is that of both, as a smaller force between
+        narrower radii may press harder.
     reverse : bool
         Whether that is the reverse.
 
@@ -48,7 +49,16 @@ def worse_position(
         for sign in (1, -1)
     )
     reverse = _reverse(max(map(max, driving.force)), max(map(max, back.force)))
-    return (back if reverse else driving), reverse
+    worse, other = (back, driving) if reverse else (driving, back)
+    return replace(worse, max_pressure=_larger_pressure(worse, other)), reverse
+
+
+def _larger_pressure(
+    one: LoadedPosition | OverTurn, other: LoadedPosition | OverTurn
+) -> float | None:
+    """The larger pressure of both directions, where it is known."""
+    pressures = [each for each in (one.max_pressure, other.max_pressure) if each is not None]
+    return max(pressures, default=None)
 
 
 def worse_curves(
@@ -129,10 +139,9 @@ def worse_turn(
         return value
 
     notices: dict[str, Notice] = {each.code: each for each in (*other.notices, *worse.notices)}
-    pressures = [each for each in (worse.max_pressure, other.max_pressure) if each is not None]
     turn = replace(
         worse,
-        max_pressure=max(pressures, default=None),
+        max_pressure=_larger_pressure(worse, other),
         transmission_error=larger("transmission_error"),
         unloaded_transmission_error=larger("unloaded_transmission_error"),
         stiffness_min=min(worse.stiffness_min, other.stiffness_min),

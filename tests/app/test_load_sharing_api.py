@@ -314,6 +314,29 @@ async def test_where_the_torque_alternates_the_worse_is_given(api, support):
     assert both["accuracy"]["relative_error"] == error
 
 
+async def test_the_smaller_force_may_press_harder(api):
+    """Opposite pairs carry alike; the deviating radius of one makes its contact the narrower."""
+    pressed = {}
+    for way in ("driving", "reverse", "alternating"):
+        body = {
+            "mechanism": {"pins": 3, "satellites": 1, "ratio": 20},
+            "load": {
+                "output_torque_Nm": 100,
+                "pin_circle_radius_mm": 50,
+                "torque_direction": way,
+            },
+            "contact": {"contact_length_mm": 20, "pin_radius_mm": 8, "eccentricity_mm": 2},
+            "contact_law": {"kind": "linear", "stiffness_N_per_mm": 200000},
+            "deviations": {"pin_radius_mm": [0, 0, 0.3], "hole_radius_mm": [[0, 0, 0.3]]},
+            "crank_angle_deg": [0],
+            "include": ["positions"],
+        }
+        (position,) = (await api.post("load-sharing", json=body)).json()["positions"]
+        pressed[way] = position["max_pressure_MPa"]
+    assert pressed["reverse"] > 1.02 * pressed["driving"]
+    assert pressed["alternating"] == pressed["reverse"]
+
+
 async def test_a_batch_takes_it(api):
     requests = [changed(load={"output_torque_Nm": torque}) for torque in (50, 200, -1)]
     body = {"calculation": PATH, "requests": requests}
