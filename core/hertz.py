@@ -41,6 +41,9 @@ SHEAR_RATIO = SHEAR_DEPTH * (1 - SHEAR_DEPTH**2)
 HERTZ_TOLERANCE = 0.01
 """Error of the Hertz pressure above which the conformal pressure is given beside it."""
 
+CONFORMAL_LOAD = 100.38207120009
+"""Load parameter of Persson at which Hertz is off by just that; under a smaller load it is less."""
+
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
 
@@ -223,19 +226,19 @@ def hertz(
 
     conformal = half_angle = conformal_error = None
     governing, known, evaluations = max_pressure, ratio <= 1, 1
-    mismatch_error = _mismatch_error(pin_material, hole_material)
-    alike = (mismatch_error <= MISMATCH_TOLERANCE) & (line_load > 0)
-    if some(alike):
-        load = where(alike, line_load, 1.0)
+    applies = line_load / (2 * modulus) * CONFORMAL_LOAD > difference
+    if some(applies):
+        mismatch_error = _mismatch_error(pin_material, hole_material)
+        applies = applies & (mismatch_error <= MISMATCH_TOLERANCE)
+    if some(applies):
+        load = where(applies, line_load, 1.0)
         factor, tangent, evaluations = conformal_pressure_ratio(
             load_parameter=2 * modulus * (difference / load)
         )
-        applies = alike & (abs(factor - 1) > HERTZ_TOLERANCE)
-        if some(applies):
-            conformal = known_where(applies, factor * max_pressure)
-            half_angle = known_where(applies, 2 * atan(tangent))
-            conformal_error = known_where(applies, mismatch_error)
-            governing, known = where(applies, conformal, max_pressure), known | applies
+        conformal = known_where(applies, factor * max_pressure)
+        half_angle = known_where(applies, 2 * atan(tangent))
+        conformal_error = known_where(applies, mismatch_error)
+        governing, known = where(applies, conformal, max_pressure), known | applies
     governing = known_where(known, governing)
     safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.hertz import (
+    CONFORMAL_LOAD,
     HERTZ_TOLERANCE,
     MISMATCH_SHARES,
     MISMATCH_TOLERANCE,
@@ -342,3 +343,8 @@ def test_radii_that_are_equal_but_for_rounding_say_that_hardly_anything_is_known
         hole_material=ElasticMaterial(youngs_modulus=100e9, poissons_ratio=0.3),
     )
     assert [notice.code for notice in contact.notices] == codes
+
+
+def test_the_load_from_which_the_conformal_pressure_is_given() -> None:
+    ratio, _, _ = conformal_pressure_ratio(load_parameter=CONFORMAL_LOAD)
+    assert ratio - 1 == pytest.approx(HERTZ_TOLERANCE, rel=1e-11)
