@@ -47,6 +47,10 @@ MISSED = SETTLED / 8
 """By how much, as a part of it, the best place of a summit may miss what is largest: where its
 neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
+SIDES = 4e-15
+"""How far both sides of a hill differ by rounding, as a part of its height: what its middle misses
+by that is the square of it, over the fall to the next samples."""
+
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
 
@@ -120,7 +124,7 @@ class Summits:
 
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, flat: bool = True
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, all_of_them: bool = True
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -132,8 +136,10 @@ def summits(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
-    flat : bool
-        Whether samples like both their neighbours are summits.
+    all_of_them : bool
+        Whether also those whose height is that of their sample: samples like both their neighbours,
+        ends of arcs from which the measure falls by a slope that is known, and middles of arcs with
+        two sides alike.
 
     Returns
     -------
@@ -144,17 +150,22 @@ def summits(
     values = measure(*(combine(arms=each, forces=samples) for each in arms))
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
-    room = drop / 2
-    for end in ((0, 1, 2), (-1, -2, -3)):  # an arc's first sample may have a summit beside it
-        (x0, x1, x2), (f0, f1, f2) = turn.nodes[[*end]], (values[..., each] for each in end)
-        bent = ((f2 - f1) / (x2 - x1) - (f1 - f0) / (x1 - x0)) / (x2 - x0)
-        room[..., end[0]] += np.abs(bent) * (x1 - x0) ** 2 / 2  # twice what a parabola may rise
-    chosen &= values + room >= values.max(axis=(1, 2), keepdims=True)
-    if not flat:
-        chosen &= drop > 0
+    room, middle = drop / 2, len(turn.nodes) // 2
+    # an arc's first sample may have a summit beside it: twice what a parabola may rise
+    first, second = turn.nodes[1], turn.nodes[2]
+    end, inner, farther = (values[..., [k, -1 - k]] for k in range(3))
+    slope = (end - inner) / first
+    bend = np.abs(slope - (end - farther) / second) * first / (second - first)
+    room[..., [0, -1]] += bend * first / 2
+    most = values.max(axis=(1, 2))
+    chosen &= values + room >= most[:, None, None]
+    if not all_of_them:
+        chosen &= drop > SETTLED * np.abs(values)
+        chosen[..., middle] &= ~_even_hills(turn.nodes, values)
+        if turn.smooth:
+            chosen[..., [0, -1]] &= bend > slope / 2
     row, arc, node = np.nonzero(chosen)
-    found = Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
-    return np.asarray(values.max(axis=(1, 2))), found
+    return most, Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
 
 
 def largest(
@@ -194,7 +205,9 @@ def largest(
     if isinstance(turn, PinSamples):
         sums = (combine(arms=each, forces=turn.forces) for each in arms)
         return np.asarray(measure(*sums).max(axis=1))
-    result, tops = summits(turn=turn, arms=arms, measure=measure, flat=False)
+    result, tops = summits(turn=turn, arms=arms, measure=measure, all_of_them=False)
+    if not len(tops.row):
+        return result
     own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)
 
     def measured(forces: NDArray[Any]) -> FloatArray:
@@ -338,6 +351,20 @@ def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
     before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
     after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
     return (values >= before) & (values >= after), values - np.minimum(before, after)
+
+
+def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
+    """Which arcs, along the last axis, have their summit in the middle: on both sides of it samples
+    are alike but for rounding, and fall as a parabola does, from one to the next by half as much
+    again or as little at most.
+    """
+    middle = len(nodes) // 2
+    top = values[..., middle]
+    apart = np.abs(values - values[..., ::-1]).max(axis=-1)
+    near, far = (
+        (top - values[..., k]) / (nodes[k] - nodes[middle]) ** 2 for k in (middle + 1, middle + 2)
+    )
+    return (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
 
 
 Limits = tuple[FloatArray | float, FloatArray | float]
