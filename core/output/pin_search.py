@@ -150,20 +150,21 @@ def summits(
     values = measure(*(combine(arms=each, forces=samples) for each in arms))
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
-    room, middle = drop / 2, len(turn.nodes) // 2
+    room = drop / 2
     # an arc's first sample may have a summit beside it: twice what a parabola may rise
     first, second = turn.nodes[1], turn.nodes[2]
-    end, inner, farther = (values[..., [k, -1 - k]] for k in range(3))
+    count = values.shape[2]
+    end, inner, farther = (values[..., k : count - k : count - 1 - 2 * k] for k in range(3))
     slope = (end - inner) / first
     bend = np.abs(slope - (end - farther) / second) * first / (second - first)
-    room[..., [0, -1]] += bend * first / 2
+    room[..., :: count - 1] += bend * first / 2
     most = values.max(axis=(1, 2))
     chosen &= values + room >= most[:, None, None]
     if not all_of_them:
         chosen &= drop > SETTLED * np.abs(values)
-        chosen[..., middle] &= ~_even_hills(turn.nodes, values)
+        chosen[..., count // 2] &= ~_even_hills(turn.nodes, values)
         if turn.smooth:
-            chosen[..., [0, -1]] &= bend > slope / 2
+            chosen[..., :: count - 1] &= bend > slope / 2
     row, arc, node = np.nonzero(chosen)
     return most, Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
 
@@ -348,9 +349,9 @@ def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
 
 def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
     """Which values are largest beside their neighbours along the last axis, and by how much."""
-    before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
-    after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
-    return (values >= before) & (values >= after), values - np.minimum(before, after)
+    beside = np.concatenate((values[..., :1], values, values[..., -1:]), axis=-1)
+    before, after = beside[..., :-2], beside[..., 2:]
+    return values >= np.maximum(before, after), values - np.minimum(before, after)
 
 
 def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
@@ -364,7 +365,8 @@ def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
     near, far = (
         (top - values[..., k]) / (nodes[k] - nodes[middle]) ** 2 for k in (middle + 1, middle + 2)
     )
-    return (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
+    found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
+    return found
 
 
 Limits = tuple[FloatArray | float, FloatArray | float]
