@@ -409,7 +409,7 @@ def _quadratics(arms: Arms, points: Points) -> Arms:
     that moments are quadratic.
     """
     low, high = points.low, points.high
-    ends = [arms(x) for x in (low, (low + high) / 2, high)]
+    ends = arms(np.stack((low, (low + high) / 2, high)))
     width = np.where(high > low, high - low, 1.0)[:, None]
 
     def within(x: FloatArray) -> tuple[FloatArray, ...]:
@@ -417,7 +417,7 @@ def _quadratics(arms: Arms, points: Points) -> Arms:
         parts = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
         return tuple(
             sum(part * each[:, None] for part, each in zip(parts, values, strict=True))
-            for values in zip(*ends, strict=True)
+            for values in ends
         )
 
     return within

@@ -14,6 +14,7 @@ What is left when that is little is narrowed down in all variables at once.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -63,9 +64,6 @@ NARROWER = 8
 
 AROUND = 24
 """Directions looked at first."""
-
-MOVES = np.array([-1.0, 0.0, 1.0])
-"""Of the places about a point of whose values differences are taken."""
 
 ALONG, SECTIONS = 4, 24
 """Parts of each stretch of the pin that are looked at first, at least, and about how many sections
@@ -529,15 +527,15 @@ def highest(
             return climb(at.of(kept if closed else kept[_apart(at.of(kept))]))
         many = POINTS / len(kept) if closed else 0.0
         closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
-        moves = (np.arange(closer) - closer // 2) / closer
-        grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
-        move_x, move_chi = (each.ravel() for each in grid)
-        near = at.of(np.repeat(kept, len(move_x)))
-        moved = np.tile(move_x, len(kept))
-        x = near.section + near.length * moved
-        chi = near.direction + at.angle * np.tile(move_chi, len(kept))
+        steps_x, steps_chi = (each / closer for each in _steps(closer, bool(long.any()), around))
+        near = at.of(np.repeat(kept, len(steps_x)))
+        move_x, move_chi = (
+            (np.zeros((len(kept), 1)) + each).ravel() for each in (steps_x, steps_chi)
+        )
+        x = near.section + near.length * move_x
+        chi = near.direction + at.angle * move_chi
         inside = np.flatnonzero(
-            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (moved == 0))
+            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (move_x == 0))
         )
         at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
         rounds = ROUGH
@@ -565,20 +563,18 @@ def climbed(
     """
     x, chi, length = points.section, points.direction, points.length
     angle, every = np.full(len(x), points.angle), np.arange(len(x))
-    moves = np.meshgrid(
-        MOVES if length.any() or not points.angle else 0.0, MOVES if points.angle else 0.0
-    )
-    move_x, move_chi = (each.ravel() for each in moves)
-    rows, columns = moves[0].shape
+    along, around = bool(length.any()) or not points.angle, points.angle > 0
+    move_x, move_chi = _steps(3, along, around)
+    rows, columns = 3 if around else 1, 3 if along else 1
     for _ in range(JOINT_ROUNDS):
         f, settled = value(
             x[:, None] + length[:, None] * move_x, chi[:, None] + angle[:, None] * move_chi
         )
         grid, best = f.reshape(-1, rows, columns), f.argmax(axis=1)
-        along, around = grid[:, rows // 2].T, grid[:, :, columns // 2].T
-        here = along[columns // 2]
-        slope_x, slope_chi = (along[-1] - along[0]) / 2, (around[-1] - around[0]) / 2
-        bent_x, bent_chi = along[-1] + along[0] - 2 * here, around[-1] + around[0] - 2 * here
+        by_x, by_chi = grid[:, rows // 2].T, grid[:, :, columns // 2].T
+        here = by_x[columns // 2]
+        slope_x, slope_chi = (by_x[-1] - by_x[0]) / 2, (by_chi[-1] - by_chi[0]) / 2
+        bent_x, bent_chi = by_x[-1] + by_x[0] - 2 * here, by_chi[-1] + by_chi[0] - 2 * here
         mixed = (grid[:, -1, -1] - grid[:, -1, 0] - grid[:, 0, -1] + grid[:, 0, 0]) / 4
         held = (length == 0) | np.where(slope_x > 0, x >= points.high, x <= points.low)
         slope_x, bent_x, mixed = np.where(held, ([0.0], [-1.0], [0.0]), (slope_x, bent_x, mixed))
@@ -602,6 +598,14 @@ def climbed(
         wider = np.where(known, np.maximum(far, 1 / NARROWER), wider)
         length, angle = length * wider, angle * wider
     return x, chi
+
+
+@cache
+def _steps(count: int, along: bool, around: bool) -> tuple[FloatArray, FloatArray]:
+    """Steps along the pin and around it, as many each way about the middle one: all pairs."""
+    steps = np.arange(count) - float(count // 2)
+    grid = np.meshgrid(steps if along else 0.0, steps if around else 0.0)
+    return grid[0].ravel(), grid[1].ravel()
 
 
 def first_of(*, values: FloatArray, section: FloatArray) -> int:
