@@ -122,7 +122,7 @@ class Summits:
 
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, all_of_them: bool = True
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, known: bool = True
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -134,7 +134,7 @@ def summits(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
-    all_of_them : bool
+    known : bool
         Whether also those whose height is that of their sample: samples like both their neighbours,
         ends of arcs from which the measure falls by a slope that is known, and middles of arcs with
         two sides alike.
@@ -150,7 +150,7 @@ def summits(
     chosen, drop = _tops(values)
     room = drop / 2
     # an arc's first sample may have a summit beside it: twice what a parabola may rise
-    first, second = turn.nodes[1], turn.nodes[2]
+    first, second = turn.nodes[1:3].tolist()
     count = values.shape[2]
     end, inner, farther = (values[..., k : count - k : count - 1 - 2 * k] for k in range(3))
     slope = (end - inner) / first
@@ -158,7 +158,7 @@ def summits(
     room[..., :: count - 1] += bend * first / 2
     most = values.max(axis=(1, 2))
     chosen &= values + room >= most[:, None, None]
-    if not all_of_them:
+    if not known:
         chosen &= drop > SETTLED * np.abs(values)
         chosen[..., count // 2] &= ~_even_hills(turn.nodes, values)
         if turn.smooth:
@@ -204,7 +204,7 @@ def largest(
     if isinstance(turn, PinSamples):
         sums = (combine(arms=each, forces=turn.forces) for each in arms)
         return np.asarray(measure(*sums).max(axis=1))
-    result, tops = summits(turn=turn, arms=arms, measure=measure, all_of_them=False)
+    result, tops = summits(turn=turn, arms=arms, measure=measure, known=False)
     if not len(tops.row):
         return result
     own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)

@@ -109,9 +109,7 @@ def _summits_left(values: FloatArray, smooth: bool) -> tuple[float, list[float]]
     turn: Any = SimpleNamespace(
         forces=values[None, None], nodes=NODES, gaps=GAPS, arcs=np.zeros(1, int), smooth=smooth
     )
-    most, found = summits(
-        turn=turn, arms=(np.ones((1, 1)),), measure=lambda x: x, all_of_them=False
-    )
+    most, found = summits(turn=turn, arms=(np.ones((1, 1)),), measure=lambda x: x, known=False)
     return float(most[0]), found.place.tolist()
 
 
