@@ -41,6 +41,9 @@ CELLS = 8
 AFTER = np.maximum(np.arange(-CELLS, CELLS + 1) / CELLS, 0.0)
 BEFORE = AFTER[::-1]
 
+BESIDE = np.array([-1, 0, 1])[:, None, None]
+"""From a place to its neighbours."""
+
 SETTLED = 1e-15
 """How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
@@ -90,8 +93,6 @@ CLOSED = 1 - 1e-14
 
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
-
-Triple = tuple[FloatArray, FloatArray, FloatArray]
 
 Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
 """Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
@@ -244,9 +245,8 @@ def sampled(*, turn: Turn | PinSamples, values: FloatArray) -> FloatArray:
     node = index % len(turn.nodes)
     middle = np.minimum(np.maximum(node, 1), len(turn.nodes) - 2)
     at = index - node + middle
-    places = (turn.nodes[middle - 1], turn.nodes[middle], turn.nodes[middle + 1])
-    beside = (values[every, at - 1], values[every, at], values[every, at + 1])
-    return np.maximum(top, _vertex(places, beside)[1])
+    beside = BESIDE[..., 0]
+    return np.maximum(top, _vertex(turn.nodes[middle + beside], values[every, at + beside])[1])
 
 
 class OfArcs:
@@ -308,16 +308,15 @@ class OfArcs:
         high = np.where(after > 0, 2 * CELLS - 1, CELLS - 1)[:, None]
         middle = np.minimum(np.maximum(index, low), high)
         row, section = np.arange(len(grid))[:, None], np.arange(top.shape[1])
-        values = tuple(found[row, section, middle + k] for k in (-1, 0, 1))
-        places = tuple(grid[row, middle + k] for k in (-1, 0, 1))
-        vertex, above = _vertex(places, values)
+        beside = middle + BESIDE
+        values = found[row, section, beside]
+        vertex, above = _vertex(grid[row, beside], values)
         above = np.maximum(top, above)
         best, own = index[:, seen or 0], (slice(None), seen or 0)
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
-        lowest = np.minimum(np.minimum(*values[:2]), values[2])[own]
         size = np.abs(top[own])
-        settled = top[own] - lowest <= SETTLED * size
+        settled = top[own] - values.min(axis=0)[own] <= SETTLED * size
         parabolic = self.smooth | (width <= np.minimum(place, 1 - place) / 2)
         if self.near:  # the parabola of so near places is right
             settled |= (above[own] - top[own] <= MISSED * size) & ~stuck & parabolic
@@ -330,9 +329,9 @@ class OfArcs:
         return top, above, settled
 
 
-def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
-    """Where the parabola through three points of each row is largest, between the outer two, and
-    its value there.
+def _vertex(places: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Where the parabola through three points, those of a column, is largest, between the outer
+    two, and its value there.
     """
     (x0, x1, x2), (f0, f1, f2) = places, values
     rise, fall, apart = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0), (x1 - x0) * (x2 - x1)

@@ -464,7 +464,7 @@ def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
     found: FloatArray = np.maximum(points[:, 0], points[:, 2]).max(axis=1)
     row, arc = np.nonzero(points[:, 1] > found[:, None])
     t0, t1, t2 = weights[:, arc]
-    p0, p1, p2 = points[row, :, arc].T
+    p0, p1, p2 = points.swapaxes(0, 1)[:, row, arc]
     c0, c1, c2 = p0 * t0, p1 * t1, p2 * t2
     rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
     root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))

@@ -190,11 +190,8 @@ def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
 
 def test_a_parabola_through_places_that_coincide_has_its_value_there() -> None:
     """Where the same place was calculated twice, with other rounding."""
-    places = tuple(np.array([[each]]) for each in (1.0, 1.25, 1.25))
-    values = tuple(np.array([[each]]) for each in (3.0, 4.0, 4.0 - 1e-15))
-    found = [float(each[0, 0]) for each in _vertex(places, values)]
-    assert found == [1.25, 4.0]
-    (top,), (value,) = _vertex(
-        tuple(np.array([x]) for x in (0.0, 1.0, 3.0)), tuple(np.array([f]) for f in (1.0, 4.0, 4.0))
-    )
+    places = np.array([[1.0], [1.25], [1.25]])
+    (top,), (value,) = _vertex(places, np.array([[3.0], [4.0], [4.0 - 1e-15]]))
+    assert (top, value) == (1.25, 4.0)
+    (top,), (value,) = _vertex(np.array([[0.0], [1.0], [3.0]]), np.array([[1.0], [4.0], [4.0]]))
     assert (top, value) == (2.0, 5.0)  # 5 - (x - 2)^2
