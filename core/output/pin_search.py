@@ -625,10 +625,12 @@ def first_of(*, values: FloatArray, section: FloatArray) -> int:
 
 def _apart(points: Points) -> IntArray:
     """Points that are no neighbours of one before them."""
+    x, chi, length = (each.tolist() for each in (points.section, points.direction, points.length))
     chosen: list[int] = []
-    for k, (x, chi) in enumerate(zip(points.section, points.direction, strict=True)):
-        far = np.abs(points.section[chosen] - x) > 1.5 * points.length[chosen]
-        turned = np.abs(points.direction[chosen] - chi) > 1.5 * points.angle
-        if (far | turned).all():
+    for k in range(len(x)):
+        if all(
+            abs(x[k] - x[j]) > 1.5 * length[j] or abs(chi[k] - chi[j]) > 1.5 * points.angle
+            for j in chosen
+        ):
             chosen.append(k)
     return np.array(chosen)
