@@ -157,11 +157,10 @@ class RequestModel(BaseModel):
     @cached_property
     def core_paths(self) -> dict[str, tuple[str, ...]]:
         """Path of the field of each core parameter, here or in the models within, the first."""
-        found: dict[str, tuple[str, ...]] = {}
-        for name in type(self).model_fields:
-            found.setdefault(core_name(name), (name,))
-        for name in type(self).model_fields:
-            value = getattr(self, name)
+        plan, own = _core_plan(type(self)), vars(self)
+        found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
+        for name, _, _ in plan:
+            value = own[name]
             if isinstance(value, RequestModel):
                 for parameter, path in value.core_paths.items():
                     found.setdefault(parameter, (name, *path))

@@ -112,7 +112,7 @@ def _within(value: Any, name: str) -> Any:
     """The model or list that a field of a model holds, else the model that it could hold."""
     model = _model(value)
     found = None if value is model else getattr(value, name)
-    return found if isinstance(found, BaseModel | list) else _held(model, name)
+    return found if isinstance(found, (BaseModel, list)) else _held(model, name)
 
 
 @cache

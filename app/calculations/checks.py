@@ -335,6 +335,21 @@ where there is no such field."""
 SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 
 
+@cache
+def _kind_values(code: str) -> Values:
+    """What is the same of all checks of a kind."""
+    kind = CHECKS[code]
+    return {
+        "code": code,
+        "title": kind.title,
+        "group": kind.group,
+        "unit": shown_unit(f"value_{kind.unit}"),
+        "keep": kind.keep,
+        "formula": kind.formula,
+        "why": kind.why,
+    }
+
+
 def check_values(check: Check, places: Places) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
     kind, unit = check.kind, f"value_{check.kind.unit}"
@@ -346,20 +361,13 @@ def check_values(check: Check, places: Places) -> Values:
         for name, value in check.at.items()
     }
     values: Values = {
-        "code": check.code,
-        "title": kind.title,
-        "group": kind.group,
         "status": check.status,
         "impossible": True if check.impossible and check.status == "fail" else None,
         "value": from_si(unit, check.value),
         "limit": from_si(unit, check.limit),
-        "unit": shown_unit(unit),
-        "keep": check.kind.keep,
         "utilisation": check.utilisation,
         "margin": from_si(unit, check.margin),
         "torque_reserve": check.torque_reserve,
-        "formula": kind.formula,
-        "why": kind.why,
         "reason": {"code": check.reason, "detail": REASONS[check.reason]} if check.reason else None,
         "source": SOURCES[source or "user"],
         "source_code": source or "user",
@@ -370,7 +378,8 @@ def check_values(check: Check, places: Places) -> Values:
         "inputs": [place for place, given in _known(places, kind.inputs) if given],
         "missing": [place for place, _ in _known(places, check.missing)] or None,
     }
-    return {name: value for name, value in values.items() if value is not None}
+    given = {name: value for name, value in values.items() if value is not None}
+    return _kind_values(check.code) | given
 
 
 def _known(places: Places, names: Iterable[str]) -> Iterator[tuple[str, bool]]:

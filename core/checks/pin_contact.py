@@ -16,7 +16,7 @@ from core.output.sampled_turn import WAYS
 
 
 def _material(design: CrankDesign, body: Body) -> ElasticMaterial:
-    material = design.lasting(body)
+    material = design.lasting[body]
     assert material is not None
     return material
 

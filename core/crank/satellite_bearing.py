@@ -375,16 +375,13 @@ def _loads(
     """
     satellites = len(turn.forces) // 2
     some = 1 if alike else satellites
-    own, pins = np.split(np.eye(2 * satellites), 2)
+    own, pins = np.eye(2 * satellites).reshape(2, satellites, -1)
     across = np.tile(own[:some], (len(rho), 1))
     inwards = rho[:, None, None] * own[:some] + along[:, None, None] * pins[:some]
     arms = across, inwards.reshape(across.shape)
     # most, least and ring at once: what is sought least has its sign turned
-    rings = np.concatenate((own[:some], np.zeros_like(own[:some])))
-    many = (
-        np.concatenate((each, each, ring))
-        for each, ring in zip(arms, np.split(rings, 2), strict=True)
-    )
+    rings = own[:some], np.zeros_like(own[:some])
+    many = (np.concatenate((each, each, ring)) for each, ring in zip(arms, rings, strict=True))
     sign = np.repeat([1.0, -1.0, 1.0], (len(across), len(across), some))
     signs = np.outer(sign, own.sum(axis=0))  # of the sum of all shares, which is 1
     found = largest(
@@ -392,8 +389,8 @@ def _loads(
         arms=(*many, signs),
         measure=lambda w, s, sign: np.copysign(np.hypot(w, s), sign),
     )
-    most, least, ring = np.split(found, (len(across), 2 * len(across)))
-    least, ring = -least, np.tile(ring, len(rho))
+    most, least = found[: 2 * len(across)].reshape(2, -1)
+    least, ring = -least, np.tile(found[2 * len(across) :], len(rho))
     mean, truncation = mean_power(
         turn=turn, arms=arms, measure=np.hypot, largest=most, exponents=[exponent] * len(most)
     )
@@ -434,15 +431,16 @@ def mean_power(
     error : float
         Relative difference of the last two rules.
     """
-    before, powers = np.zeros(len(largest)), np.array(exponents)
-    for level in range(COARSEST, FINEST + 1):
+    powers = np.array(exponents)
+    for level in range(COARSEST, FINEST):
         values, weights = turn.nodes_of(level)
-        mean, rows = np.zeros(len(largest)), max(1, BLOCK // len(weights))
+        means, rows = np.zeros((len(largest), 2)), max(1, BLOCK // len(weights))
         for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
             sums = (combine(arms=each[some], forces=values) for each in arms)
             shares = measure(*sums) / largest[some, None]
-            mean[some] = shares ** powers[some, None] @ weights
-        off, before = np.abs(mean - before), mean
+            means[some] = shares ** powers[some, None] @ weights
+        before, mean = means.T
+        off = np.abs(mean - before)
         if (off <= CONVERGED * mean).all():
             break
     return largest * mean ** (1 / powers), float((off / mean).max())

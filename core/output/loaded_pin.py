@@ -120,6 +120,28 @@ class LoadedPin:
         ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
         return np.unique(np.clip(ends, 0, self.beam.span))
 
+    @cached_property
+    def slopes(self) -> FloatArray:
+        """Slope at each satellite by a unit of each one's force, rad/N, shape (K, K)."""
+        return np.asarray(self.beam.slope(self.positions[:, None], self.positions))
+
+    @cached_property
+    def effects(self) -> FloatArray:
+        """What a unit of each satellite's force does, K rows each: force, deflection, m, and slope,
+        rad, at the satellites; then the mean shear stress at `ends`, Pa, and the bending stress at
+        the root, Pa.
+        """
+        z = self.positions
+        return np.concatenate(
+            (
+                np.eye(len(z)),
+                self.beam.deflection(z[:, None], z),
+                self.slopes,
+                self.shears(self.ends, 1.0),
+                self.moments(np.zeros(1), 1.0),
+            )
+        )
+
     def stretches(self, convex: bool = True) -> FloatArray:
         """Stretches of the pin that may hold what is largest, shape (2, s).
 
@@ -152,9 +174,9 @@ class LoadedPin:
         most = float(np.abs(loads.turn.forces).sum(axis=0).max())
         return abs(loads.unit) / self.modulus * most / float(self.beam.contact_length)
 
-    def largest(self, loads: PinLoads, arms: FloatArray) -> FloatArray:
-        """Largest over the turn of what unit forces of the satellites do, (rows, K) to (rows,)."""
-        return largest(turn=loads.turn, arms=(loads.unit * arms,), measure=np.abs)
+    def largest(self, loads: PinLoads) -> FloatArray:
+        """Largest `effects` over the turn."""
+        return largest(turn=loads.turn, arms=(loads.unit * self.effects,), measure=np.abs)
 
     def bending(self, loads: PinLoads) -> tuple[float, float]:
         """Largest bending stress of any section, Pa, and the section, m."""
@@ -282,7 +304,7 @@ class LoadedPin:
                 return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
             both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
             found = largest(turn=turn, arms=tuple(both), measure=_ahead, rounds=rounds)
-            top, bottom = np.split(found, 2)
+            top, bottom = found.reshape(2, -1)
             return top, -bottom
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
@@ -387,7 +409,7 @@ def _quadratics(arms: Arms, points: Points) -> Arms:
     that moments are quadratic.
     """
     low, high = points.low, points.high
-    ends = [arms(x) for x in (low, (low + high) / 2, high)]
+    ends = arms(np.stack((low, (low + high) / 2, high)))
     width = np.where(high > low, high - low, 1.0)[:, None]
 
     def within(x: FloatArray) -> tuple[FloatArray, ...]:
@@ -395,7 +417,7 @@ def _quadratics(arms: Arms, points: Points) -> Arms:
         parts = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
         return tuple(
             sum(part * each[:, None] for part, each in zip(parts, values, strict=True))
-            for values in zip(*ends, strict=True)
+            for values in ends
         )
 
     return within

@@ -14,6 +14,7 @@ What is left when that is little is narrowed down in all variables at once.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -40,12 +41,19 @@ CELLS = 8
 AFTER = np.maximum(np.arange(-CELLS, CELLS + 1) / CELLS, 0.0)
 BEFORE = AFTER[::-1]
 
+BESIDE = np.array([-1, 0, 1])[:, None, None]
+"""From a place to its neighbours."""
+
 SETTLED = 1e-15
 """How much lower the neighbours of the best place are, as a part of it, where it is the end."""
 
 MISSED = SETTLED / 8
 """By how much, as a part of it, the best place of a summit may miss what is largest: where its
 neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
+
+SIDES = 4e-15
+"""How far both sides of a hill differ by rounding, as a part of its height: what its middle misses
+by that is the square of it, over the fall to the next samples."""
 
 JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
 """Rounds in all variables at once, where the forces are smooth and where not."""
@@ -59,9 +67,6 @@ NARROWER = 8
 
 AROUND = 24
 """Directions looked at first."""
-
-MOVES = np.array([-1.0, 0.0, 1.0])
-"""Of the places about a point of whose values differences are taken."""
 
 ALONG, SECTIONS = 4, 24
 """Parts of each stretch of the pin that are looked at first, at least, and about how many sections
@@ -88,8 +93,6 @@ CLOSED = 1 - 1e-14
 
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
-
-Triple = tuple[FloatArray, FloatArray, FloatArray]
 
 Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
 """Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
@@ -120,7 +123,7 @@ class Summits:
 
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, flat: bool = True
+    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, known: bool = True
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -132,8 +135,10 @@ def summits(
         What unit forces of the satellites do; complex where the direction counts.
     measure : callable
         Of the sums, each shape (rows, m).
-    flat : bool
-        Whether samples like both their neighbours are summits.
+    known : bool
+        Whether also those whose height is that of their sample: samples like both their neighbours,
+        ends of arcs from which the measure falls by a slope that is known, and middles of arcs with
+        two sides alike.
 
     Returns
     -------
@@ -145,16 +150,22 @@ def summits(
     values = values.reshape(len(values), -1, len(turn.nodes))
     chosen, drop = _tops(values)
     room = drop / 2
-    for end in ((0, 1, 2), (-1, -2, -3)):  # an arc's first sample may have a summit beside it
-        (x0, x1, x2), (f0, f1, f2) = turn.nodes[[*end]], (values[..., each] for each in end)
-        bent = ((f2 - f1) / (x2 - x1) - (f1 - f0) / (x1 - x0)) / (x2 - x0)
-        room[..., end[0]] += np.abs(bent) * (x1 - x0) ** 2 / 2  # twice what a parabola may rise
-    chosen &= values + room >= values.max(axis=(1, 2), keepdims=True)
-    if not flat:
-        chosen &= drop > 0
+    # an arc's first sample may have a summit beside it: twice what a parabola may rise
+    first, second = turn.nodes[1:3].tolist()
+    count = values.shape[2]
+    end, inner, farther = (values[..., k : count - k : count - 1 - 2 * k] for k in range(3))
+    slope = (end - inner) / first
+    bend = np.abs(slope - (end - farther) / second) * first / (second - first)
+    room[..., :: count - 1] += bend * first / 2
+    most = values.max(axis=(1, 2))
+    chosen &= values + room >= most[:, None, None]
+    if not known:
+        chosen &= drop > SETTLED * np.abs(values)
+        chosen[..., count // 2] &= ~_even_hills(turn.nodes, values)
+        if turn.smooth:
+            chosen[..., :: count - 1] &= bend > slope / 2
     row, arc, node = np.nonzero(chosen)
-    found = Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
-    return np.asarray(values.max(axis=(1, 2))), found
+    return most, Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
 
 
 def largest(
@@ -194,7 +205,9 @@ def largest(
     if isinstance(turn, PinSamples):
         sums = (combine(arms=each, forces=turn.forces) for each in arms)
         return np.asarray(measure(*sums).max(axis=1))
-    result, tops = summits(turn=turn, arms=arms, measure=measure, flat=False)
+    result, tops = summits(turn=turn, arms=arms, measure=measure, known=False)
+    if not len(tops.row):
+        return result
     own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)
 
     def measured(forces: NDArray[Any]) -> FloatArray:
@@ -232,9 +245,8 @@ def sampled(*, turn: Turn | PinSamples, values: FloatArray) -> FloatArray:
     node = index % len(turn.nodes)
     middle = np.minimum(np.maximum(node, 1), len(turn.nodes) - 2)
     at = index - node + middle
-    places = (turn.nodes[middle - 1], turn.nodes[middle], turn.nodes[middle + 1])
-    beside = (values[every, at - 1], values[every, at], values[every, at + 1])
-    return np.maximum(top, _vertex(places, beside)[1])
+    beside = BESIDE[..., 0]
+    return np.maximum(top, _vertex(turn.nodes[middle + beside], values[every, at + beside])[1])
 
 
 class OfArcs:
@@ -296,16 +308,15 @@ class OfArcs:
         high = np.where(after > 0, 2 * CELLS - 1, CELLS - 1)[:, None]
         middle = np.minimum(np.maximum(index, low), high)
         row, section = np.arange(len(grid))[:, None], np.arange(top.shape[1])
-        values = tuple(found[row, section, middle + k] for k in (-1, 0, 1))
-        places = tuple(grid[row, middle + k] for k in (-1, 0, 1))
-        vertex, above = _vertex(places, values)
+        beside = middle + BESIDE
+        values = found[row, section, beside]
+        vertex, above = _vertex(grid[row, beside], values)
         above = np.maximum(top, above)
         best, own = index[:, seen or 0], (slice(None), seen or 0)
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
-        lowest = np.minimum(np.minimum(*values[:2]), values[2])[own]
         size = np.abs(top[own])
-        settled = top[own] - lowest <= SETTLED * size
+        settled = top[own] - values.min(axis=0)[own] <= SETTLED * size
         parabolic = self.smooth | (width <= np.minimum(place, 1 - place) / 2)
         if self.near:  # the parabola of so near places is right
             settled |= (above[own] - top[own] <= MISSED * size) & ~stuck & parabolic
@@ -318,9 +329,9 @@ class OfArcs:
         return top, above, settled
 
 
-def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
-    """Where the parabola through three points of each row is largest, between the outer two, and
-    its value there.
+def _vertex(places: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Where the parabola through three points, those of a column, is largest, between the outer
+    two, and its value there.
     """
     (x0, x1, x2), (f0, f1, f2) = places, values
     rise, fall, apart = (f1 - f0) * (x2 - x1), (f2 - f1) * (x1 - x0), (x1 - x0) * (x2 - x1)
@@ -335,9 +346,24 @@ def _vertex(places: Triple, values: Triple) -> tuple[FloatArray, FloatArray]:
 
 def _tops(values: FloatArray) -> tuple[BoolArray, FloatArray]:
     """Which values are largest beside their neighbours along the last axis, and by how much."""
-    before = np.concatenate((values[..., :1], values[..., :-1]), axis=-1)
-    after = np.concatenate((values[..., 1:], values[..., -1:]), axis=-1)
-    return (values >= before) & (values >= after), values - np.minimum(before, after)
+    beside = np.concatenate((values[..., :1], values, values[..., -1:]), axis=-1)
+    before, after = beside[..., :-2], beside[..., 2:]
+    return values >= np.maximum(before, after), values - np.minimum(before, after)
+
+
+def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
+    """Which arcs, along the last axis, have their summit in the middle: on both sides of it samples
+    are alike but for rounding, and fall as a parabola does, from one to the next by half as much
+    again or as little at most.
+    """
+    middle = len(nodes) // 2
+    top = values[..., middle]
+    apart = np.abs(values - values[..., ::-1]).max(axis=-1)
+    near, far = (
+        (top - values[..., k]) / (nodes[k] - nodes[middle]) ** 2 for k in (middle + 1, middle + 2)
+    )
+    found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
+    return found
 
 
 Limits = tuple[FloatArray | float, FloatArray | float]
@@ -500,15 +526,15 @@ def highest(
             return climb(at.of(kept if closed else kept[_apart(at.of(kept))]))
         many = POINTS / len(kept) if closed else 0.0
         closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
-        moves = (np.arange(closer) - closer // 2) / closer
-        grid = np.meshgrid(moves if long.any() else 0.0, moves if around else 0.0)
-        move_x, move_chi = (each.ravel() for each in grid)
-        near = at.of(np.repeat(kept, len(move_x)))
-        moved = np.tile(move_x, len(kept))
-        x = near.section + near.length * moved
-        chi = near.direction + at.angle * np.tile(move_chi, len(kept))
+        steps_x, steps_chi = (each / closer for each in _steps(closer, bool(long.any()), around))
+        near = at.of(np.repeat(kept, len(steps_x)))
+        move_x, move_chi = (
+            (np.zeros((len(kept), 1)) + each).ravel() for each in (steps_x, steps_chi)
+        )
+        x = near.section + near.length * move_x
+        chi = near.direction + at.angle * move_chi
         inside = np.flatnonzero(
-            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (moved == 0))
+            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (move_x == 0))
         )
         at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
         rounds = ROUGH
@@ -536,20 +562,18 @@ def climbed(
     """
     x, chi, length = points.section, points.direction, points.length
     angle, every = np.full(len(x), points.angle), np.arange(len(x))
-    moves = np.meshgrid(
-        MOVES if length.any() or not points.angle else 0.0, MOVES if points.angle else 0.0
-    )
-    move_x, move_chi = (each.ravel() for each in moves)
-    rows, columns = moves[0].shape
+    along, around = bool(length.any()) or not points.angle, points.angle > 0
+    move_x, move_chi = _steps(3, along, around)
+    rows, columns = 3 if around else 1, 3 if along else 1
     for _ in range(JOINT_ROUNDS):
         f, settled = value(
             x[:, None] + length[:, None] * move_x, chi[:, None] + angle[:, None] * move_chi
         )
         grid, best = f.reshape(-1, rows, columns), f.argmax(axis=1)
-        along, around = grid[:, rows // 2].T, grid[:, :, columns // 2].T
-        here = along[columns // 2]
-        slope_x, slope_chi = (along[-1] - along[0]) / 2, (around[-1] - around[0]) / 2
-        bent_x, bent_chi = along[-1] + along[0] - 2 * here, around[-1] + around[0] - 2 * here
+        by_x, by_chi = grid[:, rows // 2].T, grid[:, :, columns // 2].T
+        here = by_x[columns // 2]
+        slope_x, slope_chi = (by_x[-1] - by_x[0]) / 2, (by_chi[-1] - by_chi[0]) / 2
+        bent_x, bent_chi = by_x[-1] + by_x[0] - 2 * here, by_chi[-1] + by_chi[0] - 2 * here
         mixed = (grid[:, -1, -1] - grid[:, -1, 0] - grid[:, 0, -1] + grid[:, 0, 0]) / 4
         held = (length == 0) | np.where(slope_x > 0, x >= points.high, x <= points.low)
         slope_x, bent_x, mixed = np.where(held, ([0.0], [-1.0], [0.0]), (slope_x, bent_x, mixed))
@@ -575,6 +599,14 @@ def climbed(
     return x, chi
 
 
+@cache
+def _steps(count: int, along: bool, around: bool) -> tuple[FloatArray, FloatArray]:
+    """Steps along the pin and around it, as many each way about the middle one: all pairs."""
+    steps = np.arange(count) - float(count // 2)
+    grid = np.meshgrid(steps if along else 0.0, steps if around else 0.0)
+    return grid[0].ravel(), grid[1].ravel()
+
+
 def first_of(*, values: FloatArray, section: FloatArray) -> int:
     """Where the largest value is; of values alike but for rounding that at the least section.
 
@@ -593,10 +625,12 @@ def first_of(*, values: FloatArray, section: FloatArray) -> int:
 
 def _apart(points: Points) -> IntArray:
     """Points that are no neighbours of one before them."""
+    x, chi, length = (each.tolist() for each in (points.section, points.direction, points.length))
     chosen: list[int] = []
-    for k, (x, chi) in enumerate(zip(points.section, points.direction, strict=True)):
-        far = np.abs(points.section[chosen] - x) > 1.5 * points.length[chosen]
-        turned = np.abs(points.direction[chosen] - chi) > 1.5 * points.angle
-        if (far | turned).all():
+    for k in range(len(x)):
+        if all(
+            abs(x[k] - x[j]) > 1.5 * length[j] or abs(chi[k] - chi[j]) > 1.5 * points.angle
+            for j in chosen
+        ):
             chosen.append(k)
     return np.array(chosen)

@@ -391,9 +391,11 @@ class PinStresses:
 
     def _edges(self, even: Callable[..., Any], factors: Sequence[float]) -> FloatArray:
         """The largest of a function of force and slope, by case, factor on both and satellite."""
-        z = self.pin.positions
-        arms = np.stack((np.eye(len(z)), self.pin.beam.slope(z[:, None], z)))
-        own, slopes = np.concatenate([factor * arms for factor in factors], axis=1)
+        count = len(self.pin.positions)
+        own, slopes = (
+            np.multiply.outer(factors, each).reshape(-1, count)
+            for each in (np.eye(count), self.pin.slopes)
+        )
 
         def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
             force = np.abs(forces)
@@ -404,7 +406,7 @@ class PinStresses:
             largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=edge)
             for each in (case.loads for case in self.cases)
         ]
-        return np.reshape(found, (len(found), len(factors), len(z)))
+        return np.reshape(found, (len(found), len(factors), count))
 
 
 def pin_stresses(
@@ -640,25 +642,15 @@ class _Stresses:
 
 def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
     """What a pin bears under loads; the equivalent stress only where it is beyond another."""
-    beam, z, ends = pin.beam, pin.positions, pin.ends
-    rows = (
-        np.eye(len(z)),
-        beam.deflection(z[:, None], z),
-        beam.slope(z[:, None], z),
-        beam.shear(ends[:, None], z) / pin.area,
-        beam.moment(np.zeros((1, 1)), z) / pin.modulus,
-    )
-    found = pin.largest(loads, np.concatenate(rows))
-    forces, deflections, slopes, shears, at_root = np.split(
-        found, np.cumsum([len(each) for each in rows[:-1]])
-    )
-    bent, place = (float(at_root[0]), 0.0) if beam.span is None else pin.bending(loads)
+    found, count = pin.largest(loads), len(pin.positions)
+    forces, deflections, slopes = found[: 3 * count].reshape(3, count)
+    bent, place = (float(found[-1]), 0.0) if pin.beam.span is None else pin.bending(loads)
     equivalent = pin.equivalent(loads, max(beyond, bent))
     return _Stresses(
         loads,
         bent,
         place,
-        mean_shear=float(shears.max()),
+        mean_shear=float(found[3 * count : -1].max()),
         equivalent=max(equivalent, bent),
         forces=forces,
         deflections=deflections,

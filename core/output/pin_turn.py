@@ -85,6 +85,8 @@ class Turn:
     nodes, gaps : array, shape (n,)
         Places of the samples, as parts of the way along an arc, by the tangent; the distance of
         the farther neighbour of each.
+    centres : array, shape (all arcs,)
+        Of the best placed pair's pressure angle midway between the ends of every arc, in turns.
     arcs : array of int, shape (a,)
         Arcs over which any of the pairs drives, and one of the others.
     forces : array, shape (K, a, n)
@@ -123,15 +125,16 @@ class Turn:
             first = np.flatnonzero(repeat < phases.symmetry)
             pairs = _pairs_apart(phases, shift[first], self.ends[:, first], stiffness)
             self._all_pairs(pairs, self.ends[:, first])
-        self._own_pairs(np.add.outer(shift, np.array(own)), self.ends, each_own)
-        self.middle = (shift + 0.75 + self.ends.mean(axis=0)) % 1.0
+        self.centres = (self.ends[0] + self.ends[1]) / 2
+        self._own_pairs(np.add.outer(shift, np.array(own)), each_own)
+        self.middle = (shift + 0.75 + self.centres) % 1.0
         felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
         self.nodes, self.gaps = _nodes(force_exponent, self.weights.shape[1] > MANY)
         every = np.arange(len(self.weights))
-        total = self._total(every)(np.tile(self.nodes, (len(every), 1)))[self.part[self.arcs]]
-        forces = self._own(self.arcs)(np.tile(self.nodes, (len(self.arcs), 1))) / total
+        total = self._total(every)(self.nodes[None])[self.part[self.arcs]]
+        forces = self._own(self.arcs)(self.nodes[None]) / total
         self.forces: NDArray[Any] = np.ascontiguousarray(forces.swapaxes(0, 1))
 
     def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
@@ -143,9 +146,9 @@ class Turn:
             phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
         self.cosines = _relative_cosines(phase, ends[..., None])
 
-    def _own_pairs(self, phase: FloatArray, ends: FloatArray, stiffness: FloatArray) -> None:
+    def _own_pairs(self, phase: FloatArray, stiffness: FloatArray) -> None:
         """Relative cosines + i*sines of the pairs at the ends of each arc, and their weights."""
-        middle = ends.mean(axis=0)[:, None]
+        ends, middle = self.ends, self.centres[:, None]
         phase = phase - np.rint(phase + middle)
         drives = np.abs(phase + middle) < 0.25
         self.drives = drives * stiffness
@@ -192,7 +195,7 @@ class Turn:
         Returns
         -------
         callable
-            Of parts of the way along each, shape (rows, m): shape (rows, K, m).
+            Of parts of the way along each, shape (rows, m) or (1, m): shape (rows, K, m).
         """
         own, total = self._own(arcs), self._total(self.part[arcs])
         return lambda way: own(way) / total(way)
@@ -263,7 +266,7 @@ class PinTurn(Turn):
         """
         points, total = self._polygons
         sums = combine(arms=weights, forces=points).reshape(len(weights), 3, -1)
-        largest, lowered = np.split(_highest(np.concatenate((sums, -sums)), total), 2)
+        largest, lowered = _highest(np.concatenate((sums, -sums)), total).reshape(2, -1)
         return largest, -lowered
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
@@ -278,9 +281,9 @@ class PinTurn(Turn):
         low, high = self.tangents
         parts = np.union1d(self.nodes, DRAWN)
         angles = np.arctan(_between(low, high, parts)) / (2 * np.pi)
-        places = angles + (self.middle - self.ends.mean(axis=0))[:, None]
+        places = angles + (self.middle - self.centres)[:, None]
         forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
-        drawn = self.at(self.arcs)(np.tile(parts, (len(self.arcs), 1)))
+        drawn = self.at(self.arcs)(parts[None])
         forces[:, self.arcs] = drawn.swapaxes(0, 1)
         order = np.argsort(self.middle, kind="stable")
         return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
@@ -314,27 +317,29 @@ class SatelliteTurn(Turn):
         super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
 
     def nodes_of(self, level: int) -> tuple[FloatArray, FloatArray]:
-        """Shares and forces at the nodes of a rule of the whole turn, and its weights.
+        """Shares and forces at the nodes of two rules of the whole turn, and the weights of each.
 
         Parameters
         ----------
         level : int
-            Of the tanh-sinh rule of each arc.
+            Of the first tanh-sinh rule of each arc; the second is the next one.
 
         Returns
         -------
         values : array, shape (2*K, n)
-        weights : array, shape (n,)
+        weights : array, shape (n, 2)
         """
         start, stop = self.tangents[:, self.arcs]
-        near, weights = tanh_sinh_rule(level)
-        way = np.tile(np.concatenate((near, 1 - near[::-1])), (len(self.arcs), 1))
-        weights = np.concatenate((weights, weights[::-1]))
-        tangents = _between(start, stop, way)
+        (near, rough), (nearer, fine) = map(tanh_sinh_rule, (level, level + 1))
+        halves = np.concatenate((near, nearer))
+        weights = np.zeros((len(halves), 2))
+        weights[: len(near), 0], weights[len(near) :, 1] = rough, fine
+        way = np.concatenate((halves, 1 - halves))[None]
         whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
-        weights = weights * (stop - start) / ((1 + tangents**2) * whole)
+        slopes = (stop - start) / ((1 + _between(start, stop, way) ** 2) * whole)
         values = self.at(self.arcs)(way).swapaxes(0, 1)
-        return values.reshape(len(values), -1), weights.ravel()
+        weights = slopes[..., None] * np.concatenate((weights, weights))
+        return values.reshape(len(values), -1), weights.reshape(-1, 2)
 
     @cached_property
     def errors(self) -> FloatArray:
@@ -346,7 +351,7 @@ class SatelliteTurn(Turn):
         pairs of the same satellite raise its share, those of the others lower it.
         """
         v = self.exponent
-        way = np.tile(self.nodes, (len(self.arcs), 1))
+        way = self.nodes[None]
         low, high = self.own[:, self.arcs, :, None]
         turned = _between(low, high, way[:, None])
         weights = self.drives[self.arcs, :, None] * (turned.real > 0)
@@ -355,12 +360,12 @@ class SatelliteTurn(Turn):
         tilted = tilted / self._total(self.part[self.arcs])(way)
         start, stop = self.tangents[:, self.arcs]
         secant = np.sqrt(1 + _between(start, stop, way) ** 2)[:, None]
-        share, force = self.forces.reshape(2, -1, *way.shape).swapaxes(1, 2)
+        share, force = self.forces.reshape(2, -1, *self.forces.shape[1:]).swapaxes(1, 2)
         alone = v * secant / np.maximum(cosines, self.off) - (1 + v) * np.repeat(
             force, self.pins, axis=1
         )
         both = np.stack(((1 + v) * tilted, np.abs(alone) * tilted), axis=1)
-        summed = both.reshape(len(way), 2, -1, self.pins, way.shape[1]).sum(axis=3)
+        summed = both.reshape(len(both), 2, -1, self.pins, way.shape[1]).sum(axis=3)
         own, first = summed.swapaxes(0, 1)
         others = own.sum(axis=1, keepdims=True) - own
         slopes = np.stack(((1 - share) * own + share * others, first + force * others))
@@ -378,10 +383,10 @@ class SatelliteTurn(Turn):
             cosines = _between(low, high, way[:, None])
             powers = self._power(cosines) * drives
             secant = np.sqrt(1 + _between(start, stop, way) ** 2)
-            both = np.empty((len(way), 2, *powers.shape[1:]))
+            both = np.empty((len(powers), 2, *powers.shape[1:]))
             np.multiply(powers, cosines, out=both[:, 0])
             np.multiply(powers, secant[:, None], out=both[:, 1])
-            found: FloatArray = both.reshape(len(way), -1, self.pins, way.shape[1]).sum(axis=2)
+            found: FloatArray = both.reshape(len(both), -1, self.pins, way.shape[1]).sum(axis=2)
             return found
 
         return own
@@ -459,7 +464,7 @@ def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
     found: FloatArray = np.maximum(points[:, 0], points[:, 2]).max(axis=1)
     row, arc = np.nonzero(points[:, 1] > found[:, None])
     t0, t1, t2 = weights[:, arc]
-    p0, p1, p2 = points[row, :, arc].T
+    p0, p1, p2 = points.swapaxes(0, 1)[:, row, arc]
     c0, c1, c2 = p0 * t0, p1 * t1, p2 * t2
     rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
     root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))

@@ -1,5 +1,6 @@
 """The search for the largest value, on functions whose largest value is known."""
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -7,7 +8,8 @@ import pytest
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.output.pin_search import Points, _tops, _vertex, climbed, first_of, narrowed
+from core.output.pin_search import Points, _tops, _vertex, climbed, first_of, narrowed, summits
+from core.output.pin_turn import _nodes
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
 
@@ -69,6 +71,46 @@ def test_tops_of_samples() -> None:
     chosen, drop = _tops(values)
     assert chosen.tolist() == [True, False, False, True, True, False, True]
     assert drop[chosen].tolist() == [2.0, 2.0, 2.0, 3.0]
+
+
+NODES, GAPS = _nodes(1.0, False)
+MIDDLE = (NODES - 0.5) ** 2
+END = NODES[1]
+
+
+@pytest.mark.parametrize(
+    ("values", "left"),
+    [
+        pytest.param(7 - MIDDLE, [], id="even hill"),
+        pytest.param(7 - MIDDLE + 1e-12 * NODES, [0.5], id="tilted"),
+        pytest.param(7 + MIDDLE * (0.01 - MIDDLE), [0.5], id="two summits between samples"),
+        pytest.param(7 - MIDDLE + 4e-15 * np.sin(97 * NODES), [], id="uneven by rounding"),
+        pytest.param(7 - NODES, [], id="falls from its end"),
+        pytest.param(7 + NODES, [], id="rises to its end"),
+        pytest.param(7 - (NODES - END / 8) ** 2, [0.0], id="summit beside an end"),
+        pytest.param(7 - (1 - NODES - END / 8) ** 2, [1.0], id="summit beside the other"),
+        pytest.param(7 + 0 * NODES, [], id="flat"),
+        pytest.param(7 - (NODES - NODES[10]) ** 2, [NODES[10]], id="summit on a sample"),
+    ],
+)
+def test_summits_that_stand_on_no_sample(values: FloatArray, left: list[float]) -> None:
+    most, found = _summits_left(values, smooth=True)
+    assert most == values.max()
+    assert found == left
+
+
+def test_ends_of_arcs_without_a_slope_are_looked_at_closely() -> None:
+    assert _summits_left(7 - NODES, smooth=False)[1] == [0.0]
+    assert _summits_left(7 + NODES, smooth=False)[1] == [1.0]
+
+
+def _summits_left(values: FloatArray, smooth: bool) -> tuple[float, list[float]]:
+    """Largest sample of one arc, and where summits are that the samples alone do not tell."""
+    turn: Any = SimpleNamespace(
+        forces=values[None, None], nodes=NODES, gaps=GAPS, arcs=np.zeros(1, int), smooth=smooth
+    )
+    most, found = summits(turn=turn, arms=(np.ones((1, 1)),), measure=lambda x: x, known=False)
+    return float(most[0]), found.place.tolist()
 
 
 def test_climbed_finds_the_top_of_a_stretch() -> None:
@@ -148,11 +190,8 @@ def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
 
 def test_a_parabola_through_places_that_coincide_has_its_value_there() -> None:
     """Where the same place was calculated twice, with other rounding."""
-    places = tuple(np.array([[each]]) for each in (1.0, 1.25, 1.25))
-    values = tuple(np.array([[each]]) for each in (3.0, 4.0, 4.0 - 1e-15))
-    found = [float(each[0, 0]) for each in _vertex(places, values)]
-    assert found == [1.25, 4.0]
-    (top,), (value,) = _vertex(
-        tuple(np.array([x]) for x in (0.0, 1.0, 3.0)), tuple(np.array([f]) for f in (1.0, 4.0, 4.0))
-    )
+    places = np.array([[1.0], [1.25], [1.25]])
+    (top,), (value,) = _vertex(places, np.array([[3.0], [4.0], [4.0 - 1e-15]]))
+    assert (top, value) == (1.25, 4.0)
+    (top,), (value,) = _vertex(np.array([[0.0], [1.0], [3.0]]), np.array([[1.0], [4.0], [4.0]]))
     assert (top, value) == (2.0, 5.0)  # 5 - (x - 2)^2

@@ -79,7 +79,7 @@ class DesignContact(DesignPins):
         assert force is not None
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
-        pin, hole = self.lasting("pin"), self.lasting("hole")
+        pin, hole = self.lasting["pin"], self.lasting["hole"]
         assert pin is not None and hole is not None
         return hertz(
             force=force.peak_force * factor,
@@ -97,7 +97,7 @@ class DesignContact(DesignPins):
         """Limits of the largest pressure, Pa, by the code of their check."""
         found: dict[str, float] = {}
         for body in get_args(Body):
-            material = self.lasting(body)
+            material = self.lasting[body]
             assert material is not None
             if material.limit is not None:
                 allowed = float(material.limit.allowable) / self.pitting_safety

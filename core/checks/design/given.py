@@ -253,10 +253,15 @@ class GivenDesign:
             return None
         return self.input_speed * life / self.mechanism.crank_angle_per_wave
 
-    def lasting(self, body: Body) -> ElasticMaterial | None:
-        """Material of pin or hole, its limit wanted for the loads over the life."""
-        material = self.pin_material if body == "pin" else self.hole_material
-        return None if material is None else material.lasting(self.loads_over(self.life))
+    @cached_property
+    def lasting(self) -> dict[Body, ElasticMaterial | None]:
+        """Materials of pin and hole, their limits wanted for the loads over the life."""
+        loads = self.loads_over(self.life)
+        materials: dict[Body, ElasticMaterial | None] = {
+            "pin": self.pin_material,
+            "hole": self.hole_material,
+        }
+        return {body: each and each.lasting(loads) for body, each in materials.items()}
 
     @cached_property
     def clearance(self) -> float | None:
