@@ -12,6 +12,7 @@ from core.checks.design.refusals import known, named
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import ContactForce
 from core.output.contact_law import HertzLaw, contact_compliance
+from core.output.moving_sharing import MovingSharing
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -69,6 +70,20 @@ class DesignPins(DesignForces):
             contact_compliance=float(self._compliance(force.peak_force * self.dynamic_factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
+
+    @cached_property
+    def sharing(self) -> MovingSharing | None:
+        """How bending pins share an ideal load under other torques; None where that stays."""
+        if self.pair_stiffness is None:
+            return None
+        assert isinstance(self.force, ContactForce)
+        return MovingSharing(
+            stiffness=self.pair_stiffness,
+            compliance=self._compliance,
+            force=self.force.peak_force * self.dynamic_factor,
+            mechanism=self.mechanism,
+            force_exponent=self.force_exponent,
+        )
 
     @property
     def _forced(self) -> dict[str, Any]:

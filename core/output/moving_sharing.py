@@ -1,0 +1,212 @@
+"""Satellites that share the load by stiffness: how that moves with the torque.
+
+Of a contact by Hertz the compliance falls with the logarithm of its force, so that under more
+torque the pairs on stiff places of the pins take more. Where the stiffness of satellite j is l_j
+times as large as in a turn that is known, with its share w_j of the torque there,
+
+    F_j -> l_j*F_j/sum(l_i*w_i)
+
+at the same place of the turn: one turn tells the forces of any sharing, also of the equal one.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray, IntArray, Number
+from core.output.mechanism import Mechanism
+from core.output.pin_search import Measure, largest
+from core.output.pin_turn import PinTurn, SatelliteTurn, Turn, satellite_turn
+
+STEPS, SETTLED = 30, 1e-5
+"""Most steps to a factor on the torque, and the last of them that needs no look at where it leads:
+it is off by itself times what the slope changes over it."""
+
+STEEP = 3.0
+"""Power of the torque, or root of it, beyond which nothing grows."""
+
+
+class SharedPinTurn(PinTurn):
+    """Shares of the satellites ``T_j/T`` of the torque, then their forces on a pin over F0.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    stiffness : tuple of float
+        Stiffness of the pairs of each satellite, of any scale.
+    """
+
+    def __init__(
+        self, mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...]
+    ) -> None:
+        self._satellites = satellite_turn(mechanism, force_exponent, stiffness)
+        super().__init__(mechanism, force_exponent, stiffness)
+
+    def _own(self, arcs: IntArray) -> Callable[[FloatArray], NDArray[Any]]:
+        """T times both, shape (rows, 2*K, m)."""
+        forces, shares = super()._own(arcs), self._satellites.carried(self.part[arcs])
+        return lambda way: np.concatenate((shares(way), forces(way)), axis=1)
+
+
+@dataclass(frozen=True)
+class MovingSharing:
+    """The stiffness of the pairs of satellites under a torque and under others.
+
+    Attributes
+    ----------
+    stiffness : tuple of float, K
+        Of the pairs of each satellite under the torque, contact and pin in series, N/m.
+    compliance : callable
+        Approach of a contact over its force, m/N, of forces, N.
+    force : float
+        Force of the contacts under the torque, N.
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    """
+
+    stiffness: tuple[float, ...]
+    compliance: Callable[[Number], Number]
+    force: float
+    mechanism: Mechanism
+    force_exponent: float
+
+    @cached_property
+    def pin_turn(self) -> SharedPinTurn:
+        """Shares and forces on a pin under the torque."""
+        return SharedPinTurn(self.mechanism, self.force_exponent, self.stiffness)
+
+    @cached_property
+    def satellite_turn(self) -> SatelliteTurn:
+        """Shares and forces on the satellites under it."""
+        return satellite_turn(self.mechanism, self.force_exponent, self.stiffness)
+
+    def under(self, factors: FloatArray) -> FloatArray:
+        """Stiffnesses under so many times the torque over those under it.
+
+        Parameters
+        ----------
+        factors : array, shape (n,)
+            Factors on the torque, > 0.
+
+        Returns
+        -------
+        array, shape (n, K)
+        """
+        change = self.compliance(factors * self.force) - self.compliance(self.force)
+        found: FloatArray = 1 / (1 + np.asarray(change)[:, None] * self.stiffness)
+        return found
+
+    def shared(
+        self, *, factors: FloatArray, arms: tuple[NDArray[Any], ...], measure: Measure
+    ) -> tuple[tuple[NDArray[Any], ...], Measure, tuple[int, int, int]]:
+        """Arms and measure that turn the shares and forces of a turn under the torque into those
+        under others, shared equally and by stiffness.
+
+        Parameters
+        ----------
+        factors : array, shape (n,)
+            Factors on the torque, > 0.
+        arms : tuple of array, each shape (rows, 2*K) or (n, rows, 2*K)
+            What shares and forces do.
+        measure : callable
+            Of the sums, each shape (rows, m).
+
+        Returns
+        -------
+        arms : tuple of array, each shape (2*n*rows, 2*K)
+        measure : callable
+        shape : tuple of int
+            2, n, rows.
+        """
+        stiff = self.under(factors)
+        equal = min(self.stiffness) * np.broadcast_to(1 / np.array(self.stiffness), stiff.shape)
+        sharing = np.stack((equal, stiff))[:, :, None]
+        both = np.concatenate((sharing, sharing), axis=3)
+        moved = [both * each for each in arms]
+        whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=3)
+        rows = [np.broadcast_to(each, moved[0].shape) for each in (*moved, whole)]
+
+        def shared_measure(*sums: NDArray[Any]) -> FloatArray:
+            *each, carried = sums
+            return measure(*(one / carried.real for one in each))
+
+        flat = tuple(each.reshape(-1, each.shape[-1]) for each in rows)
+        return flat, shared_measure, moved[0].shape[:-1]
+
+    def largest(
+        self,
+        *,
+        turn: SharedPinTurn | SatelliteTurn,
+        factors: FloatArray,
+        arms: tuple[NDArray[Any], ...],
+        measure: Measure,
+    ) -> FloatArray:
+        """The largest of a measure over the turn under other torques, by the worse sharing.
+
+        Parameters
+        ----------
+        turn : SharedPinTurn or SatelliteTurn
+            Shares and forces by stiffness under the torque.
+        factors, arms, measure : as of `shared`
+
+        Returns
+        -------
+        array, shape (n, rows)
+        """
+        assert isinstance(turn, Turn)
+        flat, shared, shape = self.shared(factors=factors, arms=arms, measure=measure)
+        found: FloatArray = largest(turn=turn, arms=flat, measure=shared).reshape(shape)
+        return found.max(axis=0)
+
+
+def torque_factors(
+    *,
+    targets: FloatArray,
+    value: Callable[[FloatArray], FloatArray],
+    start: FloatArray | None = None,
+) -> FloatArray:
+    """Factors on the torque under which what grows with it is so many times as large.
+
+    Parameters
+    ----------
+    targets : array, shape (n,)
+        How many times; what is not positive and finite stays.
+    value : callable
+        What grows, > 0, of factors on the torque.
+    start : array, shape (n,), optional
+        About the factors; the targets where not given.
+
+    Returns
+    -------
+    array, shape (n,)
+
+    Notes
+    -----
+    Secants of the logarithms of both, all targets at once.
+    """
+    found = np.array(targets if start is None else start, dtype=np.float64)
+    some = (targets > 0) & np.isfinite(targets)
+    if not some.any():
+        return found
+    aims, places = np.log(targets[some]), np.log(found[some])
+    *values, first = np.log(value(np.exp(np.append(places, 0.0))))
+    left = aims + first - np.array(values)
+    before, gone = aims.copy(), places.copy()  # from the torque itself, a factor of 1
+    for _ in range(STEPS):
+        slopes = np.divide(before - left, gone, out=np.ones_like(gone), where=gone != 0)
+        gone = left / slopes.clip(1 / STEEP, STEEP)
+        places = places + gone
+        if np.abs(gone).max() <= SETTLED:
+            break
+        before, left = left, aims + first - np.log(value(np.exp(places)))
+    found[some] = np.exp(places)
+    return found
