@@ -29,6 +29,7 @@ from core.crank.bearing_life import (
 from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
+from core.output.moving_sharing import MovingSharing
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, SatelliteTurn, combine, satellite_turn
@@ -411,7 +412,7 @@ def mean_power(
     arms: tuple[NDArray[Any], ...],
     measure: Callable[..., FloatArray],
     largest: FloatArray,
-    exponents: Sequence[float],
+    exponents: Sequence[float] | FloatArray,
 ) -> tuple[FloatArray, float]:
     """Equivalent loads ``<Q^p>^(1/p)`` over the turn.
 
@@ -446,6 +447,48 @@ def mean_power(
         if (off <= CONVERGED * mean).all():
             break
     return largest * mean ** (1 / powers), float((off / mean).max())
+
+
+def moved_loads(
+    *,
+    sharing: MovingSharing,
+    factors: FloatArray,
+    radial_force_ratio: float,
+    arm: float,
+    exponent: float | None = None,
+) -> FloatArray:
+    """Loads of ideal satellites under other torques, of equal and stiffness sharing the worse.
+
+    Parameters
+    ----------
+    sharing : MovingSharing
+        How the satellites share.
+    factors : array, shape (n,)
+        Factors on the torque, > 0.
+    radial_force_ratio : float
+        Ratio rho of the ring's force along the crank to that across it.
+    arm : float
+        ``e*u/R``.
+    exponent : float, optional
+        p of the equivalent loads; the largest ones where not given.
+
+    Returns
+    -------
+    array, shape (n, K)
+        Over the load across the crank of a satellite that carries all of the torque itself.
+    """
+    own, pins = np.split(np.eye(2 * len(sharing.stiffness)), 2)
+    arms, turn = (own, radial_force_ratio * own + arm * pins), sharing.satellite_turn
+    if exponent is None:
+        found = sharing.largest(turn=turn, factors=factors, arms=arms, measure=np.hypot)
+    else:
+        flat, measure, shape = sharing.shared(factors=factors, arms=arms, measure=np.hypot)
+        ones = np.ones(len(flat[0]))
+        means, _ = mean_power(
+            turn=turn, arms=flat, measure=measure, largest=ones, exponents=exponent * ones
+        )
+        found = means.reshape(shape).max(axis=0)
+    return factors[:, None] * found
 
 
 @dataclass(frozen=True, slots=True)

@@ -69,6 +69,16 @@ class DesignLosses(DesignContact):
         peak = loads.peak_force / (self.dynamic_factor * float(found.peak_force))
         return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
 
+    def moved_peak(self, factors: FloatArray) -> FloatArray:
+        """Largest force under so many times the torque, over F0, where the sharing moves with it."""
+        sharing = self.sharing
+        assert sharing is not None
+        _, forces = np.split(np.eye(2 * self.satellites), 2)
+        found = sharing.largest(
+            turn=sharing.pin_turn, factors=factors, arms=(forces,), measure=np.abs
+        )
+        return factors * found.max(axis=1)
+
     @cached_property
     def lossy_turn(self) -> SampledTurn | None:
         """Forces of the mechanism as it is made, of both directions those with the larger losses;
