@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power
+from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, shared_mean
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -405,19 +405,22 @@ def moved_reactions(
     """
     carried = _carried(satellite_positions, bearing_positions)
     held = carried * _cranks(sharing.mechanism.crank_angles)
-    found = []
-    for way in WAYS[torque_direction]:
-        arms = np.concatenate(((1j * way + radial_force_ratio) * held, arm * held), axis=1)
-        flat, measure, shape = sharing.shared(factors=factors, arms=(arms,), measure=np.abs)
-        means, _ = mean_power(
+    ways = WAYS[torque_direction]
+    arms = [
+        np.concatenate(((1j * way + radial_force_ratio) * held, arm * held), axis=1) for way in ways
+    ]
+
+    def reactions(stiffness: FloatArray) -> FloatArray:
+        found = shared_mean(
             turn=sharing.satellite_turn,
-            arms=flat,
-            measure=measure,
-            largest=np.ones(len(flat[0])),
-            exponents=np.tile([EXPONENTS[kind] for kind in kinds], shape[0] * shape[1]),
+            sharing=stiffness,
+            arms=(np.concatenate(arms),),
+            measure=np.abs,
+            exponents=[EXPONENTS[kind] for kind in kinds] * len(ways),
         )
-        found.append(means.reshape(shape).max(axis=0))
-    return factors[:, None] * np.maximum.reduce(found)
+        return np.asarray(found.reshape(len(found), len(ways), 2).max(axis=1))
+
+    return sharing.worse(factors=factors, of=reactions)
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,9 +29,9 @@ from core.crank.bearing_life import (
 from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.moving_sharing import MovingSharing
+from core.output.moving_sharing import MovingSharing, shared, shared_largest
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import MISSED, largest
+from core.output.pin_search import MISSED, Measure, largest
 from core.output.pin_turn import BLOCK, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -412,7 +412,8 @@ def mean_power(
     arms: tuple[NDArray[Any], ...],
     measure: Callable[..., FloatArray],
     largest: FloatArray,
-    exponents: Sequence[float] | FloatArray,
+    exponents: Sequence[float],
+    finest: int = FINEST,
 ) -> tuple[FloatArray, float]:
     """Equivalent loads ``<Q^p>^(1/p)`` over the turn.
 
@@ -428,6 +429,8 @@ def mean_power(
         Largest loads, > 0.
     exponents : sequence of float
         p of each.
+    finest : int
+        Level of the last rule.
 
     Returns
     -------
@@ -436,7 +439,7 @@ def mean_power(
         Relative difference of the last two rules.
     """
     before, powers = np.zeros(len(largest)), np.array(exponents)
-    for level in range(COARSEST, FINEST + 1):
+    for level in range(COARSEST, finest + 1):
         values, weights = turn.nodes_of(level)
         mean, rows = np.zeros(len(largest)), max(1, BLOCK // len(weights))
         for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
@@ -479,16 +482,51 @@ def moved_loads(
     """
     own, pins = np.split(np.eye(2 * len(sharing.stiffness)), 2)
     arms, turn = (own, radial_force_ratio * own + arm * pins), sharing.satellite_turn
-    if exponent is None:
-        found = sharing.largest(turn=turn, factors=factors, arms=arms, measure=np.hypot)
-    else:
-        flat, measure, shape = sharing.shared(factors=factors, arms=arms, measure=np.hypot)
-        ones = np.ones(len(flat[0]))
-        means, _ = mean_power(
-            turn=turn, arms=flat, measure=measure, largest=ones, exponents=exponent * ones
+
+    def loads(stiffness: FloatArray) -> FloatArray:
+        if exponent is None:
+            return shared_largest(turn=turn, sharing=stiffness, arms=arms, measure=np.hypot)
+        return shared_mean(
+            turn=turn,
+            sharing=stiffness,
+            arms=arms,
+            measure=np.hypot,
+            exponents=[exponent] * len(own),
         )
-        found = means.reshape(shape).max(axis=0)
-    return factors[:, None] * found
+
+    return sharing.worse(factors=factors, of=loads)
+
+
+def shared_mean(
+    *,
+    turn: SatelliteTurn,
+    sharing: FloatArray,
+    arms: tuple[NDArray[Any], ...],
+    measure: Measure,
+    exponents: Sequence[float],
+) -> FloatArray:
+    """Equivalent loads under other sharings, by the coarsest rule: what it is off is alike in all.
+
+    Parameters
+    ----------
+    turn, sharing, arms, measure : as of `core.output.moving_sharing.shared_largest`
+    exponents : sequence of float
+        p of each row of the arms.
+
+    Returns
+    -------
+    array, shape (m, rows)
+    """
+    flat, own, shape = shared(sharing=sharing, arms=arms, measure=measure)
+    found, _ = mean_power(
+        turn=turn,
+        arms=flat,
+        measure=own,
+        largest=np.ones(len(flat[0])),
+        exponents=[*exponents] * len(sharing),
+        finest=COARSEST,
+    )
+    return found.reshape(shape)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from core.arrays import FloatArray, IntArray, Number
 from core.output.mechanism import Mechanism
 from core.output.pin_search import Measure, largest
-from core.output.pin_turn import PinTurn, SatelliteTurn, Turn, satellite_turn
+from core.output.pin_turn import PinTurn, SatelliteTurn, satellite_turn
 
 STEPS, SETTLED = 30, 1e-5
 """Most steps to a factor on the torque, and the last of them that needs no look at where it leads:
@@ -89,6 +89,12 @@ class MovingSharing:
         """Shares and forces on the satellites under it."""
         return satellite_turn(self.mechanism, self.force_exponent, self.stiffness)
 
+    @property
+    def equal(self) -> FloatArray:
+        """Stiffnesses that are all alike over those under the torque, shape (K,)."""
+        found: FloatArray = min(self.stiffness) / np.array(self.stiffness)
+        return found
+
     def under(self, factors: FloatArray) -> FloatArray:
         """Stiffnesses under so many times the torque over those under it.
 
@@ -105,67 +111,79 @@ class MovingSharing:
         found: FloatArray = 1 / (1 + np.asarray(change)[:, None] * self.stiffness)
         return found
 
-    def shared(
-        self, *, factors: FloatArray, arms: tuple[NDArray[Any], ...], measure: Measure
-    ) -> tuple[tuple[NDArray[Any], ...], Measure, tuple[int, int, int]]:
-        """Arms and measure that turn the shares and forces of a turn under the torque into those
-        under others, shared equally and by stiffness.
+    def worse(self, *, factors: FloatArray, of: Callable[[FloatArray], FloatArray]) -> FloatArray:
+        """What grows with the forces under other torques, of equal and stiffness sharing the worse.
 
         Parameters
         ----------
         factors : array, shape (n,)
             Factors on the torque, > 0.
-        arms : tuple of array, each shape (rows, 2*K) or (n, rows, 2*K)
-            What shares and forces do.
-        measure : callable
-            Of the sums, each shape (rows, m).
-
-        Returns
-        -------
-        arms : tuple of array, each shape (2*n*rows, 2*K)
-        measure : callable
-        shape : tuple of int
-            2, n, rows.
-        """
-        stiff = self.under(factors)
-        equal = min(self.stiffness) * np.broadcast_to(1 / np.array(self.stiffness), stiff.shape)
-        sharing = np.stack((equal, stiff))[:, :, None]
-        both = np.concatenate((sharing, sharing), axis=3)
-        moved = [both * each for each in arms]
-        whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=3)
-        rows = [np.broadcast_to(each, moved[0].shape) for each in (*moved, whole)]
-
-        def shared_measure(*sums: NDArray[Any]) -> FloatArray:
-            *each, carried = sums
-            return measure(*(one / carried.real for one in each))
-
-        flat = tuple(each.reshape(-1, each.shape[-1]) for each in rows)
-        return flat, shared_measure, moved[0].shape[:-1]
-
-    def largest(
-        self,
-        *,
-        turn: SharedPinTurn | SatelliteTurn,
-        factors: FloatArray,
-        arms: tuple[NDArray[Any], ...],
-        measure: Measure,
-    ) -> FloatArray:
-        """The largest of a measure over the turn under other torques, by the worse sharing.
-
-        Parameters
-        ----------
-        turn : SharedPinTurn or SatelliteTurn
-            Shares and forces by stiffness under the torque.
-        factors, arms, measure : as of `shared`
+        of : callable
+            It, shape (m, rows), of stiffnesses over those under the torque, shape (m, K).
 
         Returns
         -------
         array, shape (n, rows)
         """
-        assert isinstance(turn, Turn)
-        flat, shared, shape = self.shared(factors=factors, arms=arms, measure=measure)
-        found: FloatArray = largest(turn=turn, arms=flat, measure=shared).reshape(shape)
-        return found.max(axis=0)
+        equal, stiff = np.split(of(np.vstack((self.equal, self.under(factors)))), [1])
+        return factors[:, None] * np.maximum(equal, stiff)
+
+
+def shared(
+    *, sharing: FloatArray, arms: tuple[NDArray[Any], ...], measure: Measure
+) -> tuple[tuple[NDArray[Any], ...], Measure, tuple[int, int]]:
+    """Arms and measure by which the shares and forces of a turn tell those of other sharings.
+
+    Parameters
+    ----------
+    sharing : array, shape (m, K)
+        Stiffnesses over those of the turn.
+    arms : tuple of array, each shape (rows, 2*K) or (m, rows, 2*K)
+        What shares and forces do.
+    measure : callable
+        Of the sums, each shape (rows, n).
+
+    Returns
+    -------
+    arms : tuple of array, each shape (m*rows, 2*K)
+    measure : callable
+    shape : tuple of int
+        m and rows.
+    """
+    both = np.tile(sharing, 2)[:, None]
+    moved = [both * each for each in arms]
+    shape = moved[0].shape
+    whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=1)[:, None]
+    flat = tuple(np.broadcast_to(each, shape).reshape(-1, shape[-1]) for each in (*moved, whole))
+
+    def shared_measure(*sums: NDArray[Any]) -> FloatArray:
+        *each, carried = sums
+        return measure(*(one / carried.real for one in each))
+
+    return flat, shared_measure, shape[:2]
+
+
+def shared_largest(
+    *,
+    turn: SharedPinTurn | SatelliteTurn,
+    sharing: FloatArray,
+    arms: tuple[NDArray[Any], ...],
+    measure: Measure,
+) -> FloatArray:
+    """The largest of a measure over the turn under other sharings.
+
+    Parameters
+    ----------
+    turn : SharedPinTurn or SatelliteTurn
+        Shares and forces.
+    sharing, arms, measure : as of `shared`
+
+    Returns
+    -------
+    array, shape (m, rows)
+    """
+    flat, own, shape = shared(sharing=sharing, arms=arms, measure=measure)
+    return largest(turn=turn, arms=flat, measure=own).reshape(shape)
 
 
 def torque_factors(

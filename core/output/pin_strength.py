@@ -20,7 +20,7 @@ from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.moving_sharing import MovingSharing
+from core.output.moving_sharing import MovingSharing, shared_largest
 from core.output.pin_beam import PinBeam, Support, face_load_factor
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import ENOUGH, Measure, largest
@@ -394,15 +394,16 @@ class PinStresses:
 
         if sharing is None:
             return np.asarray(self._edges(even, factors).max(axis=(0, 2)))
-        own, slopes = self.cases[-1].loads.unit * self._edge_arms(factors)
+        own, slopes = self.cases[0].loads.unit * self._edge_arms(np.tile(factors, 2))
         rest = np.zeros_like(own)
-        found = sharing.largest(
+        equal = np.broadcast_to(sharing.equal, (len(factors), len(sharing.stiffness)))
+        found = shared_largest(
             turn=sharing.pin_turn,
-            factors=factors,
+            sharing=np.concatenate((equal, sharing.under(factors))),
             arms=tuple(np.concatenate((rest, each), axis=2) for each in (own, slopes)),
             measure=_edge(even),
         )
-        return np.asarray(found.max(axis=1))
+        return np.asarray(found.reshape(2, len(factors), -1).max(axis=(0, 2)))
 
     def _edge_arms(self, factors: FloatArray) -> FloatArray:
         """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
