@@ -412,7 +412,7 @@ def moved_reactions(
 
     def reactions(stiffness: FloatArray) -> FloatArray:
         found = shared_mean(
-            turn=sharing.satellite_turn,
+            nodes=sharing.nodes,
             sharing=stiffness,
             arms=(np.concatenate(arms),),
             measure=np.abs,

@@ -413,7 +413,6 @@ def mean_power(
     measure: Callable[..., FloatArray],
     largest: FloatArray,
     exponents: Sequence[float],
-    finest: int = FINEST,
 ) -> tuple[FloatArray, float]:
     """Equivalent loads ``<Q^p>^(1/p)`` over the turn.
 
@@ -429,8 +428,6 @@ def mean_power(
         Largest loads, > 0.
     exponents : sequence of float
         p of each.
-    finest : int
-        Level of the last rule.
 
     Returns
     -------
@@ -439,17 +436,29 @@ def mean_power(
         Relative difference of the last two rules.
     """
     before, powers = np.zeros(len(largest)), np.array(exponents)
-    for level in range(COARSEST, finest + 1):
-        values, weights = turn.nodes_of(level)
-        mean, rows = np.zeros(len(largest)), max(1, BLOCK // len(weights))
-        for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
-            sums = (combine(arms=each[some], forces=values) for each in arms)
-            shares = measure(*sums) / largest[some, None]
-            mean[some] = shares ** powers[some, None] @ weights
+    for level in range(COARSEST, FINEST + 1):
+        mean = _mean(turn.nodes_of(level), arms, measure, largest, powers)
         off, before = np.abs(mean - before), mean
         if (off <= CONVERGED * mean).all():
             break
     return largest * mean ** (1 / powers), float((off / mean).max())
+
+
+def _mean(
+    nodes: tuple[FloatArray, FloatArray],
+    arms: tuple[NDArray[Any], ...],
+    measure: Callable[..., FloatArray],
+    largest: FloatArray,
+    powers: FloatArray,
+) -> FloatArray:
+    """Means of powers of loads over their largest, by the nodes and weights of a rule."""
+    values, weights = nodes
+    mean, rows = np.zeros(len(largest)), max(1, BLOCK // len(weights))
+    for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
+        sums = (combine(arms=each[some], forces=values) for each in arms)
+        shares = measure(*sums) / largest[some, None]
+        mean[some] = shares ** powers[some, None] @ weights
+    return mean
 
 
 def moved_loads(
@@ -481,35 +490,32 @@ def moved_loads(
         Over the load across the crank of a satellite that carries all of the torque itself.
     """
     own, pins = np.split(np.eye(2 * len(sharing.stiffness)), 2)
-    arms, turn = (own, radial_force_ratio * own + arm * pins), sharing.satellite_turn
+    arms = own, radial_force_ratio * own + arm * pins
 
     def loads(stiffness: FloatArray) -> FloatArray:
+        given: dict[str, Any] = {"sharing": stiffness, "arms": arms, "measure": np.hypot}
         if exponent is None:
-            return shared_largest(turn=turn, sharing=stiffness, arms=arms, measure=np.hypot)
-        return shared_mean(
-            turn=turn,
-            sharing=stiffness,
-            arms=arms,
-            measure=np.hypot,
-            exponents=[exponent] * len(own),
-        )
+            return shared_largest(turn=sharing.satellite_turn, **given)
+        return shared_mean(nodes=sharing.nodes, **given, exponents=[exponent] * len(own))
 
     return sharing.worse(factors=factors, of=loads)
 
 
 def shared_mean(
     *,
-    turn: SatelliteTurn,
+    nodes: tuple[FloatArray, FloatArray],
     sharing: FloatArray,
     arms: tuple[NDArray[Any], ...],
     measure: Measure,
     exponents: Sequence[float],
 ) -> FloatArray:
-    """Equivalent loads under other sharings, by the coarsest rule: what it is off is alike in all.
+    """Equivalent loads under other sharings, by one rule: what it is off is alike in all.
 
     Parameters
     ----------
-    turn, sharing, arms, measure : as of `core.output.moving_sharing.shared_largest`
+    nodes : tuple of array
+        See `core.output.moving_sharing.MovingSharing.nodes`.
+    sharing, arms, measure : as of `core.output.moving_sharing.shared`
     exponents : sequence of float
         p of each row of the arms.
 
@@ -518,14 +524,8 @@ def shared_mean(
     array, shape (m, rows)
     """
     flat, own, shape = shared(sharing=sharing, arms=arms, measure=measure)
-    found, _ = mean_power(
-        turn=turn,
-        arms=flat,
-        measure=own,
-        largest=np.ones(len(flat[0])),
-        exponents=[*exponents] * len(sharing),
-        finest=COARSEST,
-    )
+    powers = np.tile(exponents, len(sharing))
+    found: FloatArray = _mean(nodes, flat, own, np.ones(len(powers)), powers) ** (1 / powers)
     return found.reshape(shape)
 
 
