@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from core.arrays import FloatArray, IntArray, Number
 from core.output.mechanism import Mechanism
 from core.output.pin_search import Measure, largest
-from core.output.pin_turn import PinTurn, SatelliteTurn, satellite_turn
+from core.output.pin_turn import PinTurn, SatelliteTurn, pin_turn, satellite_turn
 
-STEPS, SETTLED = 30, 2e-6
+STEPS, SETTLED = 30, 3e-7
 """Most looks for a factor on the torque, and what a secant's curvature may move its logarithm by
 without another look: what is left then is smaller by as much again."""
 
@@ -41,19 +41,17 @@ class SharedPinTurn(PinTurn):
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float
-        Stiffness of the pairs of each satellite, of any scale.
+    turn : PinTurn
+        The forces, by a stiffness of the pairs of each satellite.
+    satellites : SatelliteTurn
+        What the satellites do by the same.
     """
 
-    def __init__(
-        self, mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...]
-    ) -> None:
-        self._satellites = satellite_turn(mechanism, force_exponent, stiffness)
-        super().__init__(mechanism, force_exponent, stiffness)
+    def __init__(self, turn: PinTurn, satellites: SatelliteTurn) -> None:
+        vars(self).update(vars(turn))
+        self._satellites = satellites
+        shares = satellites.forces[: len(turn.forces), self.part[self.arcs]]  # all arcs are felt
+        self.forces = np.concatenate((shares, turn.forces))
 
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], NDArray[Any]]:
         """T times both, shape (rows, 2*K, m)."""
@@ -88,7 +86,8 @@ class MovingSharing:
     @cached_property
     def pin_turn(self) -> SharedPinTurn:
         """Shares and forces on a pin under the torque."""
-        return SharedPinTurn(self.mechanism, self.force_exponent, self.stiffness)
+        own = pin_turn(self.mechanism, self.force_exponent, self.stiffness)
+        return SharedPinTurn(own, self.satellite_turn)
 
     @cached_property
     def satellite_turn(self) -> SatelliteTurn:
@@ -228,16 +227,20 @@ def torque_factors(
     if not some.any():
         return found
     aims, x0 = np.log(targets[some]), np.log(found[some])
-    x1, x2 = x0 * (1 - BESIDE), np.zeros_like(x0)
-    logs = np.log(value(np.exp(np.concatenate((x0, x1, x2[:1])))))
-    y0, y1 = logs[:-1].reshape(2, -1) - logs[-1] - aims
-    y2 = -aims
+    x2, y2 = np.zeros_like(x0), -aims
+    x1 = x0 * (1 - BESIDE) if start is None else x2
+    logs = np.log(value(np.exp(np.concatenate((x0, x1 if start is None else [], [0.0])))))
+    y0, y1 = logs[: len(x0)] - logs[-1] - aims, y2
+    if start is None:
+        y1 = logs[len(x0) : -1] - logs[-1] - aims
     for _ in range(STEPS):
-        slope, further = _slope(x0, x1, y0, y1), _slope(x1, x2, y1, y2)
+        slope = _slope(x0, x1, y0, y1, 1.0)
         place = x0 - y0 / slope
-        bent = _slope(x0, x2, slope, further, 0.0) * (place - x0) * (place - x1)
-        place = place - bent / slope
-        if np.abs(bent).max() <= SETTLED:
+        further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
+        bent = further * (place - x0) * (place - x1) / slope
+        missed = np.where(x1 == x2, place - x0, bent)  # of two places nothing is known of it
+        place = place - bent
+        if np.abs(missed).max() <= SETTLED:
             break
         x0, x1, x2, y1, y2 = place, x0, x1, y0, y1
         y0 = np.log(value(np.exp(place))) - logs[-1] - aims
@@ -246,8 +249,8 @@ def torque_factors(
 
 
 def _slope(
-    x0: FloatArray, x1: FloatArray, y0: FloatArray, y1: FloatArray, same: float = 1.0
+    x0: FloatArray, x1: FloatArray, y0: FloatArray, y1: FloatArray, same: FloatArray | float
 ) -> FloatArray:
     """Slope between two places; a given one where they are the same."""
     apart = np.abs(x0 - x1) > APART
-    return np.divide(y0 - y1, x0 - x1, out=np.full_like(x0, same), where=apart)
+    return np.where(apart, y0 - y1, same) / np.where(apart, x0 - x1, 1.0)

@@ -15,7 +15,7 @@ from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.sections import DesignPin, FatigueBasis, Friction, RollingBearing, Shaft
 from core.output.mechanism import Mechanism
 from core.output.moving_sharing import MovingSharing, SharedPinTurn, torque_factors
-from core.output.pin_turn import PinTurn
+from core.output.pin_turn import PinTurn, SatelliteTurn
 from tests.oracles.checks import WHOLE
 
 CLOSE = 1e-6
@@ -145,7 +145,10 @@ MECHANISM = Mechanism.evenly_spaced(pins=5, satellites=3, ratio=20.0, crank_spac
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5])
 def test_one_turn_tells_the_forces_of_another_sharing(exponent: float) -> None:
     one, other = (3.0, 1.0, 2.0), (5.0, 0.5, 2.5)
-    turn, direct = SharedPinTurn(MECHANISM, exponent, one), PinTurn(MECHANISM, exponent, other)
+    own = PinTurn(MECHANISM, exponent, one), SatelliteTurn(MECHANISM, exponent, one)
+    turn, direct = SharedPinTurn(*own), PinTurn(MECHANISM, exponent, other)
+    samples = np.tile(turn.nodes, (len(turn.arcs), 1))
+    assert np.allclose(turn.forces, turn.at(turn.arcs)(samples).swapaxes(0, 1), rtol=1e-14)
     way = np.tile([0.0, 0.2, 0.7, 1.0], (len(direct.arcs), 1))
     shares, forces = np.split(turn.at(direct.arcs)(way), 2, axis=1)
     assert np.allclose(shares.sum(axis=1), 1, rtol=1e-14)
