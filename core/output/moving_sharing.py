@@ -26,8 +26,9 @@ STEPS, SETTLED = 30, 3e-7
 """Most looks for a factor on the torque, and what a secant's curvature may move its logarithm by
 without another look: what is left then is smaller by as much again."""
 
-RULE = 3
-"""Level of the rule of means over the turn: 56 nodes an arc."""
+RULE, FINER = 3, 5
+"""Levels of the rule of means over the turn, 56 nodes an arc, and where the forces have no slope or
+curvature where a pair switches."""
 
 BESIDE = 0.03
 """By which part of the logarithm before the first place it is looked too."""
@@ -97,7 +98,8 @@ class MovingSharing:
     @cached_property
     def nodes(self) -> tuple[FloatArray, FloatArray]:
         """The latter at the nodes of a rule of the whole turn, shape (2*K, n), and its weights."""
-        return self.satellite_turn.nodes_of(RULE)
+        turn = self.satellite_turn
+        return turn.nodes_of(RULE if turn.smooth else FINER)
 
     @property
     def equal(self) -> FloatArray:
