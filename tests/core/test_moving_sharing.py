@@ -122,6 +122,17 @@ def test_under_its_reserve_each_check_is_at_its_limit(support: str) -> None:
     assert missing(support, range(4)) == []
 
 
+def test_where_the_conformal_pressure_governs_on_a_sloping_pin() -> None:
+    """The limit is reached by the line load at the edge, 8.7 times the mean one."""
+    design = replace(WHOLE, hole_radius=0.00805, eccentricity=5e-5, output_torque=1000.0)
+    check = CRANK["contact_pressure_hole"](design)
+    assert design.contact is not None and design.contact.conformal_pressure is not None
+    assert design.line_load_factor > 8
+    assert check.torque_reserve is not None and abs(check.torque_reserve - 1) > 0.1
+    there = CRANK["contact_pressure_hole"](under(design, check.torque_reserve))
+    assert there.utilisation == pytest.approx(1, abs=CLOSE)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("support", SUPPORTS)
 def test_under_the_reserves_of_many_designs(support: str) -> None:
