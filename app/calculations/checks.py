@@ -242,8 +242,8 @@ class CheckOut(ResponseModel):
     torque_reserve: Maybe[float] = Field(
         default=None,
         description="Factor on the torque at which the value is at its limit; where the forces "
-        "are shared by stiffness or solved, an estimate by the sharing as it is, but for the "
-        "contact of pins that do not bend.",
+        "are solved, an estimate by the sharing as it is, but for the contact of pins that do not "
+        "bend.",
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")

@@ -158,7 +158,7 @@ def asked(
     *,
     name: str,
     unknown: Callable[[], Check] | None = None,
-    with_torque: bool = False,
+    reserve: Callable[[float], float] | None = None,
     **more: Any,
 ) -> Check:
     """A value against a limit that somebody may ask.
@@ -175,8 +175,9 @@ def asked(
         Core name of the limit.
     unknown : callable, optional
         The check where a limit is asked and the value is not known.
-    with_torque : bool
-        Whether the value grows with the torque.
+    reserve : callable, optional
+        Factor on the torque under which the value is so many times as large, where it grows with
+        it.
     **more
         As of `judged`.
 
@@ -189,8 +190,8 @@ def asked(
     if value is None:
         assert unknown is not None
         return unknown()
-    reserve = limit / value if with_torque and value > 0 else None
-    return judged(code, value, limit, reserve=reserve, **more)
+    factor = reserve(limit / value) if reserve is not None and value > 0 else None
+    return judged(code, value, limit, reserve=factor, **more)
 
 
 def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:

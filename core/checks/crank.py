@@ -5,11 +5,12 @@ from collections.abc import Callable
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.checks.check import Check, asked, judged, wall
 from core.checks.crank_design import CrankDesign
 from core.checks.play import no_eccentricity
 from core.checks.sections import RollingBearing
-from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY
+from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY, system_life
 from core.crank.crankshaft import Crankshaft
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
@@ -56,7 +57,10 @@ def _life(design: CrankDesign) -> Check:
         code,
         value,
         limit,
-        reserve=(value / limit) ** (1 / power),
+        reserve=design.reserve(
+            (value / limit) ** (1 / power),
+            lambda factors: design.moved_loads(factors, power).max(axis=1),
+        ),
         error=4 * power * float(found.accuracy.relative_error),
         rough=design.as_made,
         at={"satellite": worst + 1},
@@ -79,7 +83,9 @@ def _static(design: CrankDesign) -> Check:
         code,
         value,
         limit,
-        reserve=value / limit,
+        reserve=design.reserve(
+            value / limit, lambda factors: design.moved_loads(factors).max(axis=1)
+        ),
         error=4 * error,
         rough=design.as_made,
         limit_source=source,
@@ -99,8 +105,13 @@ def _system(design: CrankDesign) -> Check:
     if found.system_life is None:
         return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
-    error = 4 * power * float(found.accuracy.relative_error)
-    reserve = (value / limit) ** (1 / power)
+    error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
+
+    def together(factors: FloatArray) -> FloatArray:
+        lives = design.moved_loads(factors, power) ** -power
+        return np.asarray(system_life(lives=lives, weibull_slope=slope)) ** (-1 / power)
+
+    reserve = design.reserve((value / limit) ** (1 / power), together)
     return judged(code, value, limit, reserve=reserve, error=error, rough=design.as_made)
 
 
@@ -146,11 +157,17 @@ def _shaft_life(design: CrankDesign) -> Check:
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
+    loads = zip(found.equivalent_reaction.tolist(), reserves, strict=True)
+    allowed = [load * reserve if load else math.inf for load, reserve in loads]
+
+    def used(factors: FloatArray) -> FloatArray:
+        return np.asarray((design.moved_reactions(factors) / allowed).max(axis=1))
+
     return judged(
         code,
         value,
         limit,
-        reserve=min(reserves),
+        reserve=design.reserve(min(reserves), used),
         error=4 * max(powers) * float(found.accuracy.relative_error),
         rough=design.as_made,
         at={"bearing": worst},

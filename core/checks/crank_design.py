@@ -1,19 +1,27 @@
 """A crank-planetary reducer as its checks look at it: ring, bearings, shaft over all the rest."""
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.checks.design.losses import DesignLosses
 from core.checks.design.refusals import known, named
-from core.crank.crankshaft import Crankshaft, ReactionCurves, crankshaft, reaction_curves
+from core.crank.crankshaft import (
+    Crankshaft,
+    ReactionCurves,
+    crankshaft,
+    moved_reactions,
+    reaction_curves,
+)
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import (
     BearingCurves,
     SatelliteBearings,
     bearing_curves,
     made_parts,
+    moved_loads,
     satellite_bearings,
 )
 from core.errors import ImpossibleMechanism
@@ -92,6 +100,35 @@ class CrankDesign(DesignLosses):
                 bearing_positions=own.bearing_positions,
                 satellite_mass=own.satellite_mass,
             ),
+        )
+
+    def _moved(self, factors: FloatArray) -> dict[str, Any]:
+        """What loads follow from under so many times the torque, as arguments."""
+        assert self.mesh is not None and self.eccentricity is not None
+        assert self.pin_circle_radius is not None
+        return {
+            "sharing": self.sharing,
+            "factors": factors,
+            "radial_force_ratio": float(self.mesh.radial_force_ratio),
+            "arm": self.eccentricity * self.mechanism.ratio / self.pin_circle_radius,
+        }
+
+    def moved_loads(self, factors: FloatArray, exponent: float | None = None) -> FloatArray:
+        """Largest, or equivalent, loads of the satellites' bearings under so many times the torque
+        against each other, shape (n, K), where the sharing moves with it.
+        """
+        return moved_loads(**self._moved(factors), exponent=exponent)
+
+    def moved_reactions(self, factors: FloatArray) -> FloatArray:
+        """Equivalent reactions of the crankshaft's bearings likewise, shape (n, 2)."""
+        own = self.crankshaft
+        assert own is not None and own.bearings is not None
+        return moved_reactions(
+            **self._moved(factors),
+            satellite_positions=own.satellite_positions,
+            bearing_positions=own.bearing_positions,
+            kinds=(own.bearings[0].kind, own.bearings[1].kind),
+            torque_direction=self.torque_direction,
         )
 
     def _load_curves(self, crank_angle: FloatArray) -> list[BearingCurves]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from core.checks.check import Check, asked
@@ -33,6 +34,7 @@ def _asked(
         if with_torque:
             more["error"] = 4 * float(found.accuracy.relative_error)
             more["rough"] = design.as_made
+            more["reserve"] = partial(design.reserve, value=design.moved_peak)
 
     def unknown() -> Check:
         reason, missing = design.unturned(found)
@@ -40,9 +42,7 @@ def _asked(
             reason, missing = "wear_unknown", ("friction.wear_rate",)
         return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
-    return asked(
-        code, value, limit, name=LIMITS[code], unknown=unknown, with_torque=with_torque, **more
-    )
+    return asked(code, value, limit, name=LIMITS[code], unknown=unknown, **more)
 
 
 def _efficiency(design: CrankDesign) -> Check:

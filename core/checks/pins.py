@@ -49,7 +49,8 @@ def _static(design: CrankDesign) -> Check:
         )
     limit = strength / design.bending_safety
     error = 4 * found.accuracy.relative_error
-    return judged(code, stress, limit, reserve=limit / stress, error=error, rough=design.as_made)
+    reserve = design.pin_reserve(limit / stress, lambda pins: pins.peak_equivalent_stress)
+    return judged(code, stress, limit, reserve=reserve, error=error, rough=design.as_made)
 
 
 def _fatigue(design: CrankDesign) -> Check:
@@ -72,17 +73,27 @@ def _fatigue(design: CrankDesign) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    check = judged(code, safety, limit, reserve=safety / limit, error=error, rough=design.as_made)
+    reserve = design.pin_reserve(safety / limit, _used)
+    check = judged(code, safety, limit, reserve=reserve, error=error, rough=design.as_made)
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return replace(check, reason="finite_life") if lasts else check
+
+
+def _used(pins: PinStrength) -> float:
+    assert pins.fatigue is not None
+    return 1 / pins.fatigue.safety_factor
 
 
 def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
     """The largest deflection or slope against what is asked."""
     found = design.pin_strength
     value, more = None, dict[str, Any]()
+
+    def bent(pins: PinStrength) -> float:
+        return float(getattr(pins.deflection, code.removeprefix("pin_")))
+
     if isinstance(found, PinStrength) and found.deflection is not None:
-        value = getattr(found.deflection, code.removeprefix("pin_"))
+        value = bent(found)
         more["at"] = {"satellite": found.deflection.satellite}
         more["error"] = 4 * found.accuracy.relative_error
     return asked(
@@ -91,7 +102,7 @@ def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
         limit,
         name=code.replace("pin", "max"),
         unknown=partial(_unknown, design, code, limit),
-        with_torque=True,
+        reserve=partial(design.pin_reserve, value=bent),
         rough=design.as_made,
         **more,
     )

@@ -82,7 +82,7 @@ def shaft_checks(
 
     def beyond(code: str, value: float, limit: float | None) -> Check:
         name = code.replace("shaft", "max")
-        return asked(code, value, limit, name=name, with_torque=True, error=4 * error)
+        return asked(code, value, limit, name=name, reserve=float, error=4 * error)
 
     limits = {"deflection": max_deflection, "slope": max_slope}
     unasked = [name for name, limit in limits.items() if limit is None]

@@ -14,10 +14,11 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power
+from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, shared_mean
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
+from core.output.moving_sharing import MovingSharing
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import ComplexArray, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
@@ -376,6 +377,50 @@ def _turned(value: complex) -> float:
     """Direction from 0 to less than a turn, in degrees too."""
     angle = math.atan2(value.imag, value.real) % (2 * math.pi)
     return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
+
+
+def moved_reactions(
+    *,
+    sharing: MovingSharing,
+    factors: FloatArray,
+    radial_force_ratio: float,
+    arm: float,
+    satellite_positions: tuple[float, ...],
+    bearing_positions: tuple[float, float],
+    kinds: tuple[Bearing, Bearing],
+    torque_direction: Direction,
+) -> FloatArray:
+    """Equivalent reactions to ideal forces under other torques, of equal and stiffness sharing the
+    worse.
+
+    Parameters
+    ----------
+    sharing, factors, radial_force_ratio, arm : as of `core.crank.satellite_bearing.moved_loads`
+    satellite_positions, bearing_positions, kinds, torque_direction : as of `crankshaft`
+
+    Returns
+    -------
+    array, shape (n, 2)
+        Over the load across the crank of a satellite that carries all of the torque itself.
+    """
+    carried = _carried(satellite_positions, bearing_positions)
+    held = carried * _cranks(sharing.mechanism.crank_angles)
+    ways = WAYS[torque_direction]
+    arms = [
+        np.concatenate(((1j * way + radial_force_ratio) * held, arm * held), axis=1) for way in ways
+    ]
+
+    def reactions(stiffness: FloatArray) -> FloatArray:
+        found = shared_mean(
+            nodes=sharing.nodes,
+            sharing=stiffness,
+            arms=(np.concatenate(arms),),
+            measure=np.abs,
+            exponents=[EXPONENTS[kind] for kind in kinds] * len(ways),
+        )
+        return np.asarray(found.reshape(len(found), len(ways), 2).max(axis=1))
+
+    return sharing.worse(factors=factors, of=reactions)
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,8 +29,9 @@ from core.crank.bearing_life import (
 from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
+from core.output.moving_sharing import MovingSharing, shared, shared_largest
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import MISSED, largest
+from core.output.pin_search import MISSED, Measure, largest
 from core.output.pin_turn import BLOCK, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -433,17 +434,98 @@ def mean_power(
     """
     powers = np.array(exponents)
     for level in range(COARSEST, FINEST):
-        values, weights = turn.nodes_of(level)
-        means, rows = np.zeros((len(largest), 2)), max(1, BLOCK // len(weights))
-        for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
-            sums = (combine(arms=each[some], forces=values) for each in arms)
-            shares = measure(*sums) / largest[some, None]
-            means[some] = shares ** powers[some, None] @ weights
-        before, mean = means.T
+        before, mean = _mean(turn.nodes_of(level), arms, measure, largest, powers).T
         off = np.abs(mean - before)
         if (off <= CONVERGED * mean).all():
             break
     return largest * mean ** (1 / powers), float((off / mean).max())
+
+
+def _mean(
+    nodes: tuple[FloatArray, FloatArray],
+    arms: tuple[NDArray[Any], ...],
+    measure: Callable[..., FloatArray],
+    largest: FloatArray,
+    powers: FloatArray,
+) -> FloatArray:
+    """Means of powers of loads over their largest, by the nodes and the weights of each rule."""
+    values, weights = nodes
+    means = np.zeros((len(largest), weights.shape[1]))
+    rows = max(1, BLOCK // len(weights))
+    for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
+        sums = (combine(arms=each[some], forces=values) for each in arms)
+        shares = measure(*sums) / largest[some, None]
+        means[some] = shares ** powers[some, None] @ weights
+    return means
+
+
+def moved_loads(
+    *,
+    sharing: MovingSharing,
+    factors: FloatArray,
+    radial_force_ratio: float,
+    arm: float,
+    exponent: float | None = None,
+) -> FloatArray:
+    """Loads of ideal satellites under other torques, of equal and stiffness sharing the worse.
+
+    Parameters
+    ----------
+    sharing : MovingSharing
+        How the satellites share.
+    factors : array, shape (n,)
+        Factors on the torque, > 0.
+    radial_force_ratio : float
+        Ratio rho of the ring's force along the crank to that across it.
+    arm : float
+        ``e*u/R``.
+    exponent : float, optional
+        p of the equivalent loads; the largest ones where not given.
+
+    Returns
+    -------
+    array, shape (n, K)
+        Over the load across the crank of a satellite that carries all of the torque itself.
+    """
+    own, pins = np.split(np.eye(2 * len(sharing.stiffness)), 2)
+    arms = own, radial_force_ratio * own + arm * pins
+
+    def loads(stiffness: FloatArray) -> FloatArray:
+        given: dict[str, Any] = {"sharing": stiffness, "arms": arms, "measure": np.hypot}
+        if exponent is None:
+            return shared_largest(turn=sharing.satellite_turn, **given)
+        return shared_mean(nodes=sharing.nodes, **given, exponents=[exponent] * len(own))
+
+    return sharing.worse(factors=factors, of=loads)
+
+
+def shared_mean(
+    *,
+    nodes: tuple[FloatArray, FloatArray],
+    sharing: FloatArray,
+    arms: tuple[NDArray[Any], ...],
+    measure: Measure,
+    exponents: Sequence[float],
+) -> FloatArray:
+    """Equivalent loads under other sharings, by one rule: what it is off is alike in all.
+
+    Parameters
+    ----------
+    nodes : tuple of array
+        See `core.output.moving_sharing.MovingSharing.nodes`.
+    sharing, arms, measure : as of `core.output.moving_sharing.shared`
+    exponents : sequence of float
+        p of each row of the arms.
+
+    Returns
+    -------
+    array, shape (m, rows)
+    """
+    flat, own, shape = shared(sharing=sharing, arms=arms, measure=measure)
+    powers = np.tile(exponents, len(sharing))
+    means = _mean(nodes, flat, own, np.ones(len(powers)), powers)[:, 0]
+    found: FloatArray = means ** (1 / powers)
+    return found.reshape(shape)
 
 
 @dataclass(frozen=True, slots=True)

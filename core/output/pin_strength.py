@@ -7,7 +7,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,9 +20,10 @@ from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
+from core.output.moving_sharing import MovingSharing, shared_largest
 from core.output.pin_beam import PinBeam, Support, face_load_factor
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH, largest
+from core.output.pin_search import ENOUGH, Measure, largest
 from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -348,7 +349,7 @@ class PinStresses:
             worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
             return found
 
-        found = self._edges(even, (1.0,))[:, 0]
+        found = self._edges(even, np.ones(1))[:, 0]
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
         loads = [each.loads for each in self.cases]
         alike = all(each.pin == loads[0].pin for each in loads)
@@ -366,15 +367,19 @@ class PinStresses:
         *,
         contact_length: float,
         compliance: Callable[[Number], Number],
-        factors: Sequence[float],
+        factors: FloatArray,
+        sharing: MovingSharing | None = None,
     ) -> FloatArray:
-        """The even force of `edge_load` under other forces.
+        """The even force of `edge_load` under other torques.
 
         Parameters
         ----------
         contact_length, compliance : as of `edge_load`
-        factors : sequence of float, n
-            Factors on all forces, > 0.
+        factors : array, shape (n,)
+            Factors on the torque, > 0.
+        sharing : MovingSharing, optional
+            Of ideal forces how the satellites share under others; all forces grow alike where not
+            given.
 
         Returns
         -------
@@ -387,26 +392,45 @@ class PinStresses:
                 force=force, slope=slope, contact_length=contact_length, compliance=compliance
             )
 
-        return np.asarray(self._edges(even, factors).max(axis=(0, 2)))
+        if sharing is None:
+            return np.asarray(self._edges(even, factors).max(axis=(0, 2)))
+        own, slopes = self.cases[0].loads.unit * self._edge_arms(np.tile(factors, 2))
+        rest = np.zeros_like(own)
+        equal = np.broadcast_to(sharing.equal, (len(factors), len(sharing.stiffness)))
+        found = shared_largest(
+            turn=sharing.pin_turn,
+            sharing=np.concatenate((equal, sharing.under(factors))),
+            arms=tuple(np.concatenate((rest, each), axis=2) for each in (own, slopes)),
+            measure=_edge(even),
+        )
+        return np.asarray(found.reshape(2, len(factors), -1).max(axis=(0, 2)))
 
-    def _edges(self, even: Callable[..., Any], factors: Sequence[float]) -> FloatArray:
+    def _edge_arms(self, factors: FloatArray) -> FloatArray:
+        """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
+        arms = np.stack((np.eye(len(self.pin.positions)), self.pin.slopes))
+        found: FloatArray = factors[:, None, None] * arms[:, None]
+        return found
+
+    def _edges(self, even: Callable[..., Any], factors: FloatArray) -> FloatArray:
         """The largest of a function of force and slope, by case, factor on both and satellite."""
         count = len(self.pin.positions)
-        own, slopes = (
-            np.multiply.outer(factors, each).reshape(-1, count)
-            for each in (np.eye(count), self.pin.slopes)
-        )
-
-        def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
-            force = np.abs(forces)
-            felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
-            return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
-
+        own, slopes = self._edge_arms(factors).reshape(2, -1, count)
         found = [
-            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=edge)
+            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=_edge(even))
             for each in (case.loads for case in self.cases)
         ]
         return np.reshape(found, (len(found), len(factors), count))
+
+
+def _edge(even: Callable[..., Any]) -> Measure:
+    """A function of force and slope, by the sums of forces and of slopes."""
+
+    def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+        force = np.abs(forces)
+        felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
+        return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
+
+    return edge
 
 
 def pin_stresses(

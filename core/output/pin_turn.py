@@ -373,6 +373,11 @@ class SatelliteTurn(Turn):
         found = off + ROUNDING * (ULPS + ULPS_OF_POWER * v) * self.forces
         return np.asarray(found.max(axis=(1, 2)))
 
+    def carried(self, arcs: IntArray) -> Callable[[FloatArray], FloatArray]:
+        """T times the shares alone, shape (rows, K, m), at parts of the way along arcs."""
+        own, satellites = self._own(arcs), len(self.forces) // 2
+        return lambda way: own(way)[:, :satellites]
+
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], FloatArray]:
         """T times shares and forces."""
         low, high = self.own.real[:, arcs, :, None]

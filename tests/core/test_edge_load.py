@@ -105,7 +105,7 @@ def test_a_force_counts_with_the_slope_at_its_angle_and_sharing(case: Any) -> No
     stresses = stressed(
         mechanism, positions, force_exponent=exponent, pair_stiffness=stiffness, **held
     )
-    factors = (1.0, 0.1)
+    factors = np.array([1.0, 0.1])
     found, under = stresses.edge_load(**HELD), stresses.edge_forces(factors=factors, **HELD)
     by_grid = np.array([
         [

@@ -13,6 +13,7 @@ from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
+from core.output.moving_sharing import torque_factors
 from core.output.pin_strength import EdgeLoad, PinStresses
 from core.results import ROUNDING
 
@@ -22,10 +23,6 @@ FIRST_YIELD = 1.79
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
 quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
-
-LOOKS, ALIKE = 50, 1e-9
-"""Most looks for the largest line load under other forces, and what it is missed by then, as a part
-of it."""
 
 
 class Held(TypedDict):
@@ -119,9 +116,12 @@ class DesignContact(DesignPins):
             "contact_conformity": float(HALF_WIDTH_RATIO_LIMIT / contact.half_width_ratio) ** 2
         }
         if contact.governing_pressure is not None:
+            largest = self.line_load_factor
             for code, limit in self.pressure_limits.items():
                 factors[code] = force_factor(
-                    contact=contact, contact_at=self.contact_at, limit=limit
+                    contact=contact,
+                    contact_at=lambda factor: self.contact_at(factor * largest),
+                    limit=limit,
                 )
         on_forces, forces = self._on_forces(list(factors.values())), self.judged_forces
         if isinstance(forces, RealForces):
@@ -129,22 +129,24 @@ class DesignContact(DesignPins):
         return dict(zip(factors, on_forces, strict=True))
 
     def _on_forces(self, factors: list[float]) -> list[float]:
-        """Factors on all forces under which the largest line load is so many times as large."""
+        """Factors on the torque, or on all real forces, under which the largest line load is so
+        many times as large.
+        """
         edge, stresses = self.edge, self._pin_stresses
         if edge is None or not isinstance(stresses, PinStresses):
             return factors
         assert self.contact_length is not None
         held: Held = {"contact_length": self.contact_length, "compliance": self._compliance}
-        wanted = np.array(factors) * edge.force
-        some = (wanted > 0) & np.isfinite(wanted)
-        aims, reached = wanted[some], np.array(factors)
-        for _ in range(LOOKS):  # where it is largest hardly moves with the forces
-            reached[some] = [edge.growth_to(aim, **held) for aim in aims.tolist()]
-            missed = wanted[some] / stresses.edge_forces(factors=reached[some].tolist(), **held)
-            if np.all(np.abs(missed - 1) <= ALIKE):
-                break
-            aims = aims * missed
-        return [float(factor) for factor in reached]
+        start = [
+            edge.growth_to(factor * edge.force, **held) if 0 < factor < math.inf else factor
+            for factor in factors
+        ]  # where it is largest hardly moves with the forces
+        found: list[float] = torque_factors(
+            targets=np.array(factors),
+            start=np.array(start),
+            value=lambda each: stresses.edge_forces(factors=each, sharing=self.sharing, **held),
+        ).tolist()
+        return found
 
     @cached_property
     def peak(self) -> dict[str, float]:

@@ -16,6 +16,7 @@ from core.checks.design.refusals import known
 from core.checks.sections import Friction
 from core.errors import ImpossibleMechanism
 from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
+from core.output.moving_sharing import shared_largest
 from core.output.pin_strength import PinStrength
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy, Notice
@@ -68,6 +69,19 @@ class DesignLosses(DesignContact):
         assert isinstance(loads, PinStrength)
         peak = loads.peak_force / (self.dynamic_factor * float(found.peak_force))
         return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
+
+    def moved_peak(self, factors: FloatArray) -> FloatArray:
+        """Largest force under so many times the torque over F0, where the sharing moves with it."""
+        sharing = self.sharing
+        assert sharing is not None
+        _, forces = np.split(np.eye(2 * self.satellites), 2)
+
+        def peaks(stiffness: FloatArray) -> FloatArray:
+            return shared_largest(
+                turn=sharing.pin_turn, sharing=stiffness, arms=(forces,), measure=np.abs
+            )
+
+        return np.asarray(sharing.worse(factors=factors, of=peaks).max(axis=1))
 
     @cached_property
     def lossy_turn(self) -> SampledTurn | None:

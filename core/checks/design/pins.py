@@ -6,12 +6,15 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from core.arrays import Number
+import numpy as np
+
+from core.arrays import FloatArray, Number
 from core.checks.design.forces import DesignForces
 from core.checks.design.refusals import known, named
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import ContactForce
 from core.output.contact_law import HertzLaw, contact_compliance
+from core.output.moving_sharing import MovingSharing, torque_factors
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -69,6 +72,38 @@ class DesignPins(DesignForces):
             contact_compliance=float(self._compliance(force.peak_force * self.dynamic_factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
+
+    @cached_property
+    def sharing(self) -> MovingSharing | None:
+        """How bending pins share an ideal load under other torques; None where that stays."""
+        if self.pair_stiffness is None:
+            return None
+        assert isinstance(self.force, ContactForce)
+        return MovingSharing(
+            stiffness=self.pair_stiffness,
+            compliance=self._compliance,
+            force=self.force.peak_force * self.dynamic_factor,
+            mechanism=self.mechanism,
+            force_exponent=self.force_exponent,
+        )
+
+    def reserve(self, growth: float, value: Callable[[FloatArray], FloatArray]) -> float:
+        """Factor on the torque under which what grows with it is so many times as large.
+
+        Parameters
+        ----------
+        growth : float
+            How many times.
+        value : callable
+            What grows, of factors on the torque, where the sharing moves with it.
+
+        Returns
+        -------
+        float
+        """
+        if self.sharing is None:
+            return growth
+        return float(torque_factors(targets=np.array([growth]), value=value)[0])
 
     @property
     def _forced(self) -> dict[str, Any]:
@@ -130,6 +165,47 @@ class DesignPins(DesignForces):
         if self.pairs > MOST_PIN_PAIRS:
             return None
         return known(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
+
+    def pin_reserve(self, growth: float, value: Callable[[PinStrength], float]) -> float:
+        """Factor on the torque under which a value of the pins is so many times as large.
+
+        Parameters
+        ----------
+        growth : float
+            How many times.
+        value : callable
+            What grows with the torque.
+
+        Returns
+        -------
+        float
+        """
+        if not 0 < growth < math.inf or not self._pins_move(growth):
+            return growth
+
+        def under(factor: float) -> float:
+            torques = {"output_torque": self.output_torque, "peak_torque": self.peak_torque}
+            more = {name: each and each * factor for name, each in torques.items()}
+            found = (self if factor == 1 else replace(self, **more)).pin_strength  # type: ignore[arg-type]
+            assert isinstance(found, PinStrength)
+            return value(found)
+
+        return self.reserve(growth, lambda factors: np.array([*map(under, factors.tolist())]))
+
+    def _pins_move(self, factor: float) -> bool:
+        """Whether stiffness sharing, as it is under so many times the torque, may load pins more
+        than equal sharing, which does not move: by the force that each satellite may take more.
+        """
+        if self.sharing is None or not isinstance(self._pin_stresses, PinStresses):
+            return False
+        stiff = self.sharing.under(np.array([factor]))[0]
+        more = 1 + self.satellites * (stiff.max() / stiff.min() - 1)
+        one, other = self._pin_stresses.cases
+        return bool(
+            more * other.bent >= one.bent
+            or more * other.equivalent >= one.equivalent
+            or more * other.deflections.max() >= one.deflections.max()
+        )
 
     @cached_property
     def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
