@@ -7,6 +7,7 @@ from typing import Any
 
 from core.checks.check import Check, asked, judged
 from core.checks.crank_design import CrankDesign
+from core.checks.design.pins import NEAR_CYCLE
 from core.errors import ImpossibleMechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength
@@ -73,7 +74,7 @@ def _fatigue(design: CrankDesign) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    reserve = design.pin_reserve(safety / limit, _used)
+    reserve = design.pin_reserve(safety / limit, _used, near=NEAR_CYCLE)
     check = judged(code, safety, limit, reserve=reserve, error=error, rough=design.as_made)
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return replace(check, reason="finite_life") if lasts else check

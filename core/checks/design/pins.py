@@ -23,6 +23,10 @@ from core.results import ROUNDING, Notice
 MOST_PIN_PAIRS = 500
 """Most pairs of which the locus of a pin's moment is looked at."""
 
+NEAR_CYCLE = 0.8
+"""Part of the largest bending stress from which a cycle by the other sharing may be the worse one:
+it may be reversed further. Such cycles of smaller ones, which are rare, are not followed."""
+
 ALIKE = 64 * ROUNDING
 """Difference of stiffnesses that only rounding makes, as a part of them."""
 
@@ -166,7 +170,9 @@ class DesignPins(DesignForces):
             return None
         return known(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
 
-    def pin_reserve(self, growth: float, value: Callable[[PinStrength], float]) -> float:
+    def pin_reserve(
+        self, growth: float, value: Callable[[PinStrength], float], *, near: float = 1.0
+    ) -> float:
         """Factor on the torque under which a value of the pins is so many times as large.
 
         Parameters
@@ -175,12 +181,14 @@ class DesignPins(DesignForces):
             How many times.
         value : callable
             What grows with the torque.
+        near : float
+            From which part of the stress by equal sharing that by stiffness may count.
 
         Returns
         -------
         float
         """
-        if not 0 < growth < math.inf or not self._pins_move(growth):
+        if not 0 < growth < math.inf or not self._pins_move(growth, near):
             return growth
 
         def under(factor: float) -> float:
@@ -192,7 +200,7 @@ class DesignPins(DesignForces):
 
         return self.reserve(growth, lambda factors: np.array([*map(under, factors.tolist())]))
 
-    def _pins_move(self, factor: float) -> bool:
+    def _pins_move(self, factor: float, near: float) -> bool:
         """Whether stiffness sharing, as it is under so many times the torque, may load pins more
         than equal sharing, which does not move: by the force that each satellite may take more.
         """
@@ -202,7 +210,7 @@ class DesignPins(DesignForces):
         more = 1 + self.satellites * (stiff.max() / stiff.min() - 1)
         one, other = self._pin_stresses.cases
         return bool(
-            more * other.bent >= one.bent
+            more * other.bent >= near * one.bent
             or more * other.equivalent >= one.equivalent
             or more * other.deflections.max() >= one.deflections.max()
         )
