@@ -7,35 +7,27 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, Number, check_positive
+from core.arrays import FloatArray, check_positive
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.moving_sharing import MovingSharing, shared_largest
-from core.output.pin_beam import PinBeam, Support, face_load_factor
+from core.output.pin_beam import PinBeam, Support
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH, Measure, largest
-from core.output.pin_turn import ComplexArray, PinTurn, combine, pin_turn
+from core.output.pin_search import ENOUGH
+from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
-
-IDLE = 1e-12
-"""Forces below this part of the largest bear no line load that counts."""
-
-STEPS, SETTLED = 50, 1e-13
-"""Most secants to a line load, and what is left of it then, as a part."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,85 +48,6 @@ class PinDeflection:
     satellite: int
     deflection: float
     slope: float
-
-
-@dataclass(frozen=True, slots=True)
-class EdgeLoad:
-    """The contact with the largest line load at an end of its length, where the pins slope.
-
-    Attributes
-    ----------
-    force : float
-        Even force that would have this line load, N: the contact's own times its
-        `core.output.pin_beam.face_load_factor`.
-    satellite : int
-        Number of the satellite, from 1.
-    pin : int or None
-        Number of the pin, from 1; None where all are alike.
-    own, slope : float
-        The contact's own force, N, and the rotation of its pin in the plane of it, rad.
-    """
-
-    force: float
-    satellite: int
-    pin: int | None
-    own: float
-    slope: float
-
-    def growth_to(
-        self, force: float, *, contact_length: float, compliance: Callable[[Number], Number]
-    ) -> float:
-        """Factor on this contact's force and slope under which its even force is another one.
-
-        Parameters
-        ----------
-        force : float
-            The even force, N, > 0.
-        contact_length, compliance : as of `PinStresses.edge_load`
-
-        Returns
-        -------
-        float
-        """
-        growth, before, gone = 1.0, 0.0, 0.0  # secants of the logarithm of both
-        for _ in range(STEPS):
-            own, slope = growth * self.own, growth * self.slope
-            reached = even_force(
-                force=own, slope=slope, contact_length=contact_length, compliance=compliance
-            )
-            left = math.log(force / reached)
-            if abs(left) <= SETTLED:
-                break
-            step = gone * left / (before - left) if before not in (0.0, left) else left
-            before, gone = left, step
-            growth *= math.exp(step)
-        return growth
-
-
-def even_force(
-    *,
-    force: Number,
-    slope: Number,
-    contact_length: float,
-    compliance: Callable[[Number], Number],
-) -> Number:
-    """Even force on a contact that would have the line load of its edge.
-
-    Parameters
-    ----------
-    force, slope : float or array
-        Its own force, N, > 0, and the rotation of its pin, rad.
-    contact_length : float
-        Its length b, m, > 0.
-    compliance : callable
-        Approach of a level contact over its force, m/N, of forces, N.
-
-    Returns
-    -------
-    float or array
-    """
-    approach = force * compliance(force)
-    return force * face_load_factor(slope=slope, contact_length=contact_length, approach=approach)
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,6 +164,11 @@ class PinStresses:
     error: float
     evaluations: int
 
+    @property
+    def loads(self) -> list[PinLoads]:
+        """Loads of the cases."""
+        return [each.loads for each in self.cases]
+
     def strength(
         self,
         *,
@@ -316,121 +234,6 @@ class PinStresses:
             accuracy=accuracy,
             notices=(*notices, *poorly_known(accuracy)),
         )
-
-    def edge_load(
-        self, *, contact_length: float, compliance: Callable[[Number], Number]
-    ) -> EdgeLoad:
-        """The largest line load of a contact: each force with the slope of its pin at that angle.
-
-        The slope that counts is that in the plane of the force; the pin's turn across it skews the
-        contact, which moves its ends apart by the second order only.
-
-        Parameters
-        ----------
-        contact_length : float
-            Length b of the contact, m, > 0.
-        compliance : callable
-            Approach of a level contact over its force, m/N, of forces, N.
-
-        Returns
-        -------
-        EdgeLoad
-        """
-        worst = (0.0, 0.0, 0.0)
-
-        def even(force: FloatArray, slope: FloatArray) -> FloatArray:
-            nonlocal worst
-            found = np.asarray(
-                even_force(
-                    force=force, slope=slope, contact_length=contact_length, compliance=compliance
-                )
-            )
-            top = np.unravel_index(int(np.argmax(found)), found.shape)
-            worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
-            return found
-
-        found = self._edges(even, np.ones(1))[:, 0]
-        case, satellite = np.unravel_index(int(found.argmax()), found.shape)
-        loads = [each.loads for each in self.cases]
-        alike = all(each.pin == loads[0].pin for each in loads)
-        force, force_there, slope_there = worst
-        return EdgeLoad(
-            force=force,
-            satellite=int(satellite) + 1,
-            pin=None if alike else loads[case].pin,
-            own=force_there,
-            slope=slope_there,
-        )
-
-    def edge_forces(
-        self,
-        *,
-        contact_length: float,
-        compliance: Callable[[Number], Number],
-        factors: FloatArray,
-        sharing: MovingSharing | None = None,
-    ) -> FloatArray:
-        """The even force of `edge_load` under other torques.
-
-        Parameters
-        ----------
-        contact_length, compliance : as of `edge_load`
-        factors : array, shape (n,)
-            Factors on the torque, > 0.
-        sharing : MovingSharing, optional
-            Of ideal forces how the satellites share under others; all forces grow alike where not
-            given.
-
-        Returns
-        -------
-        array, shape (n,)
-            N.
-        """
-
-        def even(force: FloatArray, slope: FloatArray) -> Number:
-            return even_force(
-                force=force, slope=slope, contact_length=contact_length, compliance=compliance
-            )
-
-        if sharing is None:
-            return np.asarray(self._edges(even, factors).max(axis=(0, 2)))
-        own, slopes = self.cases[0].loads.unit * self._edge_arms(np.tile(factors, 2))
-        rest = np.zeros_like(own)
-        equal = np.broadcast_to(sharing.equal, (len(factors), len(sharing.stiffness)))
-        found = shared_largest(
-            turn=sharing.pin_turn,
-            sharing=np.concatenate((equal, sharing.under(factors))),
-            arms=tuple(np.concatenate((rest, each), axis=2) for each in (own, slopes)),
-            measure=_edge(even),
-        )
-        return np.asarray(found.reshape(2, len(factors), -1).max(axis=(0, 2)))
-
-    def _edge_arms(self, factors: FloatArray) -> FloatArray:
-        """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
-        arms = np.stack((np.eye(len(self.pin.positions)), self.pin.slopes))
-        found: FloatArray = factors[:, None, None] * arms[:, None]
-        return found
-
-    def _edges(self, even: Callable[..., Any], factors: FloatArray) -> FloatArray:
-        """The largest of a function of force and slope, by case, factor on both and satellite."""
-        count = len(self.pin.positions)
-        own, slopes = self._edge_arms(factors).reshape(2, -1, count)
-        found = [
-            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=_edge(even))
-            for each in (case.loads for case in self.cases)
-        ]
-        return np.reshape(found, (len(found), len(factors), count))
-
-
-def _edge(even: Callable[..., Any]) -> Measure:
-    """A function of force and slope, by the sums of forces and of slopes."""
-
-    def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
-        force = np.abs(forces)
-        felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
-        return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
-
-    return edge
 
 
 def pin_stresses(

@@ -21,6 +21,7 @@ from core.output.contact_law import (
     PowerLaw,
     contact_compliance,
 )
+from core.output.edge_load import SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.output.real_turn import made
@@ -106,7 +107,8 @@ def test_a_force_counts_with_the_slope_at_its_angle_and_sharing(case: Any) -> No
         mechanism, positions, force_exponent=exponent, pair_stiffness=stiffness, **held
     )
     factors = np.array([1.0, 0.1])
-    found, under = stresses.edge_load(**HELD), stresses.edge_forces(factors=factors, **HELD)
+    contacts = SlopingContacts(stresses.pin, stresses.loads, **HELD)
+    found, under = contacts.largest(), contacts.under(factors=factors)
     by_grid = np.array([
         [
             even_force(factor * ideal_forces(mechanism, exponent, each), positions, **held).max(1)
@@ -143,7 +145,8 @@ def test_the_approach_under_4_kN(law: ContactLaw, approach: float) -> None:
 def test_of_pins_made_unlike_the_worst_counts() -> None:
     """All samples of all pins."""
     real = made(UNLIKE)
-    found = stressed(UNLIKE.mechanism, NEAR, made=real).edge_load(**HELD)
+    stresses = stressed(UNLIKE.mechanism, NEAR, made=real)
+    found = SlopingContacts(stresses.pin, stresses.loads, **HELD).largest()
     each = even_force(real(500.0).on_pins, NEAR).max(axis=2)
     satellite, pin = np.unravel_index(each.argmax(), each.shape)
     assert found.force == pytest.approx(each.max(), rel=1e-12)

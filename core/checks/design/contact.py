@@ -3,18 +3,18 @@
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import TypedDict, get_args
+from typing import get_args
 
 import numpy as np
 
-from core.arrays import Number
 from core.checks.design.given import Body
 from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
+from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.moving_sharing import torque_factors
-from core.output.pin_strength import EdgeLoad, PinStresses
+from core.output.pin_strength import PinStresses
 from core.results import ROUNDING
 
 FIRST_YIELD = 1.79
@@ -23,13 +23,6 @@ FIRST_YIELD = 1.79
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
 quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
-
-
-class Held(TypedDict):
-    """What stays when the forces grow."""
-
-    contact_length: float
-    compliance: Callable[[Number], Number]
 
 
 class DesignContact(DesignPins):
@@ -59,14 +52,18 @@ class DesignContact(DesignPins):
         return edge.force / (self.dynamic_factor * judged.peak_force)
 
     @cached_property
-    def edge(self) -> EdgeLoad | None:
-        """The contact with that line load; None without pins."""
-        if not isinstance(self._pin_stresses, PinStresses):
+    def _sloping(self) -> SlopingContacts | None:
+        """The contacts of pins that slope; None without pins."""
+        stresses = self._pin_stresses
+        if not isinstance(stresses, PinStresses):
             return None
         assert self.contact_length is not None
-        return self._pin_stresses.edge_load(
-            contact_length=self.contact_length, compliance=self._compliance
-        )
+        return SlopingContacts(stresses.pin, stresses.loads, self.contact_length, self._compliance)
+
+    @cached_property
+    def edge(self) -> EdgeLoad | None:
+        """The contact with that line load; None without pins."""
+        return None if self._sloping is None else self._sloping.largest()
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
@@ -132,19 +129,16 @@ class DesignContact(DesignPins):
         """Factors on the torque, or on all real forces, under which the largest line load is so
         many times as large.
         """
-        edge, stresses = self.edge, self._pin_stresses
-        if edge is None or not isinstance(stresses, PinStresses):
+        edge, contacts = self.edge, self._sloping
+        if edge is None or contacts is None:
             return factors
-        assert self.contact_length is not None
-        held: Held = {"contact_length": self.contact_length, "compliance": self._compliance}
         start = [
-            edge.growth_to(factor * edge.force, **held) if 0 < factor < math.inf else factor
-            for factor in factors
+            contacts.growth(edge, factor) if 0 < factor < math.inf else factor for factor in factors
         ]  # where it is largest hardly moves with the forces
         found: list[float] = torque_factors(
             targets=np.array(factors),
             start=np.array(start),
-            value=lambda each: stresses.edge_forces(factors=each, sharing=self.sharing, **held),
+            value=lambda each: contacts.under(factors=each, sharing=self.sharing),
         ).tolist()
         return found
 

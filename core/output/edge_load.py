@@ -1,0 +1,186 @@
+"""Line load at the ends of contacts whose pins slope: each force with the slope at that moment."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray, Number
+from core.output.loaded_pin import LoadedPin, PinLoads
+from core.output.moving_sharing import MovingSharing, shared_largest
+from core.output.pin_beam import face_load_factor
+from core.output.pin_search import Measure, largest
+from core.output.pin_turn import ComplexArray
+
+IDLE = 1e-12
+"""Forces below this part of the largest bear no line load that counts."""
+
+STEPS, SETTLED = 50, 1e-13
+"""Most secants to a line load, and what is left of it then, as a part."""
+
+
+@dataclass(frozen=True, slots=True)
+class EdgeLoad:
+    """The contact with the largest line load at an end of its length, where the pins slope.
+
+    Attributes
+    ----------
+    force : float
+        Even force that would have this line load, N: the contact's own times its
+        `core.output.pin_beam.face_load_factor`.
+    satellite : int
+        Number of the satellite, from 1.
+    pin : int or None
+        Number of the pin, from 1; None where all are alike.
+    own, slope : float
+        The contact's own force, N, and the rotation of its pin in the plane of it, rad.
+    """
+
+    force: float
+    satellite: int
+    pin: int | None
+    own: float
+    slope: float
+
+
+@dataclass(frozen=True, slots=True)
+class SlopingContacts:
+    """Contacts of pins that slope.
+
+    The slope that counts is that in the plane of the force; the pin's turn across it skews the
+    contact, which moves its ends apart by the second order only.
+
+    Attributes
+    ----------
+    pin : LoadedPin
+        The pin.
+    loads : list of PinLoads
+        Its loads by each sharing, or those of each pin.
+    contact_length : float
+        Length b of a contact, m, > 0.
+    compliance : callable
+        Approach of a level contact over its force, m/N, of forces, N.
+    """
+
+    pin: LoadedPin
+    loads: list[PinLoads]
+    contact_length: float
+    compliance: Callable[[Number], Number]
+
+    def even(self, force: Number, slope: Number) -> Number:
+        """Even force on a contact that would have the line load of its edge.
+
+        Parameters
+        ----------
+        force, slope : float or array
+            Its own force, N, > 0, and the rotation of its pin, rad.
+
+        Returns
+        -------
+        float or array
+        """
+        approach = force * self.compliance(force)
+        return force * face_load_factor(
+            slope=slope, contact_length=self.contact_length, approach=approach
+        )
+
+    def largest(self) -> EdgeLoad:
+        """The contact with the largest line load."""
+        worst = (0.0, 0.0, 0.0)
+
+        def even(force: FloatArray, slope: FloatArray) -> FloatArray:
+            nonlocal worst
+            found = np.asarray(self.even(force, slope))
+            top = np.unravel_index(int(np.argmax(found)), found.shape)
+            worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
+            return found
+
+        found = self._each(even, np.ones(1))[:, 0]
+        case, satellite = np.unravel_index(int(found.argmax()), found.shape)
+        alike = all(each.pin == self.loads[0].pin for each in self.loads)
+        force, own, slope = worst
+        pin = None if alike else self.loads[case].pin
+        return EdgeLoad(force=force, satellite=int(satellite) + 1, pin=pin, own=own, slope=slope)
+
+    def growth(self, edge: EdgeLoad, times: float) -> float:
+        """Factor on a contact's force and slope under which its line load is so many times as
+        large.
+
+        Parameters
+        ----------
+        edge : EdgeLoad
+            The contact.
+        times : float
+            How many times, > 0.
+
+        Returns
+        -------
+        float
+        """
+        growth, before, gone = 1.0, 0.0, 0.0  # secants of the logarithm of both
+        for _ in range(STEPS):
+            left = math.log(times * edge.force / self.even(growth * edge.own, growth * edge.slope))
+            if abs(left) <= SETTLED:
+                break
+            step = gone * left / (before - left) if before not in (0.0, left) else left
+            before, gone = left, step
+            growth *= math.exp(step)
+        return growth
+
+    def under(self, *, factors: FloatArray, sharing: MovingSharing | None = None) -> FloatArray:
+        """The even force of the largest line load under other torques.
+
+        Parameters
+        ----------
+        factors : array, shape (n,)
+            Factors on the torque, > 0.
+        sharing : MovingSharing, optional
+            Of ideal forces how the satellites share under others; all forces grow alike where not
+            given.
+
+        Returns
+        -------
+        array, shape (n,)
+            N.
+        """
+        if sharing is None:
+            return np.asarray(self._each(self.even, factors).max(axis=(0, 2)))
+        own, slopes = self.loads[0].unit * self._arms(np.tile(factors, 2))
+        rest = np.zeros_like(own)
+        equal = np.broadcast_to(sharing.equal, (len(factors), len(sharing.stiffness)))
+        found = shared_largest(
+            turn=sharing.pin_turn,
+            sharing=np.concatenate((equal, sharing.under(factors))),
+            arms=tuple(np.concatenate((rest, each), axis=2) for each in (own, slopes)),
+            measure=_of_sums(self.even),
+        )
+        return np.asarray(found.reshape(2, len(factors), -1).max(axis=(0, 2)))
+
+    def _arms(self, factors: FloatArray) -> FloatArray:
+        """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
+        arms = np.stack((np.eye(len(self.pin.positions)), self.pin.slopes))
+        found: FloatArray = factors[:, None, None] * arms[:, None]
+        return found
+
+    def _each(self, even: Callable[..., Number], factors: FloatArray) -> FloatArray:
+        """The largest of a function of force and slope, by load, factor on both and satellite."""
+        count = len(self.pin.positions)
+        own, slopes = self._arms(factors).reshape(2, -1, count)
+        measure = _of_sums(even)
+        found = [
+            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=measure)
+            for each in self.loads
+        ]
+        return np.reshape(found, (len(found), len(factors), count))
+
+
+def _of_sums(even: Callable[..., Number]) -> Measure:
+    """A function of force and slope, by the sums of forces and of slopes."""
+
+    def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
+        force = np.abs(forces)
+        felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
+        return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
+
+    return edge
