@@ -136,12 +136,12 @@ def test_where_the_conformal_pressure_governs_on_a_sloping_pin() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("support", SUPPORTS)
 def test_under_the_reserves_of_many_designs(support: str) -> None:
-    assert missing(support, range(4, 40)) == []
+    assert missing(support, range(4, 24)) == []
 
 
 def test_these_designs_have_what_moves() -> None:
-    designs = [drawn(support, seed) for support in SUPPORTS for seed in range(40)]
-    assert sum(design.pair_stiffness is not None for design in designs) > 80
+    designs = [drawn(support, seed) for support in SUPPORTS for seed in range(24)]
+    assert sum(design.pair_stiffness is not None for design in designs) > 48
     found = {check.code for design in designs[:12] for check in judged(design)}
     assert found >= {
         "contact_pressure_pin", "contact_pressure_hole", "contact_shakedown_hole", "pin_static",
