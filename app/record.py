@@ -51,11 +51,6 @@ class Record:
     status: int = 0
     calculations_us: list[float] = field(default_factory=list)
 
-    @property
-    def total_s(self) -> float:
-        """From the arrival of the request to the start of its answer, or to now; seconds."""
-        return (self.answered or time.perf_counter()) - self.started
-
     def calculation_took(self, run_time_us: float) -> None:
         """Note a calculation that has just been done."""
         self.calculations_us.append(run_time_us)
