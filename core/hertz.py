@@ -42,8 +42,8 @@ HERTZ_TOLERANCE = 0.01
 """Error of the Hertz pressure above which the conformal pressure is given beside it."""
 
 CONFORMAL_LOAD = 100.38207120009
-"""Load parameter ``E1**dR/Q`` at which Persson's pressure (1964) is by just that above Hertz's, found
-at 40 digits; of smaller loads, which have a larger one, it is less."""
+"""Load parameter ``E1**dR/Q`` at which Persson's pressure (1964) is by just that above Hertz's:
+root found at 40 digits. Smaller loads have a larger one, and are off by less."""
 
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
