@@ -196,6 +196,53 @@ EXAMPLES: list[dict[str, Any]] = [
         {"output_torque_Nm": 400.0, "pin_circle_radius_mm": 50.0},
         {"hole_radius_mm": 10.03},
     ),
+    {
+        "id": "whole",
+        "title": "A whole reducer of 400 N·m: pins, losses, bearings and crankshaft",
+        "source": "docs/tutorial.md",
+        "calculation": "crank-planetary",
+        "input": {
+            "mechanism": {"pins": 8, "satellites": 2, "satellite_teeth": 40, "ring_teeth": 42},
+            "load": {
+                "output_torque_Nm": 400.0,
+                "pin_circle_radius_mm": 38.0,
+                "input_speed_rpm": 720.0,
+            },
+            "contact": {
+                "contact_length_mm": 22.0,
+                "pin_radius_mm": 8.0,
+                "hole_radius_mm": 11.2,
+                "eccentricity_mm": 3.2,
+                "dynamic_factor": 1.25,
+                "pin_material": "steel_case_hardened",
+                "hole_material": "steel_case_hardened",
+            },
+            "pin": {
+                "support": "fixed",
+                "span_mm": 50.0,
+                "satellite_positions_mm": [13.0, 37.0],
+                "material": "steel_through_hardened",
+            },
+            "fatigue": {
+                "surface": "ground",
+                "fatigue_notch_factor": 1.5,
+                "reliability_percent": 99.0,
+            },
+            "friction": {"coefficient": 0.08},
+            "gear": {"kind": "involute", "module_mm": 3.0, "teeth_difference": 2},
+            "bearing": {
+                "kind": "roller",
+                "dynamic_rating_N": 50000.0,
+                "static_rating_N": 52000.0,
+            },
+            "crankshaft": {
+                "satellite_positions_mm": [30.0, 54.0],
+                "bearing_positions_mm": [0.0, 84.0],
+                "bearings": [{"kind": "ball", "dynamic_rating_N": 14000.0}] * 2,
+            },
+            "requirements": {"life_h": 1500.0},
+        },
+    },
     _rollers("ovsyannikov-2019-fig-6", "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)", "fig. 6"),
     _rollers(
         "ovsyannikov-2019-fig-4",

@@ -116,7 +116,8 @@ async function partsOf(id) {
       wanted: calculator.wanted?.map((group) => ({ ...group, paths: group.paths.map((path) => client.base + path) })),
       diameters: lengths === "diameter" ? message("diameter") : null,
     }),
-    examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path),
+    examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path)
+      .map(({ input, ...example }) => ({ ...example, input: calculator.inputOf?.(input) ?? input })),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
     calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
     calculations,

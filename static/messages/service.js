@@ -1393,6 +1393,7 @@ export default {
     "zyl-6-pins": "Equal sharing, 6 pins: 888.2 N (Zyl)",
     "zyl-4-pins": "Equal sharing, 4 pins: 1538 N (Zyl)",
     "clearance": "0.03 mm of clearance: fewer pins carry, each more",
+    "whole": "A whole reducer of 400 N·m: pins, losses, bearings and crankshaft",
     "ovsyannikov-2019-fig-6": "4 rollers, l/d = 2, χ/d = 2·10⁻⁴ (2019, fig. 6)",
     "ovsyannikov-2019-fig-4": "Stiffness over length, G = 78 GPa (2019, fig. 4)",
     "ovsyannikov-2019-fig-5": "Beyond the limit one roller carries all (2019, fig. 5)",

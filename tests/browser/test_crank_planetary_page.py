@@ -363,6 +363,31 @@ def test_an_example_picked_fills_the_form(page: Page, service: str) -> None:
     expect(page.locator("#example")).to_have_value("")
 
 
+def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str) -> None:
+    """What the page asks is what the example says: the same checks with the same values."""
+    show(page, service)
+    examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
+    whole = next(one for one in examples if one["id"] == "whole")
+    wanted = httpx.post(
+        f"{service}/api/v1/{whole['calculation']}",
+        json=whole["input"] | {"include": ["checks"]},
+        trust_env=False,
+    ).json()
+    with page.expect_response(
+        lambda response: (
+            response.url.endswith(whole["calculation"])
+            and "crankshaft" in response.request.post_data_json["include"]
+        )
+    ) as caught:
+        change(page, lambda: page.locator("#example").select_option("whole"))
+    answer = caught.value.json()
+    assert answer["checks"] == wanted["checks"]
+    assert answer["verdict"] == wanted["verdict"] == "pass"
+    for group in ("strength", "losses", "bearings", "crank"):
+        expect(page.locator(f"[data-wanted={group}]")).to_be_visible()
+    expect(page.locator("#example")).to_have_value("whole")
+
+
 def test_the_address_reopened_gives_the_same_numbers(page: Page, service: str) -> None:
     show(page, service)
     change(page, lambda: box(page, "mechanism.pins").fill("5"))

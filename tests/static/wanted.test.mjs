@@ -12,7 +12,7 @@ import { fieldWords } from "../../static/messages/index.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as real from "../../static/calculators/crank-planetary/real.js";
 import * as study from "../../static/calculators/crank-planetary/study.js";
-import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
+import { inputOf, partsOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
 import { pasted } from "../../static/views/wanted_fields.js";
 import { INPUT, OPENAPI } from "./model.mjs";
 
@@ -343,4 +343,25 @@ test("a pin starts with a material whose strength is known", () => {
   const of = (pin_material) => starts({ contact: { pin_material } }, (path, given) => (typeof given === "string" ? table[given] : given))["pin.material"];
   assert.deepEqual([of("hard"), of("brittle")], ["steel_through_hardened", "steel_through_hardened"]);
   assert.deepEqual([of("tough"), of({ youngs_modulus_GPa: 210 })], [undefined, undefined]);
+});
+
+test("a design document switches on the groups whose parts it has, and is asked for as it was", () => {
+  const document = {
+    pin: { diameter_mm: 11, satellite_positions_mm: [9, 23] },
+    fatigue: { surface: "ground", notch: { theoretical_factor: 2, radius_mm: 0.5 } },
+    friction: { coefficient: 0.08, sleeve: true },
+    gear: { kind: "ratio", radial_force_ratio: 0.4 },
+    bearing: { kind: "ball", dynamic_rating_N: 9000 },
+    crankshaft: { bearing_positions_mm: [0, 40] },
+    requirements: { life_h: 900, bending_safety: 2 },
+  };
+  const { gear: { kind, ...ratio } } = document;
+  const input = inputOf({ mechanism: { pins: 6 }, ...document });
+  assert.deepEqual(wantedSections(input), ["pin_strength", "output_efficiency", "satellite_bearing", "crankshaft"]);
+  assert.deepEqual(partsOf(input, wantedSections(input)), { ...document, gear: ratio });
+  assert.deepEqual(input.besides.strength, { on: "on", surface: "sleeved", fatigue: "notch" });
+  for (const [part, section] of [["pin", "pin_strength"], ["friction", "output_efficiency"], ["bearing", "satellite_bearing"]]) {
+    assert.deepEqual(wantedSections(inputOf({ [part]: document[part] })), [section]);
+  }
+  assert.deepEqual(wantedSections(inputOf({ mechanism: { pins: 6 } })), []);
 });

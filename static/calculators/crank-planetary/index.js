@@ -12,7 +12,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
+import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -295,6 +295,7 @@ export default {
   ],
 
   wanted: WANTED,
+  inputOf,
   worked: () => import("./worked.js"),
   sentences,
   notes: ["yanchevskiy"],

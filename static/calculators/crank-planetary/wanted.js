@@ -250,6 +250,24 @@ export function partsOf(input, sections) {
   };
 }
 
+/** What the form shows of a design document: the groups are on whose parts it has. */
+export function inputOf({ pin, fatigue = {}, friction, gear, bearing, crankshaft, ...own }) {
+  const { requirements } = own;
+  const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
+  const way = Object.keys(ways).find((each) => fatigue[ways[each]] !== undefined);
+  const on = { on: "on" };
+  return {
+    ...own,
+    besides: {
+      ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
+      ...(friction && { losses: on, friction }),
+      ...(bearing && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...(crankshaft && { crank: on, crankshaft }),
+      ...(requirements && { requirements }),
+    },
+  };
+}
+
 /** Parts by which the real forces are judged. */
 export const MADE = ["contact_law", "deviations", "satellite_coupling"];
 
