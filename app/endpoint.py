@@ -38,10 +38,10 @@ from app.problems import (
 )
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
-from app.running import refusals_named
+from app.running import named
 from app.settings import Settings
 from app.theme import Figure, Theme, with_words
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, InvalidInput
 
 JSON = "application/json"
 CONTENT_TYPE = (b"content-type", JSON.encode())
@@ -182,13 +182,13 @@ def points(body: RequestModel, *, drawn: bool) -> float:
         return float(size)
     if "curves" in asked or "points" in asked:
         size = max(size, stated["samples"])
-    for name, power in COUNTS.items():
-        if count := stated.get(name):
-            size *= max(1, len(count) if isinstance(count, list) else count) ** power
+    for name, count in stated.items():
+        if power := COUNTS.get(name):
+            size *= (len(count) or 1 if isinstance(count, list) else count) ** power
     if stated.get("rollers") or stated.get("rollers_total"):
         size *= ELEMENT_POINTS  # nodes of its contact line
     teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
-    turns = max(1, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
+    turns = max(1.0, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
     return float(size * turns)
 
 
@@ -350,8 +350,8 @@ async def received(record: Record, limit: int) -> bytes:
 
 
 @cache
-def _reader(name: str) -> TypeAdapter[RequestModel]:
-    return TypeAdapter(CALCULATIONS[name].request)
+def _reader(name: str) -> Callable[[bytes], RequestModel]:
+    return TypeAdapter(CALCULATIONS[name].request).validator.validate_json
 
 
 def read_body(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
@@ -365,11 +365,13 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise invalid_input([ErrorItem("", "too_nested", {"limit": MAX_NESTED})])
     try:
-        body = _reader(calculation.name).validate_json(content)
+        body = _reader(calculation.name)(content)
     except ValidationError as error:
         raise wrong_fields(error) from None
-    with refusals_named(body):
+    try:
         body.refuse_beyond(settings)
+    except InvalidInput as error:
+        raise named(error, body) from error
     return body
 
 

@@ -100,7 +100,6 @@ def from_si(field: str, value: Any) -> Any:
 TRIFLE = 2.0**-51
 """Relative change by which a number is made a short one: 60, not 59.99999999999999."""
 
-
 @cache
 def from_si_converter(field: str) -> Convert | None:
     """What takes values in SI units to the unit of an API field; None where it is the same."""
@@ -119,10 +118,13 @@ def from_si_converter(field: str) -> Convert | None:
                 return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
         exact = value * times / over
         billionths = exact * 1e9
-        if -1e13 < billionths < 1e13 and 0.01 < billionths % 1 < 0.99:
-            return exact  # far from a short one: to see that costs a tenth of rounding
-        short = round(exact, 9)
-        return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+        if -1e13 < billionths < 1e13:
+            if 0.01 < billionths % 1 < 0.99:
+                return exact  # far from a short one
+            short = round(billionths) / 1e9  # the same in a fifth of the time
+        else:
+            short = round(exact, 9)
+        return short if abs(exact - short) < TRIFLE * abs(exact) else exact
 
     return convert
 

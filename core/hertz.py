@@ -7,7 +7,7 @@ Persson's solution for a disc in a hole of the same material takes over.
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -57,8 +57,7 @@ MISMATCH_SHARES = (0.07, 0.25)
 width of the contact, by a series solution of disc and hole (see the tests)."""
 
 
-@dataclass(frozen=True, slots=True)
-class BodySafety:
+class BodySafety(NamedTuple):
     """One body of a contact, judged by the limit of its own material.
 
     Attributes
@@ -257,7 +256,7 @@ def hertz(
         governing_pressure=governing,
         safety=safety,
         safety_factor=(
-            smaller(*(each.safety_factor for each in safety)) if len(safety) == 2 else None
+            smaller(safety[0].safety_factor, safety[1].safety_factor) if len(safety) == 2 else None
         ),
         accuracy=Accuracy(
             method="closed_form" if conformal is None else "closed_form_newton",
