@@ -194,18 +194,18 @@ def points(body: RequestModel, *, drawn: bool) -> float:
 
 def _stated(body: BaseModel) -> dict[str, Any]:
     """What a request and the models within it state of `SIZES`; what any of them includes."""
-    own, models = _sizing(type(body))
+    names, models = _sizing(type(body))
+    values = vars(body)
     stated: dict[str, Any] = {}
     for name in models:
-        inner = getattr(body, name)
-        if isinstance(inner, BaseModel):
+        if isinstance(inner := values[name], BaseModel):
             stated |= _stated(inner)
-    included = stated.get("include", ())
-    for name in own:
-        if (value := getattr(body, name)) is not None:
+    included = stated.get("include")
+    for name in names:
+        if (value := values[name]) is not None:
             stated[name] = value
     if included:
-        stated["include"] = [*included, *getattr(body, "include", ())]
+        stated["include"] = [*included, *values.get("include", ())]
     return stated
 
 
@@ -414,12 +414,19 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
+class Sending:
+    """What is being sent."""
+
+    waiting_bytes = 0
+
+
+sending = Sending()
+
+
 class Answer(Response):
     """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
     it, and refused where too much waits for clients already.
     """
-
-    waiting_bytes = 0
 
     def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
         self.status_code, self.background, self.body = 200, None, content
@@ -431,10 +438,10 @@ class Answer(Response):
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
-        size, kind = len(self.body), type(self)
-        if size > PART_BYTES and 0 < kind.waiting_bytes > MOST_WAITING_BYTES - size:
+        size = len(self.body)
+        if size > PART_BYTES and 0 < sending.waiting_bytes > MOST_WAITING_BYTES - size:
             raise unavailable("Too many answers wait for clients to take them")
-        kind.waiting_bytes += size
+        sending.waiting_bytes += size
         try:
             start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
             await send(start)
@@ -442,7 +449,7 @@ class Answer(Response):
                 part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
                 await send({"type": "http.response.body", "body": part, "more_body": more})
         finally:
-            kind.waiting_bytes -= size
+            sending.waiting_bytes -= size
 
 
 def takes_gzip(headers: dict[bytes, bytes]) -> bool:

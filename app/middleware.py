@@ -57,7 +57,7 @@ class Requests:
         client = scope.get("client") or ("",)
         record = Record(self.settings, _request_id(headers), headers, receive, client[0])
         at_hand.set(record)
-        observability.Traffic.in_flight += 1
+        observability.traffic.in_flight += 1
         failed: Exception | None = None
 
         def with_headers(message: Message) -> Awaitable[None]:

@@ -111,7 +111,7 @@ Forms = tuple[tuple[str, ...], ...]
 
 
 class _Alternative(NamedTuple):
-    """Forms of which one has to be given, the names in them, and which of these may stand together."""
+    """Forms of which one has to be given, their names, and which of these may stand together."""
 
     forms: Forms
     names: frozenset[str]

@@ -100,6 +100,7 @@ def from_si(field: str, value: Any) -> Any:
 TRIFLE = 2.0**-51
 """Relative change by which a number is made a short one: 60, not 59.99999999999999."""
 
+
 @cache
 def from_si_converter(field: str) -> Convert | None:
     """What takes values in SI units to the unit of an API field; None where it is the same."""
