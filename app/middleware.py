@@ -87,7 +87,7 @@ class Requests:
             if not record.status:
                 await failure(record.request_id).response()(scope, receive, with_headers)
         finally:
-            route = path if "route" in scope else "unknown"
+            route = path if "endpoint" in scope else "unknown"
             observability.end(record, method, route, failed)
 
 

@@ -119,12 +119,12 @@ def from_si_converter(field: str) -> Convert | None:
                 return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
         exact = value * times / over
         billionths = exact * 1e9
-        if -1e13 < billionths < 1e13:
-            if 0.01 < billionths % 1 < 0.99:
-                return exact  # far from a short one
-            short = round(billionths) / 1e9  # the same in a fifth of the time
-        else:
+        if not -1e13 < billionths < 1e13:
             short = round(exact, 9)
+        elif 0.01 < billionths % 1 < 0.99:
+            return exact  # far from a short one
+        else:
+            short = round(billionths) / 1e9  # the same in a third of the time
         return short if abs(exact - short) < TRIFLE * abs(exact) else exact
 
     return convert

@@ -386,8 +386,10 @@ class HertzResponse(ResponseModel):
         cls, result: HertzContact, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's contact."""
-        safety = [SafetyOut.values(each) for each in result.safety]
-        return super().values(result, run_time_us, safety=safety or None, **given)
+        values = super().values(result, run_time_us, **given)
+        if not result.safety:
+            del values["safety"]
+        return values
 
 
 @dataclass(frozen=True, slots=True)

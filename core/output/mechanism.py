@@ -15,7 +15,7 @@ phases closer than `SAME_PHASE` are one phase: rounding invents no slivers.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from core.arrays import Number
 from core.errors import InvalidInput
@@ -66,7 +66,6 @@ class Mechanism:
             raise InvalidInput("initial_crank_angle", self.initial_crank_angle, "finite_number")
 
     @classmethod
-    @lru_cache(maxsize=1024)
     def evenly_spaced(
         cls,
         *,
@@ -76,7 +75,7 @@ class Mechanism:
         crank_spacing: float | None = None,
         initial_crank_angle: float = 0.0,
     ) -> "Mechanism":
-        """Mechanism whose cranks follow each other at one angle: one object for the same numbers.
+        """Mechanism whose cranks follow each other at one angle.
 
         Parameters
         ----------
