@@ -34,9 +34,10 @@ of numbers and none loses digits at its lower end."""
 
 def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
-    for each in value if isinstance(value, list) else [value]:
-        if each is not None and 0 < abs(each) < SIZE["ge"]:
-            raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
+    if isinstance(value, list):
+        return [*map(no_dust, value)]
+    if value is not None and 0 < abs(value) < SIZE["ge"]:
+        raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
     return value
 
 

@@ -84,7 +84,7 @@ def to_si_converter(field: str) -> Convert | None:
     times, over = (size, 1.0) if size >= 1 or size == DEGREE else (1.0, 1 / size)
 
     def convert(value: Any) -> Any:
-        if isinstance(value, (list, tuple)):
+        if not isinstance(value, float) and isinstance(value, (list, tuple)):
             return [*map(convert, value)]
         return value * times / over
 
