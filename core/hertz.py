@@ -6,7 +6,6 @@ Persson's solution for a disc in a hole of the same material takes over.
 """
 
 import math
-from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -76,8 +75,7 @@ class BodySafety(NamedTuple):
     safety_factor: Number
 
 
-@dataclass(frozen=True, slots=True)
-class HertzContact:
+class HertzContact(NamedTuple):
     """Stress of the line contact of pin and hole, or of an array of them.
 
     What does not apply or is not known is None; in an array it is NaN, or None where it is so
