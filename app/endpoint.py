@@ -340,8 +340,9 @@ async def received(record: Record, limit: int) -> bytes:
         message = await record.receive()
         if message["type"] == "http.disconnect":
             raise ClientDisconnect
-        parts.append(message.get("body", b""))
-        size += len(parts[-1])
+        part = message.get("body", b"")
+        parts.append(part)
+        size += len(part)
         if size > limit:
             raise too_large(limit)
         if not message.get("more_body"):
@@ -431,9 +432,10 @@ class Answer(Response):
     def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
         self.status_code, self.background, self.body = 200, None, content
         self.raw_headers = [CONTENT_TYPE, (b"content-length", b"%d" % len(content))]
-        if len(content) >= COMPRESS_BYTES or content.startswith(GZIP):
+        zipped = content.startswith(GZIP)
+        if zipped or len(content) >= COMPRESS_BYTES:
             self.raw_headers.append((b"vary", b"accept-encoding"))
-        if content.startswith(GZIP):
+        if zipped:
             self.raw_headers.append((b"content-encoding", b"gzip"))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
