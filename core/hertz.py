@@ -228,15 +228,15 @@ def hertz(
     if some(applies):
         mismatch_error = _mismatch_error(pin_material, hole_material)
         applies = applies & (mismatch_error <= MISMATCH_TOLERANCE)
-    if some(applies):
-        load = where(applies, line_load, 1.0)
-        factor, tangent, evaluations = conformal_pressure_ratio(
-            load_parameter=2 * modulus * (difference / load)
-        )
-        conformal = known_where(applies, factor * max_pressure)
-        half_angle = known_where(applies, 2 * atan(tangent))
-        conformal_error = known_where(applies, mismatch_error)
-        governing, known = where(applies, conformal, max_pressure), known | applies
+        if some(applies):
+            load = where(applies, line_load, 1.0)
+            factor, tangent, evaluations = conformal_pressure_ratio(
+                load_parameter=2 * modulus * (difference / load)
+            )
+            conformal = known_where(applies, factor * max_pressure)
+            half_angle = known_where(applies, 2 * atan(tangent))
+            conformal_error = known_where(applies, mismatch_error)
+            governing, known = where(applies, conformal, max_pressure), known | applies
     governing = known_where(known, governing)
     safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(

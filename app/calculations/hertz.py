@@ -305,18 +305,15 @@ class SafetyOut(ResponseModel):
         cls, result: BodySafety, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's judgement."""
-        return {
-            "body": result.body,
-            **_limit_values(result.limit),
-            "safety_factor": result.safety_factor,
-            **given,
-        }
+        judged = _judged_by(result.body, result.limit)
+        return judged | {"safety_factor": result.safety_factor, **given}
 
 
 @lru_cache(maxsize=256)
-def _limit_values(limit: ContactLimit) -> Values:
-    """What is said of a limit, whatever the pressure."""
+def _judged_by(body: str, limit: ContactLimit) -> Values:
+    """What is said of a body and its limit, whatever the pressure."""
     values = {
+        "body": body,
         "limit_MPa": from_si("limit_MPa", limit.pressure),
         "criterion": limit.criterion,
         "source": LIMIT_SOURCES.get(limit.source),
