@@ -196,8 +196,8 @@ def count() -> None:
     """Count the requests that have ended, together: one by one costs four times as much."""
     IN_FLIGHT.set(traffic.in_flight)
     numbers: dict[Counter, int] = {}
-    while traffic.ended:
-        record, method, route, total_s = traffic.ended.pop()
+    ended, traffic.ended = traffic.ended, []
+    for record, method, route, total_s in ended:
         requests, duration, calculation = _meters(method, route, record.status or 499)
         numbers[requests] = numbers.get(requests, 0) + 1
         duration.observe(total_s)
