@@ -10,6 +10,7 @@ import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
 from contextvars import copy_context
+from dataclasses import dataclass
 from functools import cache
 from queue import SimpleQueue
 from threading import Thread
@@ -415,10 +416,11 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
+@dataclass(slots=True)
 class Sending:
     """What is being sent."""
 
-    waiting_bytes = 0
+    waiting_bytes: int = 0
 
 
 sending = Sending()
