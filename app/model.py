@@ -132,15 +132,14 @@ def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
 
 def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
     """Why the fields that a request names are none of some forms."""
-    given = [[name for name in form if name in named] for form in forms]
-    some = [names for names in given if names]
-    if not some:
+    given = [form for form in forms if not named.isdisjoint(form)]
+    if not given:
         return field_error(forms[0][0], "needed", field=forms[1][0])
-    if len(some) > 1:
-        return field_error(some[1][0], "only_one", field=some[0][0])
-    form = forms[given.index(some[0])]
-    missing = next(name for name in form if name not in named)
-    other = next(name for name in form if name != missing)
+    if len(given) > 1:
+        first, second = (next(n for n in form if n in named) for form in given[:2])
+        return field_error(second, "only_one", field=first)
+    missing = next(name for name in given[0] if name not in named)
+    other = next(name for name in given[0] if name != missing)
     return field_error(missing, "needed_beside", field=other)
 
 
@@ -198,9 +197,9 @@ class RequestModel(BaseModel):
     def _one_form_each(self) -> Self:
         if alternatives := _alternatives(type(self)):
             named = self.model_fields_set
-            for forms in alternatives:
-                if forms.names & named not in forms.allowed:
-                    raise _wrong_form(forms.forms, named)
+            for forms, names, allowed in alternatives:
+                if names & named not in allowed:
+                    raise _wrong_form(forms, named)
         return self
 
     def to_core(self) -> dict[str, Any]:

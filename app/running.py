@@ -31,8 +31,8 @@ COMPARING = frozenset(
 
 
 def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
-    """Result of a calculation and its run time, in tenths of a microsecond; a refusal names the
-    body's fields.
+    """Result of a calculation and its run time, microseconds to a tenth; a refusal names the body's
+    fields.
     """
     start = time.perf_counter_ns()
     try:
