@@ -39,7 +39,7 @@ from app.problems import (
 from app.processes import in_parts, in_process, refused_if_busy, why
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
-from app.running import refusals_named
+from app.running import named
 from app.settings import Settings
 from core.errors import ImpossibleMechanism, InvalidInput
 
@@ -183,8 +183,10 @@ def split(
         raise wrong_fields(error) from None
     except ValueError as error:
         raise wrong_json(str(error)) from None
-    with refusals_named(body):
+    try:
         body.refuse_beyond(settings)
+    except InvalidInput as error:
+        raise named(error, body) from error
     enough = settings.max_body_bytes + 1  # to see that a request is too large
     yield (
         body.calculation,

@@ -10,6 +10,7 @@ import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
 from contextvars import copy_context
+from dataclasses import dataclass
 from functools import cache
 from queue import SimpleQueue
 from threading import Thread
@@ -38,10 +39,10 @@ from app.problems import (
 )
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
-from app.running import refusals_named
+from app.running import named
 from app.settings import Settings
 from app.theme import Figure, Theme, with_words
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, InvalidInput
 
 JSON = "application/json"
 CONTENT_TYPE = (b"content-type", JSON.encode())
@@ -182,30 +183,30 @@ def points(body: RequestModel, *, drawn: bool) -> float:
         return float(size)
     if "curves" in asked or "points" in asked:
         size = max(size, stated["samples"])
-    for name, power in COUNTS.items():
-        if count := stated.get(name):
-            size *= max(1, len(count) if isinstance(count, list) else count) ** power
+    for name, count in stated.items():
+        if power := COUNTS.get(name):
+            size *= (len(count) or 1 if isinstance(count, list) else count) ** power
     if stated.get("rollers") or stated.get("rollers_total"):
         size *= ELEMENT_POINTS  # nodes of its contact line
     teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
-    turns = max(1, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
+    turns = max(1.0, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
     return float(size * turns)
 
 
 def _stated(body: BaseModel) -> dict[str, Any]:
     """What a request and the models within it state of `SIZES`; what any of them includes."""
-    own, models = _sizing(type(body))
+    names, models = _sizing(type(body))
+    values = vars(body)
     stated: dict[str, Any] = {}
     for name in models:
-        inner = getattr(body, name)
-        if isinstance(inner, BaseModel):
+        if isinstance(inner := values[name], BaseModel):
             stated |= _stated(inner)
-    included = stated.get("include", ())
-    for name in own:
-        if (value := getattr(body, name)) is not None:
+    included = stated.get("include")
+    for name in names:
+        if (value := values[name]) is not None:
             stated[name] = value
     if included:
-        stated["include"] = [*included, *getattr(body, "include", ())]
+        stated["include"] = [*included, *values.get("include", ())]
     return stated
 
 
@@ -340,8 +341,9 @@ async def received(record: Record, limit: int) -> bytes:
         message = await record.receive()
         if message["type"] == "http.disconnect":
             raise ClientDisconnect
-        parts.append(message.get("body", b""))
-        size += len(parts[-1])
+        part = message.get("body", b"")
+        parts.append(part)
+        size += len(part)
         if size > limit:
             raise too_large(limit)
         if not message.get("more_body"):
@@ -350,8 +352,8 @@ async def received(record: Record, limit: int) -> bytes:
 
 
 @cache
-def _reader(name: str) -> TypeAdapter[RequestModel]:
-    return TypeAdapter(CALCULATIONS[name].request)
+def _reader(name: str) -> Callable[[bytes], RequestModel]:
+    return TypeAdapter(CALCULATIONS[name].request).validator.validate_json
 
 
 def read_body(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
@@ -365,11 +367,13 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise invalid_input([ErrorItem("", "too_nested", {"limit": MAX_NESTED})])
     try:
-        body = _reader(calculation.name).validate_json(content)
+        body = _reader(calculation.name)(content)
     except ValidationError as error:
         raise wrong_fields(error) from None
-    with refusals_named(body):
+    try:
         body.refuse_beyond(settings)
+    except InvalidInput as error:
+        raise named(error, body) from error
     return body
 
 
@@ -412,27 +416,36 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
+@dataclass(slots=True)
+class Sending:
+    """What is being sent."""
+
+    waiting_bytes: int = 0
+
+
+sending = Sending()
+
+
 class Answer(Response):
     """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
     it, and refused where too much waits for clients already.
     """
 
-    waiting_bytes = 0
-
     def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
         self.status_code, self.background, self.body = 200, None, content
         self.raw_headers = [CONTENT_TYPE, (b"content-length", b"%d" % len(content))]
-        if len(content) >= COMPRESS_BYTES or content.startswith(GZIP):
+        zipped = content.startswith(GZIP)
+        if zipped or len(content) >= COMPRESS_BYTES:
             self.raw_headers.append((b"vary", b"accept-encoding"))
-        if content.startswith(GZIP):
+        if zipped:
             self.raw_headers.append((b"content-encoding", b"gzip"))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
-        size, kind = len(self.body), type(self)
-        if size > PART_BYTES and 0 < kind.waiting_bytes > MOST_WAITING_BYTES - size:
+        size = len(self.body)
+        if size > PART_BYTES and 0 < sending.waiting_bytes > MOST_WAITING_BYTES - size:
             raise unavailable("Too many answers wait for clients to take them")
-        kind.waiting_bytes += size
+        sending.waiting_bytes += size
         try:
             start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
             await send(start)
@@ -440,7 +453,7 @@ class Answer(Response):
                 part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
                 await send({"type": "http.response.body", "body": part, "more_body": more})
         finally:
-            kind.waiting_bytes -= size
+            sending.waiting_bytes -= size
 
 
 def takes_gzip(headers: dict[bytes, bytes]) -> bool:

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args
+from itertools import chain
+from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args, get_origin
 
 from pydantic import (
     BaseModel,
@@ -33,9 +34,10 @@ of numbers and none loses digits at its lower end."""
 
 def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
-    for each in value if isinstance(value, list) else [value]:
-        if each is not None and 0 < abs(each) < SIZE["ge"]:
-            raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
+    if isinstance(value, list):
+        return [*map(no_dust, value)]
+    if value is not None and 0 < abs(value) < SIZE["ge"]:
+        raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
     return value
 
 
@@ -109,11 +111,36 @@ def _complete_schema(schema: dict[str, Any]) -> None:
 Forms = tuple[tuple[str, ...], ...]
 
 
+class _Alternative(NamedTuple):
+    """Forms of which one has to be given, their names, and which of these may stand together."""
+
+    forms: Forms
+    names: frozenset[str]
+    allowed: frozenset[frozenset[str]]
+
+
 @cache
-def _alternatives(model: type["RequestModel"]) -> tuple[Forms, ...]:
+def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
     """Alternatives of a request and of all that it is made of."""
     every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
-    return tuple(forms for some in every for forms in some)
+    return tuple(
+        _Alternative(forms, frozenset(chain(*forms)), frozenset(map(frozenset, forms)))
+        for some in every
+        for forms in some
+    )
+
+
+def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
+    """Why the fields that a request names are none of some forms."""
+    given = [form for form in forms if not named.isdisjoint(form)]
+    if not given:
+        return field_error(forms[0][0], "needed", field=forms[1][0])
+    if len(given) > 1:
+        first, second = (next(n for n in form if n in named) for form in given[:2])
+        return field_error(second, "only_one", field=first)
+    missing = next(name for name in given[0] if name not in named)
+    other = next(name for name in given[0] if name != missing)
+    return field_error(missing, "needed_beside", field=other)
 
 
 def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
@@ -129,7 +156,7 @@ def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
     rules = []
-    for forms in _alternatives(model):
+    for forms, _, _ in _alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)
         rules.append({"oneOf": [_only(form, names) for form in forms]})
     if rules:
@@ -168,21 +195,11 @@ class RequestModel(BaseModel):
 
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:
-        named = self.model_fields_set
-        for forms in _alternatives(type(self)):
-            given = [form for form in forms if not named.isdisjoint(form)]
-            if len(given) == 1 and named.issuperset(given[0]):
-                continue
-            if len(given) > 1:
-                first, second = ([n for n in form if n in named] for form in given[:2])
-                raise field_error(second[0], "only_one", field=first[0])
-            if not given and () not in forms:
-                raise field_error(forms[0][0], "needed", field=forms[1][0])
-            for form in given:
-                for name in form:
-                    if name not in named:
-                        other = next(each for each in form if each != name)
-                        raise field_error(name, "needed_beside", field=other)
+        if alternatives := _alternatives(type(self)):
+            named = self.model_fields_set
+            for forms, names, allowed in alternatives:
+                if names & named not in allowed:
+                    raise _wrong_form(forms, named)
         return self
 
     def to_core(self) -> dict[str, Any]:
@@ -309,7 +326,10 @@ class ResponseModel(BaseModel):
         **given
             Fields that are not read from the result; None for none.
         """
-        values = {name: value for name, value in given.items() if value is not None}
+        values: Values = {}
+        for name, value in given.items():
+            if value is not None:
+                values[name] = value
         plan = _plan(cls, *given)
         for name, attribute, convert in plan.read:
             if (value := getattr(result, attribute)) is not None:
@@ -416,16 +436,12 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
 
 def _inner_values(annotation: Any) -> Convert | None:
     """Values of the answer that a field holds, alone or in a list, if it holds one."""
-    for each in (annotation, *get_args(annotation)):
-        for inner in (each, *get_args(each)):
-            if isinstance(inner, type) and issubclass(inner, ResponseModel):
-                one = inner.values
-                return lambda value: [*map(one, value)] if _is_list(value) else one(value)
-    return None
-
-
-def _is_list(value: Any) -> bool:
-    return isinstance(value, (list, tuple))
+    if isinstance(annotation, type) and issubclass(annotation, ResponseModel):
+        return annotation.values
+    one = next(filter(None, map(_inner_values, get_args(annotation))), None)
+    if one is not None and get_origin(annotation) is list:
+        return lambda values: [*map(one, values)]
+    return one
 
 
 class AccuracyOut(BaseModel):
@@ -451,7 +467,7 @@ def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:
         "method_code": accuracy.method,
         "relative_error": accuracy.relative_error,
         "evaluations": accuracy.evaluations,
-        "run_time_us": round(run_time_us, 1),
+        "run_time_us": run_time_us,
     }
 
 

@@ -147,9 +147,9 @@ def _noted(part: Any, record: Record) -> Any:
     """What the job had yielded, or raised; the run times of its calculations are noted."""
     if isinstance(part, Exception):
         raise part
-    value, calculations_us = part
-    for run_time_us in calculations_us:
-        record.calculation_took(run_time_us)
+    value, calculation_us = part
+    if calculation_us:
+        record.calculation_took(calculation_us)
     return value
 
 
@@ -159,8 +159,8 @@ def _told(job: Callable[..., Iterator[Any]], args: tuple[Any, ...]) -> Iterator[
     at_hand.set(record)
     try:
         for value in job(*args):
-            yield value, record.calculations_us
-            record.calculations_us = []
+            yield value, record.calculation_us
+            record.calculation_us = 0.0
     except Problem as problem:
         yield problem
     except ImpossibleMechanism as error:

@@ -35,8 +35,8 @@ class Record:
         started; seconds of `time.perf_counter`, 0 where it has not happened.
     status : int
         HTTP status of the answer; 0 where there is none yet.
-    calculations_us : list of float
-        Run times of its calculations, microseconds.
+    calculation_us : float
+        Run time of its calculations, microseconds.
     """
 
     settings: Settings = field(default_factory=current)
@@ -49,11 +49,11 @@ class Record:
     calculated: float = 0.0
     answered: float = 0.0
     status: int = 0
-    calculations_us: list[float] = field(default_factory=list)
+    calculation_us: float = 0.0
 
     def calculation_took(self, run_time_us: float) -> None:
         """Note a calculation that has just been done."""
-        self.calculations_us.append(run_time_us)
+        self.calculation_us += run_time_us
         self.calculated = time.perf_counter()
 
 

@@ -84,7 +84,7 @@ def to_si_converter(field: str) -> Convert | None:
     times, over = (size, 1.0) if size >= 1 or size == DEGREE else (1.0, 1 / size)
 
     def convert(value: Any) -> Any:
-        if isinstance(value, (list, tuple)):
+        if not isinstance(value, float) and isinstance(value, (list, tuple)):
             return [*map(convert, value)]
         return value * times / over
 
@@ -119,10 +119,13 @@ def from_si_converter(field: str) -> Convert | None:
                 return np.where(np.abs(exact - short) <= TRIFLE * np.abs(exact), short, exact)
         exact = value * times / over
         billionths = exact * 1e9
-        if -1e13 < billionths < 1e13 and 0.01 < billionths % 1 < 0.99:
-            return exact  # far from a short one: to see that costs a tenth of rounding
-        short = round(exact, 9)
-        return short if abs(exact - short) <= TRIFLE * abs(exact) else exact
+        if not -1e13 < billionths < 1e13:
+            short = round(exact, 9)
+        elif 0.01 < billionths % 1 < 0.99:
+            return exact  # far from a short one
+        else:
+            short = round(billionths) / 1e9  # the same in a third of the time
+        return short if abs(exact - short) < TRIFLE * abs(exact) else exact
 
     return convert
 

@@ -6,8 +6,7 @@ Persson's solution for a disc in a hole of the same material takes over.
 """
 
 import math
-from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -57,8 +56,7 @@ MISMATCH_SHARES = (0.07, 0.25)
 width of the contact, by a series solution of disc and hole (see the tests)."""
 
 
-@dataclass(frozen=True, slots=True)
-class BodySafety:
+class BodySafety(NamedTuple):
     """One body of a contact, judged by the limit of its own material.
 
     Attributes
@@ -77,8 +75,7 @@ class BodySafety:
     safety_factor: Number
 
 
-@dataclass(frozen=True, slots=True)
-class HertzContact:
+class HertzContact(NamedTuple):
     """Stress of the line contact of pin and hole, or of an array of them.
 
     What does not apply or is not known is None; in an array it is NaN, or None where it is so
@@ -231,15 +228,15 @@ def hertz(
     if some(applies):
         mismatch_error = _mismatch_error(pin_material, hole_material)
         applies = applies & (mismatch_error <= MISMATCH_TOLERANCE)
-    if some(applies):
-        load = where(applies, line_load, 1.0)
-        factor, tangent, evaluations = conformal_pressure_ratio(
-            load_parameter=2 * modulus * (difference / load)
-        )
-        conformal = known_where(applies, factor * max_pressure)
-        half_angle = known_where(applies, 2 * atan(tangent))
-        conformal_error = known_where(applies, mismatch_error)
-        governing, known = where(applies, conformal, max_pressure), known | applies
+        if some(applies):
+            load = where(applies, line_load, 1.0)
+            factor, tangent, evaluations = conformal_pressure_ratio(
+                load_parameter=2 * modulus * (difference / load)
+            )
+            conformal = known_where(applies, factor * max_pressure)
+            half_angle = known_where(applies, 2 * atan(tangent))
+            conformal_error = known_where(applies, mismatch_error)
+            governing, known = where(applies, conformal, max_pressure), known | applies
     governing = known_where(known, governing)
     safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(
@@ -257,7 +254,7 @@ def hertz(
         governing_pressure=governing,
         safety=safety,
         safety_factor=(
-            smaller(*(each.safety_factor for each in safety)) if len(safety) == 2 else None
+            smaller(safety[0].safety_factor, safety[1].safety_factor) if len(safety) == 2 else None
         ),
         accuracy=Accuracy(
             method="closed_form" if conformal is None else "closed_form_newton",

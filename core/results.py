@@ -1,7 +1,7 @@
 """What every result carries besides its numbers: its accuracy, and the limits it strained."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from core.arrays import Number
 
@@ -143,8 +143,7 @@ METHODS = {
 """Methods of the calculations and of their studies in English, by code."""
 
 
-@dataclass(frozen=True, slots=True)
-class Accuracy:
+class Accuracy(NamedTuple):
     """How a number was got, how wrong it may be, and what it took.
 
     Attributes

@@ -103,7 +103,7 @@ class MaterialFields(RequestModel):
 
 def material_of(given: str | MaterialFields) -> ElasticMaterial:
     """Material of a name of the table or of its values."""
-    return given.material() if isinstance(given, MaterialFields) else MATERIALS[given].material
+    return MATERIALS[given].material if isinstance(given, str) else given.material()
 
 
 def _kind(given: object) -> str:
@@ -198,10 +198,6 @@ class ContactFields(RequestModel):
         help="Factor of uneven load sharing between the pairs.",
     )
 
-    def hole_mm(self) -> float:
-        """Radius of the hole."""
-        return self.hole_radius_mm
-
     def limits(self) -> list[tuple[str, float]]:
         """Body and limit of its pressure, Pa, of each body whose limit is known."""
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
@@ -212,19 +208,6 @@ class ContactFields(RequestModel):
         """What a name of a material does not say."""
         cast = "bronze_tin" in (self.pin_material, self.hole_material)
         return (Notice("sand_cast"),) if cast else ()
-
-    def solve_for(self, force: float) -> HertzContact:
-        """Contact under a force, N."""
-        return hertz(
-            force=force,
-            contact_length=to_si("contact_length_mm", self.contact_length_mm),
-            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
-            hole_radius=to_si("hole_radius_mm", self.hole_mm()),
-            pin_material=material_of(self.pin_material),
-            hole_material=material_of(self.hole_material),
-            dynamic_factor=self.dynamic_factor,
-            distribution_factor=self.distribution_factor,
-        )
 
 
 MAX_FORCE_N = 1e50
@@ -249,7 +232,16 @@ class HertzRequest(ContactFields):
 
     def solve(self) -> HertzContact:
         """Contact under the force."""
-        return self.solve_for(self.force_N)
+        return hertz(
+            force=self.force_N,
+            contact_length=to_si("contact_length_mm", self.contact_length_mm),
+            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
+            hole_radius=to_si("hole_radius_mm", self.hole_radius_mm),
+            pin_material=material_of(self.pin_material),
+            hole_material=material_of(self.hole_material),
+            dynamic_factor=self.dynamic_factor,
+            distribution_factor=self.distribution_factor,
+        )
 
     def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
@@ -313,18 +305,15 @@ class SafetyOut(ResponseModel):
         cls, result: BodySafety, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's judgement."""
-        return {
-            "body": result.body,
-            **_limit_values(result.limit),
-            "safety_factor": result.safety_factor,
-            **given,
-        }
+        judged = _judged_by(result.body, result.limit)
+        return judged | {"safety_factor": result.safety_factor, **given}
 
 
 @lru_cache(maxsize=256)
-def _limit_values(limit: ContactLimit) -> Values:
-    """What is said of a limit, whatever the pressure."""
+def _judged_by(body: str, limit: ContactLimit) -> Values:
+    """What is said of a body and its limit, whatever the pressure."""
     values = {
+        "body": body,
         "limit_MPa": from_si("limit_MPa", limit.pressure),
         "criterion": limit.criterion,
         "source": LIMIT_SOURCES.get(limit.source),
@@ -394,8 +383,10 @@ class HertzResponse(ResponseModel):
         cls, result: HertzContact, run_time_us: float | None = None, **given: object
     ) -> Values:
         """Values of the core's contact."""
-        safety = [SafetyOut.values(each) for each in result.safety]
-        return super().values(result, run_time_us, safety=safety or None, **given)
+        values = super().values(result, run_time_us, **given)
+        if not result.safety:
+            del values["safety"]
+        return values
 
 
 @dataclass(frozen=True, slots=True)

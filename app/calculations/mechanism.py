@@ -1,5 +1,6 @@
 """The parallel-crank mechanism as a request gives it."""
 
+from functools import lru_cache
 from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
@@ -177,20 +178,30 @@ class MechanismFields(RequestModel):
 
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        ratio = self.ratio_given()
-        start = to_si("initial_crank_angle_deg", self.initial_crank_angle_deg)
-        if self.crank_angles_deg is not None:
-            return Mechanism(
-                pins=self.pins,
-                crank_angles=tuple(to_si("crank_angles_deg", self.crank_angles_deg)),
-                ratio=ratio,
-                initial_crank_angle=start,
+        ratio, start_deg = self.ratio_given(), self.initial_crank_angle_deg
+        if self.crank_angles_deg is None:
+            return _evenly_spaced(
+                self.pins, self.satellites, ratio, self.crank_spacing_deg, start_deg
             )
-        spacing = self.crank_spacing_deg
-        return Mechanism.evenly_spaced(
+        return Mechanism(
             pins=self.pins,
-            satellites=self.satellites,
+            crank_angles=tuple(to_si("crank_angles_deg", self.crank_angles_deg)),
             ratio=ratio,
-            crank_spacing=None if spacing is None else to_si("crank_spacing_deg", spacing),
-            initial_crank_angle=start,
+            initial_crank_angle=to_si("initial_crank_angle_deg", start_deg),
         )
+
+
+@lru_cache(maxsize=1024)
+def _evenly_spaced(
+    pins: int, satellites: int, ratio: float, spacing_deg: float | None, start_deg: float
+) -> Mechanism:
+    """One mechanism for the same numbers, which is hashed and compared sooner where it is asked for
+    again: sizes and loads vary far more often.
+    """
+    return Mechanism.evenly_spaced(
+        pins=pins,
+        satellites=satellites,
+        ratio=ratio,
+        crank_spacing=to_si("spacing_deg", spacing_deg),
+        initial_crank_angle=to_si("angle_deg", start_deg),
+    )

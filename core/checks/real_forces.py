@@ -1,7 +1,7 @@
 """Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
@@ -105,7 +105,7 @@ class RealForces:
         contact, turn = self.real.contact(self.pair, self.force * factor), self.turn.accuracy
         assert contact is not None
         error = contact.accuracy.relative_error + turn.relative_error
-        return replace(contact, accuracy=replace(turn, relative_error=error))
+        return contact._replace(accuracy=turn._replace(relative_error=error))
 
     def torque_factor(self, factor: float) -> float:
         """Factor on the torque under which the largest pressure is that of so many times the force.

@@ -231,7 +231,7 @@ def satellite_bearings(
     error = loads.accuracy.relative_error
     if basic is not None:
         error = max(error, EXPONENTS[kind] * loads.mean_error)
-    accuracy = replace(loads.accuracy, relative_error=error + 8 * ROUNDING)
+    accuracy = loads.accuracy._replace(relative_error=error + 8 * ROUNDING)
     return SatelliteBearings(
         relative_speed=relative_speed,
         radial_force_ratio=rho,

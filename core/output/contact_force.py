@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,8 +20,7 @@ from core.output.pin_forces import (
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
-@dataclass(frozen=True, slots=True)
-class PairNumber:
+class PairNumber(NamedTuple):
     """A pair of hole and pin.
 
     Attributes
@@ -180,16 +180,21 @@ def contact_force(
             reference=reference,
             force_exponent=force_exponent,
         )
-    equal = force_peak(mechanism, 0.0) if equal_sharing else None
-    errors = [each.accuracy.relative_error for each in (peak, equal) if each is not None]
-    approximate = (
-        approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)
-        if approximation
-        else None
-    )
+    error = peak.accuracy.relative_error
+    equal_peak = approximate_peak = approximate_error = None
+    notices: tuple[Notice, ...] = ()
+    if equal_sharing:
+        equal = force_peak(mechanism, 0.0)
+        equal_peak = reference * equal.peak_force_ratio
+        error = max(error, equal.accuracy.relative_error)
+    if approximation:
+        ratio = approximate_peak_ratio(pins=mechanism.pins, satellites=mechanism.satellites)
+        approximate_peak = reference * ratio
+        approximate_error = ratio / peak.peak_force_ratio - 1
+        notices = approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
     # T, u, eta and R as given, their products, and the units they came in
-    known = peak.accuracy
-    accuracy = Accuracy(known.method, max(errors) + 5 * ROUNDING, known.evaluations)
+    error += 5 * ROUNDING
+    accuracy = Accuracy(peak.accuracy.method, error, peak.accuracy.evaluations)
     return ContactForce(
         reference_force=reference,
         peak_force=reference * peak.peak_force_ratio,
@@ -197,18 +202,11 @@ def contact_force(
         peak_crank_angle=peak.peak_crank_angle,
         peak_pair=PairNumber(peak.peak_satellite, peak.peak_pin),
         curves=curves,
-        equal_sharing_peak=None if equal is None else reference * equal.peak_force_ratio,
-        approximate_peak=None if approximate is None else reference * approximate,
-        approximate_peak_error=(
-            None if approximate is None else approximate / peak.peak_force_ratio - 1
-        ),
+        equal_sharing_peak=equal_peak,
+        approximate_peak=approximate_peak,
+        approximate_peak_error=approximate_error,
         accuracy=accuracy,
-        notices=(
-            approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
-            if approximation
-            else ()
-        )
-        + poorly_known(accuracy),
+        notices=notices + poorly_known(accuracy),
     )
 
 

@@ -63,6 +63,7 @@ KERNELS = {"core.output.sharing_kernel"}
 CLASSES = [cls for module in MODULES for cls in own(module, type)]
 FUNCTIONS = [function for module in MODULES for function in own(module, FunctionType)]
 DATACLASSES = [cls for cls in CLASSES if "__dataclass_fields__" in vars(cls)]  # their own fields
+RECORDS = [cls for cls in CLASSES if "_fields" in vars(cls) and cls.__module__ not in KERNELS]
 CALLABLES = FUNCTIONS + [method for cls in CLASSES for method in methods(cls)]
 
 
@@ -106,6 +107,11 @@ def test_documented_parameters_are_the_signature(function):
 def test_documented_attributes_are_the_fields(cls):
     documented = section(cls, "Attributes") + section(cls, "Parameters")
     assert documented == [field.name for field in dataclasses.fields(cls)]
+
+
+@pytest.mark.parametrize("cls", RECORDS, ids=identity)
+def test_documented_attributes_are_the_fields_of_a_named_tuple(cls):
+    assert section(cls, "Attributes") == [*cls._fields]
 
 
 @pytest.mark.parametrize("cls", DATACLASSES, ids=identity)

@@ -59,7 +59,7 @@ def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
     found = roller_checks(result=result, **sizes, yield_strength=1.8 * stress)["roller_stress"]
     assert found.torque_reserve == pytest.approx(1.2, rel=1e-12)
     # a stress known to 0.1 %: within four times that of its limit it is marginal
-    doubtful = replace(result, accuracy=replace(result.accuracy, relative_error=1e-3))
+    doubtful = replace(result, accuracy=result.accuracy._replace(relative_error=1e-3))
     for part, status in ((0.9965, "marginal"), (0.9955, "fail")):
         limit = {"yield_strength": 1.5 * part * stress}
         assert roller_checks(result=doubtful, **sizes, **limit)["roller_stress"].status == status

@@ -150,7 +150,7 @@ def peaking(*, losses: PinLosses, peak: float, error: float) -> PinLosses:
         peak_pv=losses.peak_pv * peak,
         pin_wear=pin,
         hole_wear=hole,
-        accuracy=replace(losses.accuracy, relative_error=error + losses.accuracy.relative_error),
+        accuracy=losses.accuracy._replace(relative_error=error + losses.accuracy.relative_error),
     )
 
 
