@@ -26,9 +26,9 @@ STEPS, SETTLED = 30, 3e-7
 """Most looks for a factor on the torque, and what a secant's curvature may move its logarithm by
 without another look: what is left then is smaller by as much again."""
 
-RULE, FINER = 3, 5
-"""Levels of the rule of means over the turn, 56 nodes an arc, and where the forces have no slope or
-curvature where a pair switches."""
+FINER = 5
+"""Level of the rule of means over the turn where the forces have no slope or curvature where a pair
+switches; else the coarsest."""
 
 BESIDE = 0.03
 """By which part of the logarithm before the first place it is looked too."""
@@ -99,9 +99,11 @@ class MovingSharing:
     def nodes(self) -> tuple[FloatArray, FloatArray]:
         """The latter at the nodes of a rule of the whole turn, shape (2*K, n); weights, (n, 1)."""
         turn = self.satellite_turn
-        values, weights = turn.nodes_of((RULE if turn.smooth else FINER) - 1)
-        own = weights[:, 1] > 0
-        return values[:, own], weights[own, 1:]
+        if not turn.smooth:
+            return turn.nodes_of(FINER)
+        values, weights = turn.coarse_nodes
+        own = weights[:, 0] > 0
+        return values[:, own], weights[own, :1]
 
     @property
     def equal(self) -> FloatArray:

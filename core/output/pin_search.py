@@ -194,7 +194,7 @@ def largest(
     """
     most = turn.forces[0].size
     if isinstance(turn, Turn):
-        most += 2 * CELLS * turn.weights.shape[1]
+        most += 2 * CELLS * turn.pairs.weights.shape[1]
     rows = max(1, BLOCK // most)
     if len(arms[0]) > rows:
         parts = [slice(i, i + rows) for i in range(0, len(arms[0]), rows)]
