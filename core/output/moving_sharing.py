@@ -141,8 +141,8 @@ class MovingSharing:
         -------
         array, shape (n, rows)
         """
-        equal, stiff = np.split(of(np.vstack((self.equal, self.under(factors)))), [1])
-        return factors[:, None] * np.maximum(equal, stiff)
+        found = of(np.concatenate((self.equal[None], self.under(factors))))
+        return factors[:, None] * np.maximum(found[0], found[1:])
 
 
 def shared(
@@ -166,17 +166,16 @@ def shared(
     shape : tuple of int
         m and rows.
     """
-    both = np.tile(sharing, 2)[:, None]
+    both = np.concatenate((sharing, sharing), axis=1)[:, None]
     moved = [both * each for each in arms]
-    shape = moved[0].shape
-    whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=1)[:, None]
-    flat = tuple(np.broadcast_to(each, shape).reshape(-1, shape[-1]) for each in (*moved, whole))
+    count, rows, size = moved[0].shape
+    whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=1).repeat(rows, axis=0)
 
     def shared_measure(*sums: NDArray[Any]) -> FloatArray:
         *each, carried = sums
         return measure(*(one / carried.real for one in each))
 
-    return flat, shared_measure, shape[:2]
+    return (*(each.reshape(-1, size) for each in moved), whole), shared_measure, (count, rows)
 
 
 def shared_largest(

@@ -155,8 +155,8 @@ def summits(
     count = values.shape[2]
     end, inner, farther = (values[..., k : count - k : count - 1 - 2 * k] for k in range(3))
     slope = (end - inner) / first
-    bend = np.abs(slope - (end - farther) / second) * first / (second - first)
-    room[..., :: count - 1] += bend * first / 2
+    bend = np.abs(slope - (end - farther) / second) * (first / (second - first))
+    room[..., :: count - 1] += bend * (first / 2)
     most = values.max(axis=(1, 2))
     chosen &= values + room >= most[:, None, None]
     if not known:
@@ -357,11 +357,10 @@ def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
     again or as little at most.
     """
     middle = len(nodes) // 2
-    top = values[..., middle]
+    top, beside = values[..., middle], np.s_[middle + 1 : middle + 3]
     apart = np.abs(values - values[..., ::-1]).max(axis=-1)
-    near, far = (
-        (top - values[..., k]) / (nodes[k] - nodes[middle]) ** 2 for k in (middle + 1, middle + 2)
-    )
+    falls = (top[..., None] - values[..., beside]) / (nodes[beside] - nodes[middle]) ** 2
+    near, far = falls[..., 0], falls[..., 1]
     found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
     return found
 

@@ -188,15 +188,14 @@ class Turn:
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
         self.pairs = pairs = all_pairs(mechanism, force_exponent, stiffness)
         self.nodes, self.gaps = pairs.nodes, pairs.gaps
-        part, shift = pairs.arcs(repeats)
+        part, self.shift = pairs.arcs(repeats)
         self.ends = pairs.ends[:, part]
         self.part = np.arange(len(part)) % repeats % pairs.repeats + part * pairs.repeats
         each_own = np.ones(len(own))
         if stiffness is not None:
             each_own = np.repeat(stiffness, len(own) // len(stiffness)) / max(stiffness)
         self.centres = (self.ends[0] + self.ends[1]) / 2
-        self._own_pairs(np.add.outer(shift, np.array(own)), each_own)
-        self.middle = (shift + 0.75 + self.centres) % 1.0
+        self._own_pairs(np.add.outer(self.shift, own), each_own)
         power = _power(self.own.real, force_exponent)
         felt = (power * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
@@ -316,11 +315,12 @@ class PinTurn(Turn):
         low, high = self.tangents
         parts = np.union1d(self.nodes, DRAWN)
         angles = np.arctan(_between(low, high, parts)) / (2 * np.pi)
-        places = angles + (self.middle - self.centres)[:, None]
+        middle = (self.shift + 0.75 + self.centres) % 1.0
+        places = angles + (middle - self.centres)[:, None]
         forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
         drawn = self.at(self.arcs)(parts[None])
         forces[:, self.arcs] = drawn.swapaxes(0, 1)
-        order = np.argsort(self.middle, kind="stable")
+        order = np.argsort(middle, kind="stable")
         return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
 
 
@@ -560,7 +560,7 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
         The same column may differ in its last bits where it stands elsewhere.
     """
     alone = arms.ndim < forces.ndim  # each row has forces of its own
-    doubled = np.iscomplexobj(forces) and not np.iscomplexobj(arms)
+    doubled = forces.dtype.kind == "c" and arms.dtype.kind != "c"
     if doubled:  # as twice as many real numbers
         forces = np.ascontiguousarray(forces).view(np.float64)
     found: NDArray[Any] = (arms[:, None] @ forces)[:, 0] if alone else arms @ forces
