@@ -352,8 +352,8 @@ def _kind_values(code: str) -> Values:
 
 def check_values(check: Check, places: Places) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
-    kind, unit = check.kind, f"value_{check.kind.unit}"
-    source = check.limit_source or kind.source
+    kind = check.kind
+    unit, source = f"value_{kind.unit}", check.limit_source or kind.source
     at = {
         "crank_angle_deg" if name == "crank_angle" else name: from_si("angle_deg", value)
         if name == "crank_angle"

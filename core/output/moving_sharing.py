@@ -141,8 +141,9 @@ class MovingSharing:
         -------
         array, shape (n, rows)
         """
-        found = of(np.concatenate((self.equal[None], self.under(factors))))
-        return factors[:, None] * np.maximum(found[0], found[1:])
+        each = of(np.concatenate((self.equal[None], self.under(factors))))
+        found: FloatArray = factors[:, None] * np.maximum(each[0], each[1:])
+        return found
 
 
 def shared(

@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -454,8 +454,8 @@ class Points:
         return Points(section, direction, length, self.angle, low, high)
 
 
-Found = tuple[float, float, float]
-"""A largest value, its section, m, and direction, rad."""
+Found = TypeVar("Found")
+"""What is known of the largest value."""
 
 
 def highest(
@@ -484,7 +484,7 @@ def highest(
     enough : float
         What may be left above the best point, as a part of the value, for this search to end.
     climb : callable
-        The largest value about the points that are left, the best first.
+        What is to be known of the largest value about the points that are left, the best first.
     size : int
         How many numbers the values of a point are made of.
     closed : bool
@@ -494,8 +494,8 @@ def highest(
 
     Returns
     -------
-    value, section, direction : float
-        None where there is nothing beyond.
+    object
+        What `climb` finds; None where there is nothing beyond.
     """
     long = stretches[1] > stretches[0]
     cuts = ALONG if around else max(ALONG, SECTIONS // max(1, int(long.sum())))
