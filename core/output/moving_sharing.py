@@ -240,12 +240,8 @@ def torque_factors(
     if start is None:
         y1 = logs[len(x0) : -1] - logs[-1] - aims
     for _ in range(STEPS):
-        slope = _slope(x0, x1, y0, y1, 1.0)
-        place = x0 - y0 / slope
-        further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
-        bent = further * (place - x0) * (place - x1) / slope
-        missed = np.where(x1 == x2, place - x0, bent)  # of two places nothing is known of it
-        place = place - bent
+        known = (each.tolist() for each in (x0, x1, x2, y0, y1, y2))
+        place, missed = np.array([_secant(*each) for each in zip(*known, strict=True)]).T
         if np.abs(missed).max() <= SETTLED:
             break
         x0, x1, x2, y1, y2 = place, x0, x1, y0, y1
@@ -254,9 +250,18 @@ def torque_factors(
     return found
 
 
-def _slope(
-    x0: FloatArray, x1: FloatArray, y0: FloatArray, y1: FloatArray, same: FloatArray | float
-) -> FloatArray:
+def _secant(
+    x0: float, x1: float, x2: float, y0: float, y1: float, y2: float
+) -> tuple[float, float]:
+    """The next place of a secant through two places, bent by a third, and what that may miss."""
+    slope = _slope(x0, x1, y0, y1, 1.0)
+    place = x0 - y0 / slope
+    further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
+    bent = further * (place - x0) * (place - x1) / slope
+    # of two places nothing is known of how it bends
+    return place - bent, place - x0 if x1 == x2 else bent
+
+
+def _slope(x0: float, x1: float, y0: float, y1: float, same: float) -> float:
     """Slope between two places; a given one where they are the same."""
-    apart = np.abs(x0 - x1) > APART
-    return np.where(apart, y0 - y1, same) / np.where(apart, x0 - x1, 1.0)
+    return (y0 - y1) / (x0 - x1) if abs(x0 - x1) > APART else same

@@ -280,11 +280,11 @@ class PinTurn(Turn):
         first, last = self.pairs.cosines[:, rows]
         weights = self.pairs.weights[rows]
         ends = (first, first), (first, last), (last, last)
-        total = [(weights * x * y).sum(axis=1) for x, y in ends]
+        total = np.array([(weights * x * y).sum(axis=1) for x, y in ends])
         mixed = (low * high.real + high * low.real) / 2
-        forces = np.stack((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
-        points = (forces / np.stack(total)[..., None]).reshape(-1, forces.shape[2]).T
-        return np.concatenate((points.real, points.imag)), np.stack(total)
+        forces = np.array((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
+        points = (forces / total[..., None]).reshape(-1, forces.shape[2]).T
+        return np.concatenate((points.real, points.imag)), total
 
     def extremes(self, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Largest and least sums of the forces' parts over the turn, in closed form for v = 1.
@@ -404,7 +404,7 @@ class SatelliteTurn(Turn):
         summed = both.reshape(len(both), 2, -1, self.pins, way.shape[1]).sum(axis=3)
         own, first = summed.swapaxes(0, 1)
         others = own.sum(axis=1, keepdims=True) - own
-        slopes = np.stack(((1 - share) * own + share * others, first + force * others))
+        slopes = np.array(((1 - share) * own + share * others, first + force * others))
         off = self.off * slopes.swapaxes(1, 2).reshape(self.forces.shape)
         found = off + ROUNDING * (ULPS + ULPS_OF_POWER * v) * self.forces
         return np.asarray(found.max(axis=(1, 2)))
