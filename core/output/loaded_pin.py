@@ -196,7 +196,10 @@ class LoadedPin:
         self, loads: PinLoads, arms: Arms, measure: Measure, beyond: float
     ) -> tuple[float, float]:
         """Largest measure of any section, and the section; 0 where it is not beyond a value."""
-        turn, curvature = loads.turn, self._curvature(loads)
+        turn = loads.turn
+        if len(self.ends) == 1:
+            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
+        curvature = self._curvature(loads)
         samples = turn.forces.reshape(len(self.positions), -1)
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
@@ -228,8 +231,6 @@ class LoadedPin:
             top = first_of(values=values, section=x)
             return float(values[top]), float(x[top])
 
-        if len(self.ends) == 1:
-            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
         found = highest(
             value=value,
             stretches=self.stretches(),
@@ -286,8 +287,6 @@ class LoadedPin:
         corners = strength.criterion == "fkm_haigh" and bool(
             np.abs(turn.forces).sum(axis=0).min() > 0
         )
-        samples = turn.forces.reshape(len(self.positions), -1)
-        parts = np.concatenate((samples.real, samples.imag))
 
         def used(top: FloatArray, bottom: FloatArray) -> FloatArray:
             found: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
@@ -302,6 +301,8 @@ class LoadedPin:
             if closed is not None:
                 return closed.extremes(weights)
             if rounds == 0:
+                samples = turn.forces.reshape(len(self.positions), -1)
+                parts = np.concatenate((samples.real, samples.imag))
                 stress = combine(arms=weights, forces=parts)
                 return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
             both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
