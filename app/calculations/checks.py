@@ -1,8 +1,8 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
-from functools import cache
+from collections.abc import Callable, Iterable
+from functools import cache, partial
 from typing import Any, Literal
 
 from pydantic import Field
@@ -327,9 +327,8 @@ class JudgedResponse(ResponseModel):
     )
 
 
-Places = Callable[[str], tuple[str, bool] | None]
-"""Of a core parameter: the JSON pointer to its field in a request, and whether that is given; None
-where there is no such field."""
+Places = Callable[[str], str | None]
+"""Of a core parameter: the JSON pointer to its field in a request; None where there is none."""
 
 
 SOURCES = LIMIT_SOURCES | CHECK_SOURCES
@@ -350,10 +349,12 @@ def _kind_values(code: str) -> Values:
     }
 
 
-def check_values(check: Check, places: Places) -> Values:
-    """Values of a check, with its inputs as pointers into a request."""
-    kind, unit = check.kind, f"value_{check.kind.unit}"
-    source = check.limit_source or kind.source
+def check_values(check: Check, place: Places, given: Places) -> Values:
+    """Values of a check, with its inputs as pointers into a request, all and those that are
+    given.
+    """
+    kind = check.kind
+    unit, source = f"value_{kind.unit}", check.limit_source or kind.source
     at = {
         "crank_angle_deg" if name == "crank_angle" else name: from_si("angle_deg", value)
         if name == "crank_angle"
@@ -375,26 +376,23 @@ def check_values(check: Check, places: Places) -> Values:
         "verified": check.verified or None,
         "life_factor": check.life_factor,
         "at": at or None,
-        "inputs": [place for place, given in _known(places, kind.inputs) if given],
-        "missing": [place for place, _ in _known(places, check.missing)] or None,
+        "inputs": [*filter(None, map(given, kind.inputs))],
+        "missing": [*filter(None, map(place, check.missing))] or None,
     }
-    given = {name: value for name, value in values.items() if value is not None}
-    return _kind_values(check.code) | given
+    known = {name: value for name, value in values.items() if value is not None}
+    return _kind_values(check.code) | known
 
 
-def _known(places: Places, names: Iterable[str]) -> Iterator[tuple[str, bool]]:
-    return filter(None, map(places, names))
+def _place(body: RequestModel, name: str) -> str | None:
+    """Where a core parameter is in a request."""
+    path = path_of(body, name)
+    return None if path is None else pointer(path)
 
 
-def places_in(body: RequestModel) -> Places:
-    """Where core parameters are in a request, each looked for once."""
-
-    @cache
-    def place(name: str) -> tuple[str, bool] | None:
-        path = path_of(body, name)
-        return None if path is None else (pointer(path), _value(body, path) is not None)
-
-    return place
+def _given(body: RequestModel, name: str) -> str | None:
+    """The same where it is given."""
+    path = path_of(body, name)
+    return None if path is None or _value(body, path) is None else pointer(path)
 
 
 def _value(body: Any, path: tuple[str | int, ...]) -> Any:
@@ -497,7 +495,7 @@ def judgement(
     """The fields of `JudgedResponse`, None for what there is not."""
     reserve = verdict.torque_reserve
     known = verdict.largest_torque_known and reserve is not None and torque is not None
-    places = places_in(body)
+    place, given = partial(_place, body), cache(partial(_given, body))
     return {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
@@ -505,7 +503,7 @@ def judgement(
         "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
-        "checks": [check_values(each, places) for each in verdict.checks] if checks else None,
+        "checks": [check_values(each, place, given) for each in verdict.checks] if checks else None,
         "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
     }
 

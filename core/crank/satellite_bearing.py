@@ -32,12 +32,12 @@ from core.output.mechanism import Mechanism
 from core.output.moving_sharing import MovingSharing, shared, shared_largest
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import MISSED, Measure, largest
-from core.output.pin_turn import BLOCK, SatelliteTurn, combine, satellite_turn
+from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
-COARSEST, FINEST = 3, 9
-"""Levels of the first and the last rule of the mean: 56 and some 3500 nodes an arc."""
+FINEST = 9
+"""Level of the last rule of the mean, some 3500 nodes an arc."""
 
 CONVERGED = 1e-14
 """Relative difference of two rules that ends them."""
@@ -434,7 +434,8 @@ def mean_power(
     """
     powers = np.array(exponents)
     for level in range(COARSEST, FINEST):
-        before, mean = _mean(turn.nodes_of(level), arms, measure, largest, powers).T
+        nodes = turn.coarse_nodes if level == COARSEST else turn.nodes_of(level, level + 1)
+        before, mean = _mean(nodes, arms, measure, largest, powers).T
         off = np.abs(mean - before)
         if (off <= CONVERGED * mean).all():
             break

@@ -159,7 +159,7 @@ class SlopingContacts:
 
     def _arms(self, factors: FloatArray) -> FloatArray:
         """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
-        arms = np.stack((np.eye(len(self.pin.positions)), self.pin.slopes))
+        arms = np.array((np.eye(len(self.pin.positions)), self.pin.slopes))
         found: FloatArray = factors[:, None, None] * arms[:, None]
         return found
 

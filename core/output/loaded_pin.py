@@ -20,7 +20,6 @@ from core.output.pin_search import (
     NEAR,
     NEAR_AROUND,
     ROUNDS,
-    Found,
     Measure,
     OfArcs,
     Points,
@@ -39,6 +38,9 @@ Sharing = Literal["equal", "stiffness"]
 """How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
 
 FIRST = np.zeros(1, dtype=np.intp)
+
+Cycle = tuple[float, float, float, float]
+"""Largest and least stress, Pa, section, m, and direction, rad."""
 
 Arms = Callable[[FloatArray], tuple[FloatArray, ...]]
 """Of sections: what unit forces of the satellites do there, each with the satellites last."""
@@ -194,7 +196,10 @@ class LoadedPin:
         self, loads: PinLoads, arms: Arms, measure: Measure, beyond: float
     ) -> tuple[float, float]:
         """Largest measure of any section, and the section; 0 where it is not beyond a value."""
-        turn, curvature = loads.turn, self._curvature(loads)
+        turn = loads.turn
+        if len(self.ends) == 1:
+            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
+        curvature = self._curvature(loads)
         samples = turn.forces.reshape(len(self.positions), -1)
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:
@@ -205,9 +210,9 @@ class LoadedPin:
                 found = sampled(turn=turn, values=measure(*sums))
             return found, curvature * at.length**2 / 8
 
-        def climb(points: Points) -> Found:
+        def climb(points: Points) -> tuple[float, float]:
             if isinstance(turn, PinSamples):
-                return float(value(points.of(FIRST), 0)[0][0]), float(points.section[0]), 0.0
+                return float(value(points.of(FIRST), 0)[0][0]), float(points.section[0])
             _, tops = summits(turn=turn, arms=arms(points.section), measure=measure)
             own, summit = points.of(tops.row), OfArcs(turn, tops)
             arms_at = _quadratics(arms, own)
@@ -224,10 +229,8 @@ class LoadedPin:
             x, _ = climbed(value=near, points=own)
             values = largest(turn=turn, arms=arms(x), measure=measure)
             top = first_of(values=values, section=x)
-            return float(values[top]), float(x[top]), 0.0
+            return float(values[top]), float(x[top])
 
-        if len(self.ends) == 1:
-            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
         found = highest(
             value=value,
             stretches=self.stretches(),
@@ -236,7 +239,7 @@ class LoadedPin:
             size=turn.forces[0].size,
             beyond=beyond,
         )
-        return (0.0, 0.0) if found is None else found[:2]
+        return (0.0, 0.0) if found is None else found
 
     def direction(self, loads: PinLoads, section: float) -> float:
         """Direction of the largest moment of a section, rad."""
@@ -257,7 +260,7 @@ class LoadedPin:
 
     def cycle(
         self, loads: PinLoads, strength: FatigueStrength, bent: float, beyond: float
-    ) -> tuple[float, float, float, float] | None:
+    ) -> Cycle | None:
         """The worst stress cycle of any point of the edge.
 
         Parameters
@@ -284,8 +287,6 @@ class LoadedPin:
         corners = strength.criterion == "fkm_haigh" and bool(
             np.abs(turn.forces).sum(axis=0).min() > 0
         )
-        samples = turn.forces.reshape(len(self.positions), -1)
-        parts = np.concatenate((samples.real, samples.imag))
 
         def used(top: FloatArray, bottom: FloatArray) -> FloatArray:
             found: FloatArray = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
@@ -300,6 +301,8 @@ class LoadedPin:
             if closed is not None:
                 return closed.extremes(weights)
             if rounds == 0:
+                samples = turn.forces.reshape(len(self.positions), -1)
+                parts = np.concatenate((samples.real, samples.imag))
                 stress = combine(arms=weights, forces=parts)
                 return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
             both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
@@ -320,9 +323,14 @@ class LoadedPin:
                 room = room + corner * (used(top + reach, bottom - reach) - use)
             return use, room
 
-        def climb(points: Points) -> Found:
+        def at_point(section: float, direction: float) -> Cycle:
+            arms = self.moments(np.array([section]), loads.unit)
+            (top,), (bottom,) = cycles(arms, np.array([direction]))
+            return float(top), float(bottom), section, direction
+
+        def climb(points: Points) -> Cycle:
             if isinstance(turn, PinSamples) or (closed is not None and corners):
-                return 0.0, float(points.section[0]), float(points.direction[0])
+                return at_point(float(points.section[0]), float(points.direction[0]))
             if closed is not None:
                 arms_near = _quadratics(lambda x: (self.moments(x, loads.unit),), points)
 
@@ -332,9 +340,9 @@ class LoadedPin:
                     return use, np.ones(len(x), dtype=np.bool_)
 
                 x, chi = climbed(value=near, points=points)
-                use = used(*cycles(self.moments(x, loads.unit), chi))
-                top = first_of(values=use, section=x)
-                return 0.0, float(x[top]), float(chi[top])
+                high, low = cycles(self.moments(x, loads.unit), chi)
+                best = first_of(values=used(high, low), section=x)
+                return float(high[best]), float(low[best]), float(x[best]), float(chi[best])
             own = self.moments(points.section, loads.unit)
             ahead = [own * f(points.direction)[:, None] for f in (np.cos, np.sin)]
             tops, bottoms = (
@@ -384,9 +392,9 @@ class LoadedPin:
                 rounds=JOINT_SMOOTH if turn.smooth and not corners else JOINT_ROUNDS,
             )
             best = int(values.argmax())
-            return float(values[best]), float(places[2][best]), float(places[3][best])
+            return at_point(float(places[2][best]), float(places[3][best]))
 
-        found = highest(
+        return highest(
             value=value,
             stretches=self.stretches(strength.criterion != "fkm_haigh"),
             around=True,
@@ -396,12 +404,6 @@ class LoadedPin:
             size=turn.forces[0].size,
             beyond=beyond,
         )
-        if found is None:
-            return None
-        _, section, direction = found
-        arms = self.moments(np.array([section]), loads.unit)
-        (top,), (bottom,) = cycles(arms, np.array([direction]))
-        return float(top), float(bottom), section, direction
 
 
 def _quadratics(arms: Arms, points: Points) -> Arms:

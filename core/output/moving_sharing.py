@@ -26,9 +26,9 @@ STEPS, SETTLED = 30, 3e-7
 """Most looks for a factor on the torque, and what a secant's curvature may move its logarithm by
 without another look: what is left then is smaller by as much again."""
 
-RULE, FINER = 3, 5
-"""Levels of the rule of means over the turn, 56 nodes an arc, and where the forces have no slope or
-curvature where a pair switches."""
+FINER = 5
+"""Level of the rule of means over the turn where the forces have no slope or curvature where a pair
+switches; else the coarsest."""
 
 BESIDE = 0.03
 """By which part of the logarithm before the first place it is looked too."""
@@ -99,9 +99,11 @@ class MovingSharing:
     def nodes(self) -> tuple[FloatArray, FloatArray]:
         """The latter at the nodes of a rule of the whole turn, shape (2*K, n); weights, (n, 1)."""
         turn = self.satellite_turn
-        values, weights = turn.nodes_of((RULE if turn.smooth else FINER) - 1)
-        own = weights[:, 1] > 0
-        return values[:, own], weights[own, 1:]
+        if not turn.smooth:
+            return turn.nodes_of(FINER)
+        values, weights = turn.coarse_nodes
+        own = weights[:, 0] > 0
+        return values[:, own], weights[own, :1]
 
     @property
     def equal(self) -> FloatArray:
@@ -139,8 +141,9 @@ class MovingSharing:
         -------
         array, shape (n, rows)
         """
-        equal, stiff = np.split(of(np.vstack((self.equal, self.under(factors)))), [1])
-        return factors[:, None] * np.maximum(equal, stiff)
+        each = of(np.concatenate((self.equal[None], self.under(factors))))
+        found: FloatArray = factors[:, None] * np.maximum(each[0], each[1:])
+        return found
 
 
 def shared(
@@ -164,17 +167,16 @@ def shared(
     shape : tuple of int
         m and rows.
     """
-    both = np.tile(sharing, 2)[:, None]
+    both = np.concatenate((sharing, sharing), axis=1)[:, None]
     moved = [both * each for each in arms]
-    shape = moved[0].shape
-    whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=1)[:, None]
-    flat = tuple(np.broadcast_to(each, shape).reshape(-1, shape[-1]) for each in (*moved, whole))
+    count, rows, size = moved[0].shape
+    whole = np.concatenate((sharing, np.zeros_like(sharing)), axis=1).repeat(rows, axis=0)
 
     def shared_measure(*sums: NDArray[Any]) -> FloatArray:
         *each, carried = sums
         return measure(*(one / carried.real for one in each))
 
-    return flat, shared_measure, shape[:2]
+    return (*(each.reshape(-1, size) for each in moved), whole), shared_measure, (count, rows)
 
 
 def shared_largest(
@@ -238,12 +240,8 @@ def torque_factors(
     if start is None:
         y1 = logs[len(x0) : -1] - logs[-1] - aims
     for _ in range(STEPS):
-        slope = _slope(x0, x1, y0, y1, 1.0)
-        place = x0 - y0 / slope
-        further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
-        bent = further * (place - x0) * (place - x1) / slope
-        missed = np.where(x1 == x2, place - x0, bent)  # of two places nothing is known of it
-        place = place - bent
+        known = (each.tolist() for each in (x0, x1, x2, y0, y1, y2))
+        place, missed = np.array([_secant(*each) for each in zip(*known, strict=True)]).T
         if np.abs(missed).max() <= SETTLED:
             break
         x0, x1, x2, y1, y2 = place, x0, x1, y0, y1
@@ -252,9 +250,18 @@ def torque_factors(
     return found
 
 
-def _slope(
-    x0: FloatArray, x1: FloatArray, y0: FloatArray, y1: FloatArray, same: FloatArray | float
-) -> FloatArray:
+def _secant(
+    x0: float, x1: float, x2: float, y0: float, y1: float, y2: float
+) -> tuple[float, float]:
+    """The next place of a secant through two places, bent by a third, and what that may miss."""
+    slope = _slope(x0, x1, y0, y1, 1.0)
+    place = x0 - y0 / slope
+    further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
+    bent = further * (place - x0) * (place - x1) / slope
+    # of two places nothing is known of how it bends
+    return place - bent, place - x0 if x1 == x2 else bent
+
+
+def _slope(x0: float, x1: float, y0: float, y1: float, same: float) -> float:
     """Slope between two places; a given one where they are the same."""
-    apart = np.abs(x0 - x1) > APART
-    return np.where(apart, y0 - y1, same) / np.where(apart, x0 - x1, 1.0)
+    return (y0 - y1) / (x0 - x1) if abs(x0 - x1) > APART else same

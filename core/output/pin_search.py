@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -155,8 +155,8 @@ def summits(
     count = values.shape[2]
     end, inner, farther = (values[..., k : count - k : count - 1 - 2 * k] for k in range(3))
     slope = (end - inner) / first
-    bend = np.abs(slope - (end - farther) / second) * first / (second - first)
-    room[..., :: count - 1] += bend * first / 2
+    bend = np.abs(slope - (end - farther) / second) * (first / (second - first))
+    room[..., :: count - 1] += bend * (first / 2)
     most = values.max(axis=(1, 2))
     chosen &= values + room >= most[:, None, None]
     if not known:
@@ -194,7 +194,7 @@ def largest(
     """
     most = turn.forces[0].size
     if isinstance(turn, Turn):
-        most += 2 * CELLS * turn.weights.shape[1]
+        most += 2 * CELLS * turn.pairs.weights.shape[1]
     rows = max(1, BLOCK // most)
     if len(arms[0]) > rows:
         parts = [slice(i, i + rows) for i in range(0, len(arms[0]), rows)]
@@ -357,11 +357,10 @@ def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
     again or as little at most.
     """
     middle = len(nodes) // 2
-    top = values[..., middle]
+    top, beside = values[..., middle], np.s_[middle + 1 : middle + 3]
     apart = np.abs(values - values[..., ::-1]).max(axis=-1)
-    near, far = (
-        (top - values[..., k]) / (nodes[k] - nodes[middle]) ** 2 for k in (middle + 1, middle + 2)
-    )
+    falls = (top[..., None] - values[..., beside]) / (nodes[beside] - nodes[middle]) ** 2
+    near, far = falls[..., 0], falls[..., 1]
     found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
     return found
 
@@ -455,8 +454,8 @@ class Points:
         return Points(section, direction, length, self.angle, low, high)
 
 
-Found = tuple[float, float, float]
-"""A largest value, its section, m, and direction, rad."""
+Found = TypeVar("Found")
+"""What is known of the largest value."""
 
 
 def highest(
@@ -485,7 +484,7 @@ def highest(
     enough : float
         What may be left above the best point, as a part of the value, for this search to end.
     climb : callable
-        The largest value about the points that are left, the best first.
+        What is to be known of the largest value about the points that are left, the best first.
     size : int
         How many numbers the values of a point are made of.
     closed : bool
@@ -495,8 +494,8 @@ def highest(
 
     Returns
     -------
-    value, section, direction : float
-        None where there is nothing beyond.
+    object
+        What `climb` finds; None where there is nothing beyond.
     """
     long = stretches[1] > stretches[0]
     cuts = ALONG if around else max(ALONG, SECTIONS // max(1, int(long.sum())))

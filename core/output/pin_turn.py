@@ -17,7 +17,7 @@ All pins of a mechanism are alike but for the time at which they feel the forces
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -54,12 +54,92 @@ DRAWN = np.linspace(0.0, 1.0, 13)
 BLOCK = 1_000_000
 """Numbers that are worked on at once."""
 
+COARSEST = 3
+"""Level of the coarsest rule of means over the turn, 56 nodes an arc."""
+
 NOTHING = 1e-30
 """Force of a pair, over that of the best placed one, that no sum feels."""
 
 ULPS, ULPS_OF_POWER = 4, 2
 """Rounding of a sum of forces where the phases are right, in units of `ROUNDING`, and what a force
 exponent of 1 adds."""
+
+
+class AllPairs:
+    """All pairs that drive over the turn of the wave, segment by segment of one repeat of the
+    pattern.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
+
+    Attributes
+    ----------
+    phase : array, shape (s,)
+        Phase of the best placed pair of each segment, in turns.
+    ends : array, shape (2, s)
+        Its pressure angle at both ends, in turns.
+    repeats : int
+        Repeats of each segment that differ.
+    cosines, weights : array, shapes (2, s*repeats, m) and (s*repeats, m)
+        Relative cosines of the driving pairs at both ends of each of these, and their weights.
+    nodes, gaps : array, shape (n,)
+        Places of samples, as parts of the way along an arc, by the tangent; the distance of the
+        farther neighbour of each.
+    samples : array, shape (s*repeats, 1, n)
+        T there.
+    """
+
+    def __init__(
+        self, mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None
+    ) -> None:
+        self.phases, self.exponent = mechanism.phases, force_exponent
+        parts = list(segments(self.phases))
+        self.phase = np.array([part.phase for part in parts])
+        self.ends = np.array([[part.low for part in parts], [part.high for part in parts]])
+        self.repeats, ends = 1, self.ends
+        if stiffness is None:
+            pairs = [part.driving.pairs() for part in parts]
+        else:  # only pins are alike: what repeats within their sector is looked at one by one
+            _check_stiffness(stiffness, mechanism.satellites)
+            self.repeats = self.phases.symmetry
+            part, shift = self.arcs(self.repeats)
+            ends = ends[:, part]
+            pairs = _pairs_apart(self.phases, shift, ends, stiffness)
+        most = max(len(weights) for _, weights in pairs)
+        phase = np.full((len(pairs), most), 0.5)  # drives nowhere
+        self.weights = np.zeros((len(pairs), most))
+        for row, (own, weights) in enumerate(pairs):
+            phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
+        self.cosines = _relative_cosines(phase, ends[..., None])
+        self.nodes, self.gaps = _nodes(force_exponent, most > MANY)
+        self.samples = self.total(np.arange(len(pairs)))(self.nodes[None])
+
+    def arcs(self, repeats: int) -> tuple[IntArray, FloatArray]:
+        """Segments so many times each: which, and by what pairs come before the best placed one
+        that are at 0 first, in turns.
+        """
+        part, repeat = np.divmod(np.arange(len(self.phase) * repeats), repeats)
+        each = self.phases.pins * self.phases.symmetry
+        return part, repeat / each - self.phase[part]
+
+    def total(self, rows: IntArray) -> Callable[[FloatArray], FloatArray]:
+        """T at parts of the way along some of them, shape (rows, 1, m)."""
+        low, high = self.cosines[:, rows, :, None]
+        weights = self.weights[rows][..., None]
+
+        def total(way: FloatArray) -> FloatArray:
+            cosines = _between(low, high, way[:, None])
+            shares = weights * cosines * _power(cosines, self.exponent)
+            found: FloatArray = shares.sum(axis=1, keepdims=True)
+            return found
+
+        return total
 
 
 class Turn:
@@ -80,6 +160,8 @@ class Turn:
 
     Attributes
     ----------
+    pairs : AllPairs
+        All pairs, by whose forces those of these are divided.
     smooth : bool
         Whether the forces have a slope and a curvature where a pair switches.
     nodes, gaps : array, shape (n,)
@@ -103,48 +185,23 @@ class Turn:
         repeats: int,
         stiffness: tuple[float, ...] | None = None,
     ) -> None:
-        phases = mechanism.phases
-        if stiffness is not None:
-            _check_stiffness(stiffness, mechanism.satellites)
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
-        self.least = NOTHING ** (1 / force_exponent) if force_exponent > 1 else 0.0
-        parts = list(segments(phases))
-        ends = np.array([[part.low for part in parts], [part.high for part in parts]])
-        part = np.repeat(np.arange(len(parts)), repeats)
-        repeat = np.tile(np.arange(repeats), len(parts))
-        shift = repeat / (phases.pins * phases.symmetry)
-        shift = shift - np.array([each.phase for each in parts])[part]
-        self.ends = ends[:, part]
+        self.pairs = pairs = all_pairs(mechanism, force_exponent, stiffness)
+        self.nodes, self.gaps = pairs.nodes, pairs.gaps
+        part, self.shift = pairs.arcs(repeats)
+        self.ends = pairs.ends[:, part]
+        self.part = np.arange(len(part)) % repeats % pairs.repeats + part * pairs.repeats
         each_own = np.ones(len(own))
-        if stiffness is None:
-            self.part = part
-            self._all_pairs([each.driving.pairs() for each in parts], ends)
-        else:  # only pins are alike: what repeats within their sector is looked at one by one
+        if stiffness is not None:
             each_own = np.repeat(stiffness, len(own) // len(stiffness)) / max(stiffness)
-            self.part = part * phases.symmetry + repeat % phases.symmetry
-            first = np.flatnonzero(repeat < phases.symmetry)
-            pairs = _pairs_apart(phases, shift[first], self.ends[:, first], stiffness)
-            self._all_pairs(pairs, self.ends[:, first])
         self.centres = (self.ends[0] + self.ends[1]) / 2
-        self._own_pairs(np.add.outer(shift, np.array(own)), each_own)
-        self.middle = (shift + 0.75 + self.centres) % 1.0
-        felt = (self._power(self.own.real) * self.drives).max(axis=(0, 2)) > NOTHING
+        self._own_pairs(np.add.outer(self.shift, own), each_own)
+        power = _power(self.own.real, force_exponent)
+        felt = (power * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
         self.arcs = np.concatenate((np.flatnonzero(felt), idle))
-        self.nodes, self.gaps = _nodes(force_exponent, self.weights.shape[1] > MANY)
-        every = np.arange(len(self.weights))
-        total = self._total(every)(self.nodes[None])[self.part[self.arcs]]
-        forces = self._own(self.arcs)(self.nodes[None]) / total
+        forces = self._own(self.arcs)(self.nodes[None]) / pairs.samples[self.part[self.arcs]]
         self.forces: NDArray[Any] = np.ascontiguousarray(forces.swapaxes(0, 1))
-
-    def _all_pairs(self, pairs: list[tuple[FloatArray, FloatArray]], ends: FloatArray) -> None:
-        """Relative cosines of all driving pairs of each segment at its ends, and their weights."""
-        most = max(len(weights) for _, weights in pairs)
-        phase = np.full((len(pairs), most), 0.5)  # drives nowhere
-        self.weights = np.zeros((len(pairs), most))
-        for row, (own, weights) in enumerate(pairs):
-            phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
-        self.cosines = _relative_cosines(phase, ends[..., None])
 
     def _own_pairs(self, phase: FloatArray, stiffness: FloatArray) -> None:
         """Relative cosines + i*sines of the pairs at the ends of each arc, and their weights."""
@@ -155,30 +212,6 @@ class Turn:
         cosines = np.where(drives, _relative_cosines(phase, ends[..., None]), 0.0)
         turned, self.tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
         self.own = cosines + 1j * (np.sin(turned) + self.tangents * np.cos(turned))
-
-    def _power(self, cosines: FloatArray) -> FloatArray:
-        """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
-        with which processors take a hundred times as long.
-        """
-        if self.exponent == 1:
-            return cosines
-        if self.least:
-            cosines = cosines * (cosines > self.least)
-        found: FloatArray = cosines**self.exponent
-        return found
-
-    def _total(self, part: IntArray) -> Callable[[FloatArray], FloatArray]:
-        """T of segments at parts of the way along them, shape (rows, 1, m)."""
-        low, high = self.cosines[:, part, :, None]
-        weights = self.weights[part][..., None]
-
-        def total(way: FloatArray) -> FloatArray:
-            cosines = _between(low, high, way[:, None])
-            shares = weights * cosines * self._power(cosines)
-            found: FloatArray = shares.sum(axis=1, keepdims=True)
-            return found
-
-        return total
 
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], NDArray[Any]]:
         """T times what is asked of the pairs, at parts of the way along arcs."""
@@ -197,7 +230,7 @@ class Turn:
         callable
             Of parts of the way along each, shape (rows, m) or (1, m): shape (rows, K, m).
         """
-        own, total = self._own(arcs), self._total(self.part[arcs])
+        own, total = self._own(arcs), self.pairs.total(self.part[arcs])
         return lambda way: own(way) / total(way)
 
 
@@ -231,7 +264,7 @@ class PinTurn(Turn):
 
         def own(way: FloatArray) -> ComplexArray:
             turned = _between(low, high, way[:, None])
-            found: ComplexArray = turned * (self._power(turned.real) * drives)
+            found: ComplexArray = turned * (_power(turned.real, self.exponent) * drives)
             return found
 
         return own
@@ -243,14 +276,15 @@ class PinTurn(Turn):
         (2*K, 3*arcs), and the weights, shape (3, arcs).
         """
         low, high = self.own[:, self.arcs]
-        first, last = self.cosines[:, self.part[self.arcs]]
-        weights = self.weights[self.part[self.arcs]]
+        rows = self.part[self.arcs]
+        first, last = self.pairs.cosines[:, rows]
+        weights = self.pairs.weights[rows]
         ends = (first, first), (first, last), (last, last)
-        total = [(weights * x * y).sum(axis=1) for x, y in ends]
+        total = np.array([(weights * x * y).sum(axis=1) for x, y in ends])
         mixed = (low * high.real + high * low.real) / 2
-        forces = np.stack((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
-        points = (forces / np.stack(total)[..., None]).reshape(-1, forces.shape[2]).T
-        return np.concatenate((points.real, points.imag)), np.stack(total)
+        forces = np.array((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
+        points = (forces / total[..., None]).reshape(-1, forces.shape[2]).T
+        return np.concatenate((points.real, points.imag)), total
 
     def extremes(self, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Largest and least sums of the forces' parts over the turn, in closed form for v = 1.
@@ -281,11 +315,12 @@ class PinTurn(Turn):
         low, high = self.tangents
         parts = np.union1d(self.nodes, DRAWN)
         angles = np.arctan(_between(low, high, parts)) / (2 * np.pi)
-        places = angles + (self.middle - self.centres)[:, None]
+        middle = (self.shift + 0.75 + self.centres) % 1.0
+        places = angles + (middle - self.centres)[:, None]
         forces = np.zeros((len(self.forces), *places.shape), dtype=np.complex128)
         drawn = self.at(self.arcs)(parts[None])
         forces[:, self.arcs] = drawn.swapaxes(0, 1)
-        order = np.argsort(self.middle, kind="stable")
+        order = np.argsort(middle, kind="stable")
         return places[order].ravel(), forces[:, order].reshape(len(forces), -1)
 
 
@@ -316,30 +351,31 @@ class SatelliteTurn(Turn):
         self.off = 2 * math.pi * ((ROUNDING if aligned else PHASE_ROUNDING) + phases.error)
         super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
 
-    def nodes_of(self, level: int) -> tuple[FloatArray, FloatArray]:
-        """Shares and forces at the nodes of two rules of the whole turn, and the weights of each.
+    def nodes_of(self, *levels: int) -> tuple[FloatArray, FloatArray]:
+        """Shares and forces at the nodes of rules of the whole turn, and the weights of each.
 
         Parameters
         ----------
-        level : int
-            Of the first tanh-sinh rule of each arc; the second is the next one.
+        *levels : int
+            Of the tanh-sinh rules of each arc.
 
         Returns
         -------
         values : array, shape (2*K, n)
-        weights : array, shape (n, 2)
+        weights : array, shape (n, rules)
         """
         start, stop = self.tangents[:, self.arcs]
-        (near, rough), (nearer, fine) = map(tanh_sinh_rule, (level, level + 1))
-        halves = np.concatenate((near, nearer))
-        weights = np.zeros((len(halves), 2))
-        weights[: len(near), 0], weights[len(near) :, 1] = rough, fine
-        way = np.concatenate((halves, 1 - halves))[None]
+        way, weights = _rules(*levels)
         whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
         slopes = (stop - start) / ((1 + _between(start, stop, way) ** 2) * whole)
         values = self.at(self.arcs)(way).swapaxes(0, 1)
-        weights = slopes[..., None] * np.concatenate((weights, weights))
-        return values.reshape(len(values), -1), weights.reshape(-1, 2)
+        weights = slopes[..., None] * weights
+        return values.reshape(len(values), -1), weights.reshape(-1, len(levels))
+
+    @cached_property
+    def coarse_nodes(self) -> tuple[FloatArray, FloatArray]:
+        """The same of the two coarsest rules of means."""
+        return self.nodes_of(COARSEST, COARSEST + 1)
 
     @cached_property
     def errors(self) -> FloatArray:
@@ -356,8 +392,8 @@ class SatelliteTurn(Turn):
         turned = _between(low, high, way[:, None])
         weights = self.drives[self.arcs, :, None] * (turned.real > 0)
         cosines = np.where(weights > 0, turned.real, 1.0)
-        tilted = self._power(cosines) * np.abs(turned.imag) * weights
-        tilted = tilted / self._total(self.part[self.arcs])(way)
+        tilted = _power(cosines, self.exponent) * np.abs(turned.imag) * weights
+        tilted = tilted / self.pairs.samples[self.part[self.arcs]]
         start, stop = self.tangents[:, self.arcs]
         secant = np.sqrt(1 + _between(start, stop, way) ** 2)[:, None]
         share, force = self.forces.reshape(2, -1, *self.forces.shape[1:]).swapaxes(1, 2)
@@ -368,7 +404,7 @@ class SatelliteTurn(Turn):
         summed = both.reshape(len(both), 2, -1, self.pins, way.shape[1]).sum(axis=3)
         own, first = summed.swapaxes(0, 1)
         others = own.sum(axis=1, keepdims=True) - own
-        slopes = np.stack(((1 - share) * own + share * others, first + force * others))
+        slopes = np.array(((1 - share) * own + share * others, first + force * others))
         off = self.off * slopes.swapaxes(1, 2).reshape(self.forces.shape)
         found = off + ROUNDING * (ULPS + ULPS_OF_POWER * v) * self.forces
         return np.asarray(found.max(axis=(1, 2)))
@@ -386,7 +422,7 @@ class SatelliteTurn(Turn):
 
         def own(way: FloatArray) -> FloatArray:
             cosines = _between(low, high, way[:, None])
-            powers = self._power(cosines) * drives
+            powers = _power(cosines, self.exponent) * drives
             secant = np.sqrt(1 + _between(start, stop, way) ** 2)
             both = np.empty((len(powers), 2, *powers.shape[1:]))
             np.multiply(powers, cosines, out=both[:, 0])
@@ -440,6 +476,18 @@ def _between(low: NDArray[Any], high: NDArray[Any], way: FloatArray) -> NDArray[
     return found
 
 
+def _power(cosines: FloatArray, exponent: float) -> FloatArray:
+    """Relative cosines to the exponent; 0 where nothing is felt, not numbers beside underflow,
+    with which processors take a hundred times as long.
+    """
+    if exponent == 1:
+        return cosines
+    if exponent > 1:
+        cosines = cosines * (cosines > NOTHING ** (1 / exponent))
+    found: FloatArray = cosines**exponent
+    return found
+
+
 def _smooth(exponent: float) -> bool:
     """Whether the forces have a slope and a curvature where a pair switches."""
     return exponent in (0.0, 1.0) or exponent >= 2
@@ -457,6 +505,18 @@ def _nodes(exponent: float, many: bool) -> tuple[FloatArray, FloatArray]:
     nodes = np.concatenate((half, 1 - half[-2::-1]))
     gaps = np.concatenate(([0.0], np.diff(nodes), [0.0]))
     return nodes, np.maximum(gaps[:-1], gaps[1:])
+
+
+@cache
+def _rules(*levels: int) -> tuple[FloatArray, FloatArray]:
+    """Nodes of tanh-sinh rules, shape (1, n), and weights of each, shape (n, rules)."""
+    halves, own = zip(*map(tanh_sinh_rule, levels), strict=True)
+    nodes = np.concatenate(halves)
+    weights = np.zeros((len(nodes), len(levels)))
+    stop = np.cumsum([len(each) for each in own])
+    for k, each in enumerate(own):
+        weights[stop[k] - len(each) : stop[k], k] = each
+    return np.concatenate((nodes, 1 - nodes))[None], np.concatenate((weights, weights))
 
 
 def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
@@ -500,11 +560,33 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
         The same column may differ in its last bits where it stands elsewhere.
     """
     alone = arms.ndim < forces.ndim  # each row has forces of its own
-    doubled = np.iscomplexobj(forces) and not np.iscomplexobj(arms)
+    doubled = forces.dtype.kind == "c" and arms.dtype.kind != "c"
     if doubled:  # as twice as many real numbers
         forces = np.ascontiguousarray(forces).view(np.float64)
     found: NDArray[Any] = (arms[:, None] @ forces)[:, 0] if alone else arms @ forces
     return found.view(np.complex128) if doubled else found
+
+
+@lru_cache(maxsize=256)
+def all_pairs(
+    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
+) -> AllPairs:
+    """All pairs of a mechanism that drive over the turn, looked at once.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; without a dead centre.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
+
+    Returns
+    -------
+    AllPairs
+    """
+    return AllPairs(mechanism, force_exponent, stiffness)
 
 
 @lru_cache(maxsize=256)

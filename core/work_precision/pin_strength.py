@@ -9,7 +9,7 @@ from core.arrays import FloatArray
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
 from core.output.pin_strength import PinStresses, pin_stresses
-from core.output.pin_turn import ComplexArray, PinTurn, pin_turn
+from core.output.pin_turn import ComplexArray, PinTurn, all_pairs, pin_turn
 from core.work_precision.study import (
     GOLDEN_STEPS,
     REFERENCE_DIGITS,
@@ -58,6 +58,7 @@ def pin_bending_study(
 
     def solve() -> PinStresses:
         pin_turn.cache_clear()  # not what it remembers
+        all_pairs.cache_clear()
         return pin_stresses(mechanism=mechanism, force_exponent=force_exponent, **loaded)
 
     found = solve()

@@ -208,7 +208,7 @@ def test_bending_pins_share_by_their_stiffness(pins: int, satellites: int) -> No
         sampled = np.interp(where, psi[order], own, period=1.0)
         assert 10_000 * np.abs(forces[satellite]) == pytest.approx(sampled, abs=1e-1)
     loads = satellite_turn(mechanism, 1.0, stiffness)
-    values, weights = loads.nodes_of(4)
+    values, weights = loads.nodes_of(4, 5)
     mean = turn.mean(turn.couple) / 500.0
     for means in (values[:satellites] @ weights).T:
         assert means == pytest.approx(mean, rel=1e-5)
