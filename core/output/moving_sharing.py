@@ -258,10 +258,10 @@ def _secant(
     place = x0 - y0 / slope
     further = _slope(x0, x2, slope, _slope(x1, x2, y1, y2, slope), 0.0)
     bent = further * (place - x0) * (place - x1) / slope
-    # of two places nothing is known of how it bends
-    return place - bent, place - x0 if x1 == x2 else bent
+    known = x1 != x2 and y0 != y1  # else nothing is known of how it bends
+    return place - bent, bent if known else place - x0
 
 
 def _slope(x0: float, x1: float, y0: float, y1: float, same: float) -> float:
-    """Slope between two places; a given one where they are the same."""
-    return (y0 - y1) / (x0 - x1) if abs(x0 - x1) > APART else same
+    """Slope between two places; a given one where they are the same, or nothing grows."""
+    return (y0 - y1) / (x0 - x1) if abs(x0 - x1) > APART and y0 != y1 else same

@@ -194,3 +194,8 @@ def test_factors_of_what_grows_about_with_the_torque() -> None:
     grown = found[:5] ** (1 + 0.02 * np.log(found[:5]))
     assert grown == pytest.approx(targets[:5], rel=1e-9)
     assert found[5:].tolist() == [0.0, math.inf] and len(looks) <= 4
+
+
+def test_what_does_not_grow_is_out_of_reach() -> None:
+    found = torque_factors(targets=np.array([2.0]), value=np.ones_like)
+    assert 1e6 < found[0] < math.inf
