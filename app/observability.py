@@ -148,6 +148,10 @@ class Traffic:
 traffic = Traffic()
 
 
+WHOLE = ("/static", "/problems")
+"""Routes below which a client may ask for anything: each counts as one."""
+
+
 def end(record: Record, method: str, route: str, error: Exception | None) -> None:
     """Log a request that has been answered and was in flight, and have it counted; what it said is
     in neither.
@@ -164,8 +168,7 @@ def end(record: Record, method: str, route: str, error: Exception | None) -> Non
     traffic.in_flight -= 1
     if method not in METHODS:
         method = "other"
-    if route.startswith("/static/"):
-        route = "/static"
+    route = next((each for each in WHOLE if route.startswith(f"{each}/")), route)
     total_s = (record.answered or time.perf_counter()) - record.started
     traffic.ended.append((record, method, route, total_s))
     if len(traffic.ended) >= COUNTED_TOGETHER:

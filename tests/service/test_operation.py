@@ -117,15 +117,17 @@ def test_each_request_is_one_line_without_its_body(service):
         client.post("/api/v1/contact-force", json=QUICK, headers={"x-request-id": "abc-1"})
         client.get("/static/main.js")
         client.get("/api/v1/health", headers={"x-request-id": "bad id"})
-        client.get("/secret-path/4711")
+        client.get("/secret-path/zebra")
+        client.get("/problems/zebra")
 
     def asked():
         lines = [line for line in service.log()[before:] if "route" in line]
         return sorted(lines, key=lambda line: (line["method"], line["route"]))
 
-    assert eventually(lambda: len(asked()) >= 4)
+    assert eventually(lambda: len(asked()) >= 5)
     assert [(line["method"], line["route"], line["status"]) for line in asked()] == [
         ("GET", "/api/v1/health", 200),
+        ("GET", "/problems", 404),
         ("GET", "/static", 200),
         ("GET", "unknown", 404),
         ("POST", "/api/v1/contact-force", 200),
@@ -135,7 +137,7 @@ def test_each_request_is_one_line_without_its_body(service):
     parts = first["read_ms"] + first["calculation_ms"] + first["encode_ms"]
     assert 0 < parts <= first["total_ms"]
     assert health["id"] != "bad id" and len(health["id"]) == 24
-    assert "4711" not in "".join(service.lines[before:])
+    assert "zebra" not in "".join(service.lines[before:])
     assert "crank_angles" not in "".join(service.lines[before:])
 
 
