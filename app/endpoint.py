@@ -29,10 +29,9 @@ from app import processes
 from app.model import Calculation, RequestModel
 from app.problems import (
     MEDIA_TYPE,
-    ErrorItem,
     Problem,
-    invalid_input,
     not_json,
+    refusal,
     too_large,
     unavailable,
     wrong_fields,
@@ -41,7 +40,7 @@ from app.record import Record, at_hand
 from app.registry import CALCULATIONS
 from app.running import named
 from app.settings import Settings
-from app.theme import Figure, Theme, with_words
+from app.theme import Theme, with_words
 from core.errors import ImpossibleMechanism, InvalidInput
 
 JSON = "application/json"
@@ -149,21 +148,6 @@ class CalculationRoute(APIRoute):
             return Answer(content)
 
         return handle
-
-
-def answering(calculation: Calculation) -> Callable[[Any], Any]:
-    """The endpoint of a calculation: its function, with the models that describe it."""
-    solve = calculation.solve
-    solve.__annotations__ |= {"body": calculation.request, "return": calculation.answer}
-    return solve
-
-
-def drawing(calculation: Calculation) -> Callable[[Any, Any], Figure]:
-    """The endpoint of a calculation's figure."""
-    assert calculation.figure is not None
-    figure = calculation.figure
-    figure.__annotations__ |= {"body": calculation.request, "theme": Theme}
-    return figure
 
 
 def points(body: RequestModel, *, drawn: bool) -> float:
@@ -365,7 +349,7 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
         If it is no JSON, not what the model says, or more than the operator allows.
     """
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
-        raise invalid_input([ErrorItem("", "too_nested", {"limit": MAX_NESTED})])
+        raise refusal("", "too_nested", limit=MAX_NESTED)
     try:
         body = _reader(calculation.name)(content)
     except ValidationError as error:
@@ -380,8 +364,7 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
 def _theme(request: Request) -> str:
     theme = request.query_params.get("theme", "light")
     if theme not in get_args(Theme):
-        expected = {"expected": "'light' or 'dark'"}
-        raise invalid_input([ErrorItem("/query/theme", "literal_error", expected)])
+        raise refusal("/query/theme", "literal_error", expected="'light' or 'dark'")
     return theme
 
 

@@ -28,8 +28,6 @@ from app.endpoint import (
     STREAMED,
     CalculationRoute,
     FigureOut,
-    answering,
-    drawing,
     takes_gzip,
 )
 from app.examples import REQUESTS
@@ -187,7 +185,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             summary=each.title,
             response_model=each.answer,
             **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
-        )(answering(each))
+        )(each.solve)
     for each in CALCULATIONS.values():  # behind those above, as paths are compared in this order
         if each.figure is not None:
             app.post(
@@ -196,7 +194,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
                 summary=f"{each.title}: figure",
                 response_model=FigureOut,
                 **described(each),
-            )(drawing(each))
+            )(each.figure)
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)

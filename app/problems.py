@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
 from functools import lru_cache
 from http import HTTPStatus
-from typing import Any, Self, cast
+from typing import Annotated, Any, Self, cast
 
 import orjson
 from fastapi import Request
@@ -82,49 +82,6 @@ TEXTS = (
 """What is wrong, by code: the rest of a sentence that starts with the field; the page has its own
 words for each code."""
 
-PHYSICAL = frozenset(
-    {
-        *IMPOSSIBLE,
-        "at_most",
-        "below_working",
-        "beyond_support",
-        "different_length",
-        "different_sum",
-        "dust",
-        "greater_than",
-        "hole_disagrees",
-        "in_carrier",
-        "infinite_line",
-        "larger_than",
-        "no_arm",
-        "no_class_of_size",
-        "no_cycloid",
-        "no_mesh",
-        "no_sleeve",
-        "not_in_table",
-        "not_there",
-        "not_zero",
-        "other_branch",
-        "other_pitch",
-        "right_angle",
-        "roller_without_arm",
-        "service_limit",
-        "smaller_than",
-        "sum_not_one",
-        "teeth_disagree",
-        "to_be_drawn",
-        "too_few",
-        "too_near",
-        "too_many_pairs",
-        "too_many_phases",
-        "too_short_range",
-        "with_real_forces",
-        "with_rollers",
-    }
-)
-"""Codes with which a request may be refused that its schema admits: what cannot exist, does not fit
-together, is too much, or too little to be meant."""
-
 KINDS = {
     "bad-request": "What was sent is no HTTP request.",
     "failure": "An error of the service, not of the input. Its log names the request by its id.",
@@ -167,36 +124,25 @@ _CODES = {
 
 
 @dataclass(frozen=True, slots=True)
-class ErrorItem:
-    """What is wrong with one field.
+class FieldProblem:
+    """What is wrong with one field."""
 
-    Attributes
-    ----------
-    pointer : str
-        JSON pointer to the field; empty for the body as a whole.
-    code : str
-        What is wrong, a key of `TEXTS`.
-    params : dict
-        What its text names; `field` and `other` are names of fields.
-    """
+    pointer: Annotated[str, Field(description="JSON pointer to the field; empty for the body.")]
+    code: Annotated[
+        str,
+        Field(description="What is wrong.", json_schema_extra=cast(Any, {"enum": sorted(TEXTS)})),
+    ]
+    params: Annotated[
+        dict[str, Any], Field(description="What the text names: limits, numbers, fields.")
+    ]
+    detail: Annotated[
+        str, Field(description="The same in English: a sentence that starts with the field.")
+    ]
 
-    pointer: str
-    code: str
-    params: dict[str, Any] = field(default_factory=dict)
 
-    @property
-    def detail(self) -> str:
-        """What is wrong in English, as the rest of a sentence that starts with the field."""
-        return TEXTS[self.code].format(**self.params)
-
-    def values(self) -> dict[str, Any]:
-        """The item as JSON."""
-        return {
-            "pointer": self.pointer,
-            "code": self.code,
-            "params": self.params,
-            "detail": self.detail,
-        }
+def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
+    """What is wrong with the field at a pointer: a key of `TEXTS`, and what its text names."""
+    return FieldProblem(pointer, code, params, TEXTS[code].format(**params))
 
 
 @dataclass(slots=True)
@@ -211,7 +157,7 @@ class Problem(Exception):
         Last part of the problem's type.
     title, detail : str
         Its kind and this occurrence, for people.
-    errors : list of ErrorItem
+    errors : list of FieldProblem
         The fields it is about.
     more : int
         How many fields besides are wrong.
@@ -225,7 +171,7 @@ class Problem(Exception):
     kind: str
     title: str
     detail: str
-    errors: list[ErrorItem] = field(default_factory=list)
+    errors: list[FieldProblem] = field(default_factory=list)
     more: int = 0
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
@@ -241,7 +187,7 @@ class Problem(Exception):
             "title": self.title,
             "status": self.status,
             "detail": self.detail,
-            "errors": [each.values() for each in self.errors],
+            "errors": self.errors,
         }
         if self.more:
             body["more"] = self.more
@@ -264,17 +210,6 @@ class Problem(Exception):
         )
 
 
-class FieldProblem(BaseModel):
-    """What is wrong with one field."""
-
-    pointer: str = Field(description="JSON pointer to the field; empty for the body.")
-    code: str = Field(
-        description="What is wrong.", json_schema_extra=cast(Any, {"enum": sorted(TEXTS)})
-    )
-    params: dict[str, Any] = Field(description="What the text names: limits, numbers, fields.")
-    detail: str = Field(description="The same in English: a sentence that starts with the field.")
-
-
 class ProblemOut(BaseModel):
     """A refusal (RFC 9457); its type opens a page that explains it."""
 
@@ -289,7 +224,7 @@ class ProblemOut(BaseModel):
     )
 
 
-def invalid_input(errors: list[ErrorItem], more: int = 0) -> Problem:
+def invalid_input(errors: list[FieldProblem], more: int = 0) -> Problem:
     """Problem of a request whose fields are wrong: the first of them, and how many besides."""
     problem = Problem(
         422, "invalid-input", "The input is wrong", _sentence(errors, more), errors, more
@@ -297,7 +232,12 @@ def invalid_input(errors: list[ErrorItem], more: int = 0) -> Problem:
     return problem.naming_at_most(MAX_ERRORS)
 
 
-def _sentence(errors: list[ErrorItem], more: int) -> str:
+def refusal(pointer: str, code: str, **params: Any) -> Problem:
+    """Problem of one wrong field."""
+    return invalid_input([wrong(pointer, code, **params)])
+
+
+def _sentence(errors: list[FieldProblem], more: int) -> str:
     """What is wrong with a request, for people."""
     parts = [
         f"{each.pointer.lstrip('/').replace('/', '.') or 'The body'} {each.detail}"
@@ -370,7 +310,7 @@ def _token(part: str | int) -> str:
 
 def wrong_json(why: str) -> Problem:
     """Problem of a body that is no JSON."""
-    return invalid_input([ErrorItem("", "json_invalid", {"error": why})])
+    return refusal("", "json_invalid", error=why)
 
 
 def wrong_fields(error: ValidationError) -> Problem:
@@ -378,21 +318,21 @@ def wrong_fields(error: ValidationError) -> Problem:
     count = error.error_count()
     if count > MAX_DESCRIBED:
         return invalid_input([], count)
-    items: dict[str, ErrorItem] = {}
+    items: dict[str, FieldProblem] = {}
     for each in error.errors(include_url=False, include_input=False):
         item = _item(each)
         items.setdefault(item.pointer, item)
     return invalid_input(list(items.values()))
 
 
-def _item(error: ErrorDetails) -> ErrorItem:
+def _item(error: ErrorDetails) -> FieldProblem:
     kind, context = error["type"], error.get("ctx", {})
     path = [part for part in error["loc"] if part not in UNION_TAGS]
     if kind == "json_invalid":
-        return ErrorItem("", kind, {"error": context["error"]})
+        return wrong("", kind, error=context["error"])
     if kind == "field_error":
         path += context["name"].split("/")
-        return ErrorItem(pointer(path), context["code"], context["params"])
+        return wrong(pointer(path), context["code"], **context["params"])
     if kind.startswith("union_tag"):
         path.append("calculation")
     code = _CODES.get(kind, kind)
@@ -402,7 +342,7 @@ def _item(error: ErrorDetails) -> ErrorItem:
         params = {"expected": context.get("expected", context.get("expected_tags", ""))}
     else:
         params = dict(context) if code == "dust" else {}
-    return ErrorItem(pointer(path), code if code in TEXTS else "not_valid", params)
+    return wrong(pointer(path), code if code in TEXTS else "not_valid", **params)
 
 
 def impossible(error: ImpossibleMechanism) -> Problem:
@@ -416,7 +356,7 @@ def impossible(error: ImpossibleMechanism) -> Problem:
         "impossible-mechanism",
         "The mechanism cannot work",
         f"{what} at {at}" if at else what,
-        errors=[ErrorItem("", error.code, error.where | where | params)],
+        errors=[wrong("", error.code, **error.where | where | params)],
         where=where,
     )
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar, get_args
 from pydantic import BaseModel
 
 from app.model import RequestModel, api_params
-from app.problems import ErrorItem, Problem, invalid_input, pointer
+from app.problems import Problem, pointer, refusal
 from app.record import at_hand
 from app.units import core_name, from_si
 from core.errors import InvalidInput
@@ -53,7 +53,7 @@ def named(error: InvalidInput, body: RequestModel) -> Problem:
     if error.code in COMPARING:
         field = next((part for part in reversed(path) if isinstance(part, str)), "")
         params["limit"] = from_si(field, params["limit"])
-    return invalid_input([ErrorItem(pointer(path), error.code, params)])
+    return refusal(pointer(path), error.code, **params)
 
 
 def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:

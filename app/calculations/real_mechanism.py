@@ -13,7 +13,7 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
-from app.problems import ErrorItem, invalid_input
+from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
@@ -395,8 +395,7 @@ class GivingFields(RequestModel):
         """
         if isinstance(self.support, Shares) and len(self.support.shares) != satellites:
             counts = {"expected": satellites, "actual": len(self.support.shares)}
-            where = "/satellite_coupling/shares"
-            raise invalid_input([ErrorItem(where, "different_length", counts)])
+            raise refusal("/satellite_coupling/shares", "different_length", **counts)
 
 
 _COUPLED = {
@@ -482,15 +481,13 @@ class DeviationsFields(RequestModel):
         Problem
             If there are.
         """
-        wrong = [
-            ErrorItem(
-                f"/deviations/{place}", "different_length", {"expected": want, "actual": have}
-            )
+        errors = [
+            wrong(f"/deviations/{place}", "different_length", expected=want, actual=have)
             for place, want, have in self._lengths(pins, satellites)
             if want != have
         ]
-        if wrong:
-            raise invalid_input(wrong)
+        if errors:
+            raise invalid_input(errors)
 
     def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
         for name, value in self:

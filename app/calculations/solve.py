@@ -2,6 +2,7 @@
 
 import math
 from copy import deepcopy
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -24,7 +25,7 @@ from app.model import (
     accuracy_values,
     result,
 )
-from app.problems import ErrorItem, Problem, invalid_input, wrong_fields
+from app.problems import Problem, invalid_input, refusal, wrong_fields
 from app.running import run
 from core.errors import CalculationError, InvalidInput
 from core.exploration.solve import SAMPLES, TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
@@ -118,8 +119,7 @@ class SolveRequest(RequestModel):
         parts = _parts(self.variable.pointer)
         place = _parent(self.input, parts)
         if place is None or not isinstance(place, dict):
-            item = ErrorItem("/variable/pointer", "not_there", {"field": "input"})
-            raise invalid_input([item])
+            raise refusal("/variable/pointer", "not_there", field="input")
         target = _parts(self.target.pointer)
         design = self._asking(target)
         start: Any = place.get(parts[-1])
@@ -158,10 +158,10 @@ class SolveRequest(RequestModel):
                 log=self.variable.log,
                 samples=LONG_SAMPLES if long else SAMPLES,
             )
-        except InvalidInput as refusal:
-            name = "to" if refusal.parameter == "high" else "from"
-            params = {"field": "from"} if refusal.code == "larger_than" else refusal.params
-            raise invalid_input([ErrorItem(f"/variable/{name}", refusal.code, params)]) from refusal
+        except InvalidInput as error:
+            name = "to" if error.parameter == "high" else "from"
+            params = {"field": "from"} if error.code == "larger_than" else error.params
+            raise refusal(f"/variable/{name}", error.code, **params) from error
         sets = {}
         if found.value is not None:
             sets[self.variable.pointer] = found.value
@@ -181,7 +181,7 @@ class SolveRequest(RequestModel):
 
 
 def _within_input(problem: Problem) -> Problem:
-    errors = [ErrorItem(f"/input{each.pointer}", each.code, each.params) for each in problem.errors]
+    errors = [replace(each, pointer=f"/input{each.pointer}") for each in problem.errors]
     return invalid_input(errors, problem.more)
 
 

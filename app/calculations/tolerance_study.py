@@ -26,7 +26,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import ErrorItem, invalid_input, unavailable
+from app.problems import refusal, unavailable
 from app.running import run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -194,7 +194,7 @@ class ToleranceStudyRequest(RealDesignFields):
             try:
                 made.append(estimate(percent))
             except InvalidInput as error:
-                raise invalid_input([ErrorItem(f"/percentiles/{index}", error.code)]) from error
+                raise refusal(f"/percentiles/{index}", error.code) from error
         return made
 
     @property

@@ -17,7 +17,7 @@ from app.model import (
     quantity,
     request_schema,
 )
-from app.problems import ErrorItem, invalid_input
+from app.problems import refusal
 from app.units import to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread
@@ -264,5 +264,5 @@ def _of_diameter(name: str, given: _DiameterFields | None, diameter: float) -> S
     try:
         return given.spread(diameter)
     except InvalidInput as error:
-        place, limit = f"/tolerances/{name}/class", {"limit_mm": float(SIZES[-1])}
-        raise invalid_input([ErrorItem(place, "no_class_of_size", limit)]) from error
+        place, limit_mm = f"/tolerances/{name}/class", float(SIZES[-1])
+        raise refusal(place, "no_class_of_size", limit_mm=limit_mm) from error

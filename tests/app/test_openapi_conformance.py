@@ -7,7 +7,7 @@ import re
 import schemathesis
 
 from app.main import create_app
-from app.problems import PHYSICAL
+from core.errors import IMPOSSIBLE
 
 CONFIG = schemathesis.Config.from_dict(
     {
@@ -27,6 +27,46 @@ CONFIG = schemathesis.Config.from_dict(
 )
 schema = schemathesis.openapi.from_asgi("/openapi.json", create_app(), config=CONFIG)
 
+
+PHYSICAL = {*IMPOSSIBLE} | {
+    "at_most",
+    "below_working",
+    "beyond_support",
+    "different_length",
+    "different_sum",
+    "dust",
+    "greater_than",
+    "hole_disagrees",
+    "in_carrier",
+    "infinite_line",
+    "larger_than",
+    "no_arm",
+    "no_class_of_size",
+    "no_cycloid",
+    "no_mesh",
+    "no_sleeve",
+    "not_in_table",
+    "not_there",
+    "not_zero",
+    "other_branch",
+    "other_pitch",
+    "right_angle",
+    "roller_without_arm",
+    "service_limit",
+    "smaller_than",
+    "sum_not_one",
+    "teeth_disagree",
+    "to_be_drawn",
+    "too_few",
+    "too_near",
+    "too_many_pairs",
+    "too_many_phases",
+    "too_short_range",
+    "with_real_forces",
+    "with_rollers",
+}
+"""Codes with which a request may be refused that its schema admits: what cannot exist, does not fit
+together, is too much, or too little to be meant."""
 
 UNDESCRIBED = re.compile("/input/|/requests/")
 """Of another calculation, which the body names."""
