@@ -155,13 +155,14 @@ class PinFatigueOut(ResponseModel):
 
 
 class PinDeflectionOut(ResponseModel):
-    """Deflection in the middle of the satellite where it is largest."""
+    """Deflection and slope in the middle of satellites, each where it is largest."""
 
-    satellite: int = result("Number of the satellite, from 1.")
+    satellite: int = result("Number of the satellite where it deflects most, from 1.")
     deflection_mm: float = result("Largest deflection over the turn.", symbol="w")
+    slope_satellite: int = result("Number of the satellite where it slopes most.")
     slope_mrad: float = result(
-        "Largest rotation of the section there; between two supports as good as deflection over "
-        "distance to the nearer one.",
+        "Largest rotation of the section; of one satellite between two supports as good as "
+        "deflection over distance to the nearer one.",
         symbol="θ",
     )
 

@@ -95,7 +95,8 @@ def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
 
     if isinstance(found, PinStrength) and found.deflection is not None:
         value = bent(found)
-        more["at"] = {"satellite": found.deflection.satellite}
+        bends, slopes = found.deflection.satellite, found.deflection.slope_satellite
+        more["at"] = {"satellite": bends if code == "pin_deflection" else slopes}
         more["error"] = 4 * found.accuracy.relative_error
     return asked(
         code,

@@ -32,21 +32,25 @@ AT_ZERO = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class PinDeflection:
-    """Deflection of a pin in the middle plane of the satellite where it is largest.
+    """Deflection and slope of a pin in the middle planes of satellites, each where it is largest:
+    between two supports a pin slopes least where it deflects most.
 
     Attributes
     ----------
     satellite : int
-        Number of the satellite, from 1.
+        Number of the satellite where it deflects most, from 1.
     deflection : float
         Largest deflection over the turn, m.
+    slope_satellite : int
+        Number of the satellite where it slopes most.
     slope : float
-        Largest rotation of the section there over the turn, rad; between two supports it may be
-        small, and is as good as the deflection over the distance to the nearer one.
+        Largest rotation of the section over the turn, rad; of one satellite between two supports it
+        may be small, and is as good as the deflection over the distance to the nearer one.
     """
 
     satellite: int
     deflection: float
+    slope_satellite: int
     slope: float
 
 
@@ -570,13 +574,14 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
 
 
 def _deflection(cases: list[_Stresses]) -> PinDeflection:
-    """Deflection and rotation where a pin bends most in the middle of a satellite."""
-    worst = max(cases, key=lambda each: float(each.deflections.max()))
-    satellite = int(worst.deflections.argmax())
+    """Deflection and slope, each in the middle of the satellite where it is largest."""
+    deflections = np.max([each.deflections for each in cases], axis=0)
+    slopes = np.max([each.slopes for each in cases], axis=0)
     return PinDeflection(
-        satellite=satellite + 1,
-        deflection=float(worst.deflections[satellite]),
-        slope=float(worst.slopes[satellite]),
+        satellite=int(deflections.argmax()) + 1,
+        deflection=float(deflections.max()),
+        slope_satellite=int(slopes.argmax()) + 1,
+        slope=float(slopes.max()),
     )
 
 

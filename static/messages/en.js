@@ -136,7 +136,7 @@ export default {
     noYield: "no yield strength of this material known",
     cycle: "worst cycle {from} to {to}",
     noFatigue: "not judged: its data are missing",
-    slope: "at satellite {satellite}; slope {slope}",
+    slope: "at satellite {satellite}; slope {slope} at satellite {sloping}",
     scale: "To scale. The pin of diameter {diameter} with its supports and the holes' edges, each satellite on the side of its crank; arrows: where the forces act, not how large they are.",
   },
   losses: {
@@ -541,6 +541,7 @@ export default {
     life_h: ["Life at the reliability asked", "L"],
     fatigue_life_h: ["Life of the pin", "L"],
     deflection_satellite: ["Satellite where the pin bends most"],
+    slope_satellite: ["Satellite where the pin slopes most"],
     deflection_mm: ["Largest deflection of a pin", "w"],
     slope_mrad: ["Largest slope of a pin", "θ"],
     relative_speed_rpm: ["Speed of the crank against the output", "n"],

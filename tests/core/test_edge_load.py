@@ -34,8 +34,8 @@ PEAK = 1e4 / 3
 GRID = 2 * np.pi * np.arange(72_000) / 72_000
 
 
-def even_force(forces: NDArray[Any], positions: tuple[float, ...], **held: Any) -> NDArray[Any]:
-    """Forces of the satellites on pins, (K, ...), to those that would load the edge evenly."""
+def unit_forces_do(what: str, positions: tuple[float, ...], **held: Any) -> NDArray[Any]:
+    """To the pin in the middle of each satellite by that on each, (K, K)."""
     bents = [
         bend(
             support=held.get("support", "cantilever"),
@@ -48,8 +48,12 @@ def even_force(forces: NDArray[Any], positions: tuple[float, ...], **held: Any) 
         )
         for z in positions
     ]
-    arms = np.array([[float(bent.slope[bent.at(z)]) for bent in bents] for z in positions])
-    slopes = np.tensordot(arms, forces, 1)
+    return np.array([[float(getattr(bent, what)[bent.at(z)]) for bent in bents] for z in positions])
+
+
+def even_force(forces: NDArray[Any], positions: tuple[float, ...], **held: Any) -> NDArray[Any]:
+    """Forces of the satellites on pins, (K, ...), to those that would load the edge evenly."""
+    slopes = np.tensordot(unit_forces_do("slope", positions, **held), forces, 1)
     size = np.abs(forces)
     felt = np.where(size > 0, size, 1.0)
     steep = np.abs((slopes * forces.conj()).real) / felt * LENGTH / (felt * compliance(felt))
@@ -140,6 +144,27 @@ def test_the_approach_under_4_kN(law: ContactLaw, approach: float) -> None:
     assert 4000 * found(4000.0) == pytest.approx(approach)
     many = found(np.array([4000.0, 1.0]))
     assert 4000 * many[0] == pytest.approx(approach) and many.shape == (2,)
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_deflection_and_slope_are_each_the_largest_of_all_satellites(case: Any) -> None:
+    mechanism, positions, exponent, stiffness, held = case
+    stresses = stressed(
+        mechanism, positions, force_exponent=exponent, pair_stiffness=stiffness, **held
+    )
+    found = stresses.strength(deflection=True).deflection
+    assert found is not None
+    forces = [
+        ideal_forces(mechanism, exponent, each) for each in ((1.0,) * len(positions), stiffness)
+    ]
+    for what, satellite, value in (
+        ("deflection", found.satellite, found.deflection),
+        ("slope", found.slope_satellite, found.slope),
+    ):
+        arms = unit_forces_do(what, positions, **held)
+        by_grid = np.max([np.abs(np.tensordot(arms, each, 1)).max(1) for each in forces], axis=0)
+        assert value == pytest.approx(by_grid.max(), rel=1e-8)
+        assert by_grid[satellite - 1] == pytest.approx(by_grid.max(), rel=1e-8)
 
 
 def test_of_pins_made_unlike_the_worst_counts() -> None:

@@ -32,7 +32,9 @@ export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor
     deflection && {
       label: title("deflection_mm"),
       value: formatQuantity(deflection.deflection_mm, "mm", 3),
-      note: message("strength.slope", { satellite: deflection.satellite, slope: formatQuantity(deflection.slope_mrad, "mrad", 3) }),
+      note: message("strength.slope", {
+        satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: formatQuantity(deflection.slope_mrad, "mrad", 3),
+      }),
     },
   ].filter(Boolean);
 }
@@ -77,28 +79,28 @@ function fatigueSteps(fatigue, input, d, { tensile_strength_MPa: R_m, yield_stre
   ];
 }
 
-/** Deflection and slope in the middle of a satellite, by unit forces of those that load the pin there. */
+/** Deflection and slope in the middle of satellites, each where it is largest, by unit forces of those that load the pin there. */
 function deflectionSteps({ deflection }, input, context) {
   if (!deflection) return [];
-  const at = deflection.satellite - 1;
-  const found = { deflection_mm: "w", slope_mrad: "θ" };
+  const found = { deflection_mm: ["w", deflection.satellite], slope_mrad: ["θ", deflection.slope_satellite] };
   const shared = sharings(input, context);
   if (!shared) {
-    return Object.entries(found).map(([name, symbol]) => result(deflection, name, symbol, { note: "deflected", noteValues: { satellite: at + 1 } }));
+    return Object.entries(found).map(([name, [symbol, satellite]]) => result(deflection, name, symbol, { note: "deflected", noteValues: { satellite } }));
   }
   const { load, contact } = input;
   const beam = beamOf(input, context.materialOf);
-  const unit = beam.planes.map((_, j) => complianceSteps(beam, at, j));
   const loading = ({ pairs }, n) => pairs.filter(({ pin }) => pin === n);
-  const sizeOf = (part) => {
+  const sizeOf = (unit, part) => {
     const onPin = (position, n) => Math.hypot(...["cos", "sin"].map((way) => loading(position, n).reduce((sum, { satellite: j, force, angle }) =>
       sum + unit[j][part].value * force * Math[way]((angle * Math.PI) / 180), 0)));
     const pinsOf = ({ pairs }) => [...new Set(pairs.map(({ pin }) => pin))];
     return { onPin, most: (position) => Math.max(...pinsOf(position).map((n) => onPin(position, n))), pinsOf };
   };
-  const partSteps = (name, part, of) => {
-    const { onPin, most, pinsOf } = sizeOf(part);
-    const peak = largestOf(of, most);
+  const partSteps = (name, part) => {
+    const at = found[name][1] - 1;
+    const unit = beam.planes.map((_, j) => complianceSteps(beam, at, j));
+    const { onPin, most, pinsOf } = sizeOf(unit, part);
+    const peak = largestOf(shared.turns, most);
     const n = pinsOf(peak.position).reduce((worst, one) => (onPin(peak.position, one) > onPin(peak.position, worst) ? one : worst));
     const pairs = loading(peak.position, n);
     const forces = pairs.map(({ satellite: j, angle }) => {
@@ -114,22 +116,18 @@ function deflectionSteps({ deflection }, input, context) {
     const [c, F, γ] = [pairs.map(({ satellite: j }) => unit[j][part].value), forces.map(({ value }) => value), pairs.map(({ angle }) => angle)];
     const { symbol, unit: per } = unit[at][part];
     const letter = symbol.split("_")[0];
-    return {
-      turn: peak.turn,
-      steps: [
-        ...pairs.flatMap(({ satellite: j }) => [...unit[j].steps, unit[j][part]]),
-        ...forces,
-        result(deflection, name, found[name], pairs.length === 1
-          ? { formula: "c*F", values: { c: asValue(unit[pairs[0].satellite][part]), F: asValue(forces[0]) } }
-          : {
-            formula: "sqrt(sum(c_i*F_i*cos(γ_i))^2+sum(c_i*F_i*sin(γ_i))^2)",
-            values: { c_i: q(`${letter}_i`, c, per), F_i: q("F_i", F, "N"), γ_i: q("γ_i", γ, "°") },
-          }),
-      ],
-    };
+    return [
+      ...pairs.flatMap(({ satellite: j }) => [...unit[j].steps, unit[j][part]]),
+      ...forces,
+      result(deflection, name, found[name][0], pairs.length === 1
+        ? { formula: "abs(c)*F", values: { c: asValue(unit[pairs[0].satellite][part]), F: asValue(forces[0]) } }
+        : {
+          formula: "sqrt(sum(c_i*F_i*cos(γ_i))^2+sum(c_i*F_i*sin(γ_i))^2)",
+          values: { c_i: q(`${letter}_i`, c, per), F_i: q("F_i", F, "N"), γ_i: q("γ_i", γ, "°") },
+        }),
+    ];
   };
-  const bent = partSteps("deflection_mm", "deflection", shared.turns);
-  return once([...shared.steps, ...bent.steps, ...partSteps("slope_mrad", "slope", [bent.turn]).steps]);
+  return once([...shared.steps, ...partSteps("deflection_mm", "deflection"), ...partSteps("slope_mrad", "slope")]);
 }
 
 /** The worked steps; `input` with the ratio. */

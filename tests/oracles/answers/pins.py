@@ -111,7 +111,6 @@ def numbers(body: Body, answer: Any) -> Numbers:
         "/peak_equivalent_stress_MPa": most,
         "/static_safety_factor": typed(pin["material"]["yield_strength_MPa"]) / (static * most),
     }
-    satellite = answer["deflection"]["satellite"] - 1
 
     def sunk(arms: list[mpf]) -> mpf:
         size = max(map(abs, arms)) or mpf(1)
@@ -121,7 +120,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
         return reference * size * mpf(str(found))
 
     exact["/deflection/deflection_mm"] = max(sunk(arms) for arms in beam.deflections)
-    exact["/deflection/slope_mrad"] = 1000 * sunk(beam.slopes[satellite])
+    exact["/deflection/slope_mrad"] = 1000 * max(sunk(arms) for arms in beam.slopes)
     material = pin["material"]
     tensile, yields = (typed(material[f"{each}_strength_MPa"]) for each in ("tensile", "yield"))
     strength = Strength(body["fatigue"], d, tensile, yields)
@@ -148,7 +147,8 @@ def numbers(body: Body, answer: Any) -> Numbers:
         found[pointer] = Number(sent, value)
     if "span_mm" in pin:
         # between supports a slope may be next to nothing
-        z = typed(pin["satellite_positions_mm"][satellite])
+        satellite = answer["deflection"]["slope_satellite"]
+        z = typed(pin["satellite_positions_mm"][satellite - 1])
         near = min(z, typed(pin["span_mm"]) - z)
         slope = "/deflection/slope_mrad"
         size = max(exact[slope], 1000 * exact["/deflection/deflection_mm"] / near)
@@ -220,6 +220,7 @@ PIN_STRENGTH = Calculation(
     unbounded={
         "/peak_moment_position_mm": "where it is; known to the root of its error",
         "/deflection/satellite": GIVEN,
+        "/deflection/slope_satellite": GIVEN,
         "/fatigue/position_mm": "where it is; known to the root of its error",
         "/fatigue/direction_deg": "1e-4: the utilisation is flat there",
         "/fatigue/max_stress_MPa": "1e-4: the utilisation is flat there",
