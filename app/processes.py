@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 
 from starlette.requests import ClientDisconnect
 
+from app import compiled
 from app.jobs import Busy, CannotRun, Jobs, Stopped, TooLong, Unfinished
 from app.problems import Problem, impossible, too_long, unavailable
 from app.record import Record, at_hand
@@ -154,7 +155,11 @@ def _noted(part: Any, record: Record) -> Any:
 
 
 def _told(job: Callable[..., Iterator[Any]], args: tuple[Any, ...]) -> Iterator[Any]:
-    """What a job yields in this process, with the run times of its calculations; or its error."""
+    """What a job yields in this process, with the run times of its calculations; or its error.
+
+    It may be a process from before the loops were compiled.
+    """
+    compiled.use()
     record = Record()
     at_hand.set(record)
     try:

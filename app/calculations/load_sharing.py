@@ -7,7 +7,6 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from app import compiled
 from app.calculations.contact_force import CurveFields
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
@@ -154,7 +153,6 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
 
         if "over_turn" in asked:
-            compiled.use()
             turn, direction = self.turn(real)
             solved.take(turn.accuracy, turn.notices)
             each_pair = pressures(turn.pair_force)

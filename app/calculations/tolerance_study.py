@@ -248,7 +248,7 @@ class ToleranceStudyRequest(RealDesignFields):
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
-        now = compiled.use()
+        now = compiled.state()
         study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}

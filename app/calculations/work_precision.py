@@ -4,7 +4,6 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field
 
-from app import compiled
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.load_sharing import LoadSharingRequest
@@ -189,7 +188,6 @@ class ToleranceSamplingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        compiled.use()
         return tolerance_sampling_study(
             study=self.input.study(lambda share: None),
             percent=max(self.input.percentiles, default=None),

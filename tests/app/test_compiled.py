@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from app import compiled, loaded
+from app import compiled, loaded, processes
 from core.output import compiled as loops
 from core.output import sharing_kernel
 
@@ -30,6 +30,18 @@ def test_an_installation_prepares_once(elsewhere, monkeypatch):
     compiled.prepare()
     compiled.prepare()
     assert (compiled.state(), done) == ("ready", [1])
+
+
+def test_a_process_from_before_they_were_compiled_uses_them_once_they_are(elsewhere, monkeypatch):
+    def used():
+        return [part for part, _ in processes._told(lambda: iter([loops.at_hand()]), ())]
+
+    monkeypatch.setattr(compiled, "run_once", lambda: None)
+    monkeypatch.setattr(loops, "_compiled", lambda: "compiled")
+    monkeypatch.setattr(loops, "_at_hand", loops.PLAIN)
+    assert used() == [loops.PLAIN]
+    compiled._mark().touch()
+    assert used() == ["compiled"]
 
 
 def test_what_failed_is_not_ready(elsewhere, monkeypatch):
