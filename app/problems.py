@@ -62,7 +62,7 @@ TEXTS = (
         "needed_beside": "is needed beside {field}",
         "needed_for": "is needed for {section}",
         "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
-        "not_there": "names nothing in {field}",
+        "not_there": "names no number in {field}",
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
         "only_one": "excludes {field}: give one of them",

@@ -118,7 +118,7 @@ class SolveRequest(RequestModel):
         adapter: TypeAdapter[RequestModel] = TypeAdapter(calculation.request)
         parts = _parts(self.variable.pointer)
         place = _parent(self.input, parts)
-        if place is None or not isinstance(place, dict):
+        if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:
             raise refusal("/variable/pointer", "not_there", field="input")
         target = _parts(self.target.pointer)
         design = self._asking(target)
@@ -135,16 +135,22 @@ class SolveRequest(RequestModel):
                 given["contact"]["hole_radius_mm"] += value - start
             return given
 
+        results: list[float] = []
+
         def answer(value: float) -> float:
             try:
-                return _at(calculation.solve(adapter.validate_python(changed(value))), target)
+                values = calculation.solve(adapter.validate_python(changed(value)))
             except (Problem, CalculationError, ValidationError):
                 return math.nan
+            results.append(_at(values, target))
+            return results[-1]
 
         try:
             long = adapter.validate_python(design).long
         except ValidationError as error:
             raise _within_input(wrong_fields(error)) from None
+        if not _is_field(adapter, changed(self.variable.low)):
+            raise refusal("/variable/pointer", "not_there", field="input")
         sense, wanted = self.target.wanted
         try:
             found = solve_for(
@@ -162,6 +168,8 @@ class SolveRequest(RequestModel):
             name = "to" if error.parameter == "high" else "from"
             params = {"field": "from"} if error.code == "larger_than" else error.params
             raise refusal(f"/variable/{name}", error.code, **params) from error
+        if results and all(map(math.isnan, results)):
+            raise refusal("/target/pointer", "not_there", field="answer")
         sets = {}
         if found.value is not None:
             sets[self.variable.pointer] = found.value
@@ -178,6 +186,15 @@ class SolveRequest(RequestModel):
         elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
             design["include"] = ["checks"] if target[:1] == ["checks"] else []
         return design
+
+
+def _is_field(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> bool:
+    """Whether what was set in an input that is right is a field of it."""
+    try:
+        adapter.validate_python(changed)
+    except ValidationError as error:
+        return all(each["type"] != "extra_forbidden" for each in error.errors())
+    return True
 
 
 def _within_input(problem: Problem) -> Problem:

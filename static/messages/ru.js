@@ -1137,7 +1137,7 @@ export default {
       multiple_of: "должно быть кратно {limit}",
       needed_beside: "нужно вместе с полем {field}",
       needed_for: "нужно для раздела {section}",
-      not_there: "не указывает ни на что в {field}",
+      not_there: "не указывает на число в {field}",
       not_valid: "недопустимое значение",
       only_one: "не задаётся вместе с полем {field}: оставьте одно из них",
       service_limit: "должно быть не больше {limit}: больше сервис не принимает",

@@ -1137,7 +1137,7 @@ export default {
       multiple_of: "має бути кратним {limit}",
       needed_beside: "потрібно разом із полем {field}",
       needed_for: "потрібно для розділу {section}",
-      not_there: "не вказує ні на що в {field}",
+      not_there: "не вказує на число в {field}",
       not_valid: "недопустиме значення",
       only_one: "не задається разом із полем {field}: залиште одне з них",
       service_limit: "має бути не більше ніж {limit}: більше сервіс не приймає",

@@ -639,6 +639,12 @@ async def test_whole_numbers_and_what_cannot_be(api):
     ("changes", "pointer"),
     [
         ({"variable": {"pointer": "/nothing/here", "from": 1.0, "to": 2.0}}, "/variable/pointer"),
+        ({"variable": {"pointer": "/mechanism/foo", "from": 1.0, "to": 2.0}}, "/variable/pointer"),
+        (
+            {"variable": {"pointer": "/contact/pin_material", "from": 1.0, "to": 2.0}},
+            "/variable/pointer",
+        ),
+        ({"target": {"pointer": "/hertz/nonsense", "at_least": 1.0}}, "/target/pointer"),
         (
             {"variable": {"pointer": "/contact/pin_radius_mm", "from": 2.0, "to": 1.0}},
             "/variable/to",
