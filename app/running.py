@@ -19,10 +19,12 @@ Result = TypeVar("Result")
 COMPARING = frozenset(
     {
         "below_working",
+        "beyond_support",
         "greater_than",
         "greater_than_equal",
         "less_than",
         "less_than_equal",
+        "no_mesh",
         "other_pitch",
         "too_near",
     }

@@ -207,6 +207,11 @@ def check_finite(**values: Number) -> None:
             refuse(name, value, allowed, "finite_number")
 
 
+def _entry(value: Any, index: Any, like: Any) -> Any:
+    """Entry of an array that is as large as another, or what is no array."""
+    return np.broadcast_to(value, np.shape(like))[index] if np.ndim(value) else value
+
+
 def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> None:
     """Refuse a quantity, or the first entry of an array that is not allowed.
 
@@ -221,7 +226,7 @@ def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> 
     code : str
         What is wrong with it, see `core.errors.REFUSALS`.
     **params : object
-        What its text names.
+        What its text names; of an array the entry there.
 
     Raises
     ------
@@ -229,7 +234,8 @@ def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> 
         Always.
     """
     if np.ndim(allowed):
-        allowed, value = np.broadcast_arrays(allowed, value)
-        first = np.unravel_index(int(np.argmin(allowed)), allowed.shape)
-        name, value = f"{name}[{','.join(map(str, first))}]", value[first]
+        first = np.unravel_index(int(np.argmin(allowed)), np.shape(allowed))
+        name, value = f"{name}[{','.join(map(str, first))}]", _entry(value, first, allowed)
+        params = {key: _entry(each, first, allowed) for key, each in params.items()}
+    params = {key: x.item() if isinstance(x, np.generic) else x for key, x in params.items()}
     raise InvalidInput(name, value, code, **params)

@@ -8,7 +8,7 @@ with other names; here it is worded in English, with the core's names and SI uni
 REFUSALS = {
     "at_most": "must be at most {field}",
     "below_working": "must be at least {limit:g}, the torque times its factor",
-    "beyond_support": "must lie at least half a contact length before the end of {field}",
+    "beyond_support": "must be at most {limit:.9g}, half a contact length from the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
     "not {given_length:g} m",
@@ -29,7 +29,7 @@ REFUSALS = {
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
-    "no_mesh": "must be larger: teeth of this {field} do not mesh at so small a distance",
+    "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",

@@ -79,10 +79,11 @@ def involute_mesh(
     34.6912426
     """
     check_positive(module=module, teeth_difference=teeth_difference, eccentricity=eccentricity)
-    cosine = module * teeth_difference * np.cos(pressure_angle) / (2 * eccentricity)
+    least = module * teeth_difference * np.cos(pressure_angle) / 2
+    cosine = least / eccentricity
     meshes = cosine <= 1
     if not every(meshes):
-        refuse("eccentricity", eccentricity, meshes, "no_mesh", field="module")
+        refuse("eccentricity", eccentricity, meshes, "no_mesh", limit=least, field="module")
     sine = np.sqrt((1 - cosine) * (1 + cosine))
     angle = np.arctan2(sine, cosine)
     steep = every(angle <= STEEP)

@@ -529,7 +529,8 @@ def _check_positions(
         if not z >= length / 2 * (1 - slack):
             raise InvalidInput(f"{name}[{index}]", z, "in_carrier", field="contact_length")
         if span is not None and not z + length / 2 <= span * (1 + slack):
-            raise InvalidInput(f"{name}[{index}]", z, "beyond_support", field="span")
+            most = span - length / 2
+            raise InvalidInput(f"{name}[{index}]", z, "beyond_support", limit=most, field="span")
 
 
 def _locus(

@@ -3,7 +3,7 @@ export default {
   "refusals": {
     "at_most": "must be at most {field}",
     "below_working": "must be at least {limit}, the torque times its factor",
-    "beyond_support": "must lie at least half a contact length before the end of {field}",
+    "beyond_support": "must be at most {limit}, half a contact length from the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length_mm}, not {given_length_mm}",
     "exclusive": "and {field} exclude each other",
@@ -21,7 +21,7 @@ export default {
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
-    "no_mesh": "must be larger: teeth of this {field} do not mesh at so small a distance",
+    "no_mesh": "must be at least {limit}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",

@@ -213,6 +213,13 @@ async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
     ]
 
 
+async def test_a_refusal_names_the_limit_in_the_fields_unit(api):
+    refused = await api.post(PATH, json=changed(pin=SHORT))
+    (error,) = refused.json()["errors"]
+    assert error["params"]["limit"] == pytest.approx(35)  # 45 less half of 20
+    assert "at most 35, half" in error["detail"]
+
+
 async def test_the_figure_has_the_locus_and_the_stress(api):
     for theme in ("light", "dark"):
         figure = (await api.post(f"{PATH}/chart?theme={theme}", json=REQUESTS[PATH])).json()

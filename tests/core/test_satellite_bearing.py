@@ -294,6 +294,15 @@ def refusal(call, **change) -> tuple[str, str]:
 def test_what_cannot_be_is_refused() -> None:
     teeth = {"module": 4.5e-3, "teeth_difference": 1, "pressure_angle": math.radians(20)}
     assert refusal(involute_mesh, **teeth, eccentricity=2e-3) == ("eccentricity", "no_mesh")
+    least = 4.5e-3 * math.cos(math.radians(20)) / 2
+    with pytest.raises(InvalidInput) as refused:
+        involute_mesh(**teeth, eccentricity=np.array([3e-3, 2e-3]))
+    assert refused.value.parameter == "eccentricity[1]"
+    assert refused.value.params["limit"] == pytest.approx(least)
+    involute_mesh(**teeth, eccentricity=least)
+    with pytest.raises(InvalidInput) as refused:
+        involute_mesh(**teeth | {"module": np.array([1e-3, 4.5e-3])}, eccentricity=2e-3)
+    assert refused.value.params["limit"] == pytest.approx(least)
     ring = {"eccentricity": 2e-3, "ratio": 20.0}
     name = "ring_pin_circle_radius"
     assert refusal(cycloid_mesh, **ring, ring_pin_circle_radius=0.042) == (name, "no_cycloid")
