@@ -86,6 +86,8 @@ def test_tops_of_samples() -> None:
 NODES, GAPS = _nodes(1.0, False)
 MIDDLE = (NODES - 0.5) ** 2
 END = NODES[1]
+BESIDE = MIDDLE[len(NODES) // 2 + 1 : len(NODES) // 2 + 3]
+STEEPER = 0.8 / (BESIDE[1] - 1.8 * BESIDE[0])  # 1.8 times from one sample to the next
 
 
 @pytest.mark.parametrize(
@@ -93,6 +95,7 @@ END = NODES[1]
     [
         pytest.param(7 - MIDDLE, [], id="even hill"),
         pytest.param(7 - MIDDLE + 1e-12 * NODES, [0.5], id="tilted"),
+        pytest.param(7 - MIDDLE - STEEPER * MIDDLE**2, [0.5], id="falls faster than a parabola"),
         pytest.param(7 + MIDDLE * (0.01 - MIDDLE), [0.5], id="two summits between samples"),
         pytest.param(7 - MIDDLE + 4e-15 * np.sin(97 * NODES), [], id="uneven by rounding"),
         pytest.param(7 - NODES, [], id="falls from its end"),
