@@ -82,6 +82,11 @@ class PinLoads:
         turn = self.turn
         return turn if isinstance(turn, PinTurn) and turn.exponent == 1 else None
 
+    @property
+    def one_by_one(self) -> bool:
+        """Whether no two satellites load the pin at once."""
+        return int(np.count_nonzero(self.turn.forces, axis=0).max()) <= 1
+
 
 @dataclass(frozen=True)
 class LoadedPin:
@@ -123,6 +128,17 @@ class LoadedPin:
         return np.unique(np.clip(ends, 0, self.beam.span))
 
     @cached_property
+    def bent(self) -> FloatArray:
+        """Sections at one of which a load that is alone bends most, m: where it has no shear force,
+        and the supports.
+        """
+        if self.beam.span is None:
+            return np.zeros(1)
+        shear, _ = self.beam.reactions(self.positions)
+        none = self.positions + (shear - 0.5) * self.beam.contact_length
+        return np.array([0.0, *none, self.beam.span])
+
+    @cached_property
     def slopes(self) -> FloatArray:
         """Slope at each satellite by a unit of each one's force, rad/N, shape (K, K)."""
         return np.asarray(self.beam.slope(self.positions[:, None], self.positions))
@@ -130,8 +146,8 @@ class LoadedPin:
     @cached_property
     def effects(self) -> FloatArray:
         """What a unit of each satellite's force does, K rows each: force, deflection, m, and slope,
-        rad, at the satellites; then the mean shear stress at `ends`, Pa, and the bending stress at
-        the root, Pa.
+        rad, at the satellites; then the mean shear stress at `ends` and the bending stress at
+        `bent`, Pa.
         """
         z = self.positions
         return np.concatenate(
@@ -140,7 +156,7 @@ class LoadedPin:
                 self.beam.deflection(z[:, None], z),
                 self.slopes,
                 self.shears(self.ends, 1.0),
-                self.moments(np.zeros(1), 1.0),
+                self.moments(self.bent, 1.0),
             )
         )
 

@@ -357,11 +357,12 @@ def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
     again or as little at most.
     """
     middle = len(nodes) // 2
-    top, beside = values[..., middle], np.s_[middle + 1 : middle + 3]
-    apart = np.abs(values - values[..., ::-1]).max(axis=-1)
-    falls = (top[..., None] - values[..., beside]) / (nodes[beside] - nodes[middle]) ** 2
-    near, far = falls[..., 0], falls[..., 1]
-    found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - near) <= near / 2)
+    start, first, second = nodes[middle : middle + 3].tolist()
+    top = values[..., middle]
+    near, far = (top - values[..., middle + k] for k in (1, 2))
+    parabolic = near * ((second - start) / (first - start)) ** 2
+    apart = np.abs(values[..., :middle] - values[..., :middle:-1]).max(axis=-1)
+    found: BoolArray = (apart <= SIDES * np.abs(top)) & (np.abs(far - parabolic) <= parabolic / 2)
     return found
 
 
@@ -521,21 +522,21 @@ def highest(
         if not len(kept):
             return None
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
-        if room[kept].max() <= enough * best:
-            return climb(at.of(kept if closed else kept[_apart(at.of(kept))]))
-        many = POINTS / len(kept) if closed else 0.0
-        closer = max(CLOSER, int(many if not long.any() else math.sqrt(many)) | 1)
+        left = float(room[kept].max()) / enough
+        if left <= best:
+            return climb(at.of(kept[_apart(at.of(kept))]))
+        closer = CLOSER
+        if closed:  # what is left falls with the square of it
+            many = (POINTS / len(kept)) ** (0.5 if long.any() else 1.0)
+            closer = max(closer, min(int(many), math.ceil(math.sqrt(left / best))) | 1)
         steps_x, steps_chi = (each / closer for each in _steps(closer, bool(long.any()), around))
-        near = at.of(np.repeat(kept, len(steps_x)))
-        move_x, move_chi = (
-            (np.zeros((len(kept), 1)) + each).ravel() for each in (steps_x, steps_chi)
-        )
-        x = near.section + near.length * move_x
-        chi = near.direction + at.angle * move_chi
-        inside = np.flatnonzero(
-            (x >= near.low) & (x <= near.high) & ((near.length > 0) | (move_x == 0))
-        )
-        at = Points(x, chi, near.length / closer, at.angle / closer, near.low, near.high).of(inside)
+        near = at.of(kept)
+        x = near.section[:, None] + near.length[:, None] * steps_x
+        inside = (x >= near.low[:, None]) & (x <= near.high[:, None])
+        inside &= (near.length > 0)[:, None] | (steps_x == 0)
+        chi = (near.direction[:, None] + at.angle * steps_chi)[inside]
+        own = near.of(np.nonzero(inside)[0])
+        at = Points(x[inside], chi, own.length / closer, at.angle / closer, own.low, own.high)
         rounds = ROUGH
 
 

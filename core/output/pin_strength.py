@@ -19,9 +19,9 @@ from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, Support
+from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH
+from core.output.pin_search import ENOUGH, first_of
 from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -472,16 +472,27 @@ class _Stresses:
 
 
 def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
-    """What a pin bears under loads; the equivalent stress only where it is beyond another."""
-    found, count = pin.largest(loads), len(pin.positions)
-    forces, deflections, slopes = found[: 3 * count].reshape(3, count)
-    bent, place = (float(found[-1]), 0.0) if pin.beam.span is None else pin.bending(loads)
-    equivalent = pin.equivalent(loads, max(beyond, bent))
+    """What a pin bears under loads; the equivalent stress only where it is beyond another. Of loads
+    that come one by one, moment and shear force are parallel.
+    """
+    found, count, alone = pin.largest(loads), 3 * len(pin.positions), loads.one_by_one
+    forces, deflections, slopes = found[:count].reshape(3, -1)
+    shears, bends = found[count : -len(pin.bent)], found[-len(pin.bent) :]
+    mean_shear = float(shears.max())
+    if alone or pin.beam.span is None:
+        top = first_of(values=bends, section=pin.bent)
+        bent, place = float(bends[top]), float(pin.bent[top])
+    else:
+        bent, place = pin.bending(loads)
+    if alone:
+        equivalent = float(section_stress(bending=bent, mean_shear=mean_shear))
+    else:
+        equivalent = pin.equivalent(loads, max(beyond, bent))
     return _Stresses(
         loads,
         bent,
         place,
-        mean_shear=float(found[3 * count : -1].max()),
+        mean_shear=mean_shear,
         equivalent=max(equivalent, bent),
         forces=forces,
         deflections=deflections,

@@ -273,7 +273,7 @@ class PinTurn(Turn):
     def _polygons(self) -> tuple[FloatArray, FloatArray]:
         """The forces along each arc for v = 1, where they are rational, of degree two, with weights
         t_i of their three control points: the control points, tangential then radial, shape
-        (2*K, 3*arcs), and the weights, shape (3, arcs).
+        (3, arcs, 2*K), and the weights, shape (3, arcs).
         """
         low, high = self.own[:, self.arcs]
         rows = self.part[self.arcs]
@@ -283,8 +283,8 @@ class PinTurn(Turn):
         total = np.array([(weights * x * y).sum(axis=1) for x, y in ends])
         mixed = (low * high.real + high * low.real) / 2
         forces = np.array((low * low.real, mixed, high * high.real)) * self.drives[self.arcs]
-        points = (forces / total[..., None]).reshape(-1, forces.shape[2]).T
-        return np.concatenate((points.real, points.imag)), total
+        points = forces / total[..., None]
+        return np.concatenate((points.real, points.imag), axis=2), total
 
     def extremes(self, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Largest and least sums of the forces' parts over the turn, in closed form for v = 1.
@@ -299,8 +299,8 @@ class PinTurn(Turn):
         largest, least : array, shape (rows,)
         """
         points, total = self._polygons
-        sums = combine(arms=weights, forces=points).reshape(len(weights), 3, -1)
-        largest, lowered = _highest(np.concatenate((sums, -sums)), total).reshape(2, -1)
+        sums = points @ weights.T
+        largest, lowered = _highest(np.concatenate((sums, -sums), axis=2), total).reshape(2, -1)
         return largest, -lowered
 
     def drawn(self) -> tuple[FloatArray, ComplexArray]:
@@ -520,16 +520,16 @@ def _rules(*levels: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
-    """Largest value of curves of degree two with weighted control points, shape (rows, 3, arcs).
+    """Largest value of curves of degree two with weighted control points, shape (3, arcs, rows).
 
     A curve lies within its control points, so that only an arc whose middle one lies beyond the
     ends of all arcs is looked at within. With ``c_i = t_i*p_i`` the slope of the quotient has the
     coefficients ``c1*t0 - c0*t1, (c2*t0 - c0*t2)/2, c2*t1 - c1*t2``.
     """
-    found: FloatArray = np.maximum(points[:, 0], points[:, 2]).max(axis=1)
-    row, arc = np.nonzero(points[:, 1] > found[:, None])
+    found: FloatArray = np.maximum(points[0], points[2]).max(axis=0)
+    arc, row = np.nonzero(points[1] > found)
     t0, t1, t2 = weights[:, arc]
-    p0, p1, p2 = points.swapaxes(0, 1)[:, row, arc]
+    p0, p1, p2 = points[:, arc, row]
     c0, c1, c2 = p0 * t0, p1 * t1, p2 * t2
     rise, bend, fall = c1 * t0 - c0 * t1, c2 * t0 - c0 * t2, c2 * t1 - c1 * t2
     root = np.sqrt(np.maximum(bend * bend - 4 * rise * fall, 0.0))

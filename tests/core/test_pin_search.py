@@ -1,5 +1,6 @@
 """The search for the largest value, on functions whose largest value is known."""
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
@@ -8,7 +9,16 @@ import pytest
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.output.pin_search import Points, _tops, _vertex, climbed, first_of, narrowed, summits
+from core.output.pin_search import (
+    Points,
+    _tops,
+    _vertex,
+    climbed,
+    first_of,
+    highest,
+    narrowed,
+    summits,
+)
 from core.output.pin_turn import _nodes
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
@@ -76,6 +86,8 @@ def test_tops_of_samples() -> None:
 NODES, GAPS = _nodes(1.0, False)
 MIDDLE = (NODES - 0.5) ** 2
 END = NODES[1]
+BESIDE = MIDDLE[len(NODES) // 2 + 1 : len(NODES) // 2 + 3]
+STEEPER = 0.8 / (BESIDE[1] - 1.8 * BESIDE[0])  # 1.8 times from one sample to the next
 
 
 @pytest.mark.parametrize(
@@ -83,6 +95,7 @@ END = NODES[1]
     [
         pytest.param(7 - MIDDLE, [], id="even hill"),
         pytest.param(7 - MIDDLE + 1e-12 * NODES, [0.5], id="tilted"),
+        pytest.param(7 - MIDDLE - STEEPER * MIDDLE**2, [0.5], id="falls faster than a parabola"),
         pytest.param(7 + MIDDLE * (0.01 - MIDDLE), [0.5], id="two summits between samples"),
         pytest.param(7 - MIDDLE + 4e-15 * np.sin(97 * NODES), [], id="uneven by rounding"),
         pytest.param(7 - NODES, [], id="falls from its end"),
@@ -111,6 +124,58 @@ def _summits_left(values: FloatArray, smooth: bool) -> tuple[float, list[float]]
     )
     most, found = summits(turn=turn, arms=(np.ones((1, 1)),), measure=lambda x: x, known=False)
     return float(most[0]), found.place.tolist()
+
+
+@pytest.mark.parametrize(
+    ("enough", "looks", "most"),
+    [
+        pytest.param(1e-3, 2, 3 * 3, id="2.9 times as close about three points at most"),
+        pytest.param(1e-5, 2, 3 * 31, id="29.3 times"),
+        pytest.param(1e-7, 3, 320, id="as close as the number of points allows"),
+    ],
+)
+def test_directions_are_looked_at_no_closer_than_they_have_to_be(
+    enough: float, looks: int, most: int
+) -> None:
+    """Of ``cos(chi - 0.1)`` the room about points at an angle a is ``1/cos(a/2) - 1`` of it."""
+    looked: list[int] = []
+
+    def value(at: Points, _: int) -> tuple[FloatArray, FloatArray]:
+        looked.append(len(at.section))
+        values = 5 * np.cos(at.direction - 0.1)
+        return values, values * (1 / np.cos(at.angle / 2) - 1)
+
+    def climb(points: Points) -> Points:
+        return points
+
+    found = highest(
+        value=value, stretches=np.zeros((2, 1)), around=True, enough=enough, climb=climb, size=1,
+        closed=True,
+    )  # fmt: skip
+    assert found is not None
+    assert looked[0] == 24
+    assert len(looked) == looks and sum(looked[1:]) <= most
+    assert 1 / math.cos(found.angle / 2) - 1 <= enough
+    assert abs(found.direction[0] - 0.1) <= found.angle / 2 * (1 + 1e-9)
+
+
+def test_what_is_left_are_points_that_are_no_neighbours() -> None:
+    """Of a hill with two summits alike on a stretch, and directions, one point each; none beyond
+    the ends of the stretch.
+    """
+
+    def value(at: Points, _: int) -> tuple[FloatArray, FloatArray]:
+        assert (at.section >= 0).all() and (at.section <= 1).all()
+        values = 5 + np.cos(at.direction) - 4 * (np.abs(at.section - 0.5) - 0.4) ** 2
+        return values, 4 * at.length**2 / 4 + at.angle**2 / 8
+
+    found = highest(
+        value=value, stretches=np.array([[0.0], [1.0]]), around=True, enough=1e-5,
+        climb=lambda points: points, size=1, closed=True,
+    )  # fmt: skip
+    assert found is not None
+    assert sorted(found.section) == pytest.approx([0.1, 0.9], abs=1e-3)
+    assert np.cos(found.direction) == pytest.approx([1, 1], abs=1e-4)
 
 
 def test_climbed_finds_the_top_of_a_stretch() -> None:

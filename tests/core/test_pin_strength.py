@@ -23,11 +23,12 @@ from core.fatigue import (
     surface_factor,
     utilisation,
 )
+from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_search import largest
-from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
 from core.output.pin_turn import pin_turn
 from tests.oracles.real_mechanisms import PIN, REFERENCE, STRENGTH
 
@@ -368,6 +369,54 @@ def test_the_worst_section_by_brute_force(support: str) -> None:
             used = max(used, float(STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)))
     assert largest * (1 - 1e-9) <= found.peak_bending_stress <= largest * (1 + 1e-3)
     assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + 1e-3)
+
+
+@pytest.mark.parametrize("support", ["supported", "fixed"])
+@pytest.mark.parametrize(
+    ("places", "diameter"),
+    [
+        pytest.param((0.015, 0.037), 0.016, id="in the middle"),
+        pytest.param((0.011, 0.033), 0.016, id="to the left"),
+        pytest.param((0.019, 0.041), 0.016, id="to the right"),
+        pytest.param((0.041, 0.019), 0.016, id="the other way round"),
+        pytest.param((0.015, 0.037), 0.08, id="so thick that shear governs"),
+    ],
+)
+def test_loads_one_by_one_bend_most_where_they_have_no_shear_force(
+    support: str, places: tuple[float, float], diameter: float
+) -> None:
+    """As the search along the pin finds it. On supports that let the pin tilt a unit load from a to
+    a + b with the reaction R makes ``R*(a + R*b/2)`` at ``a + R*b``: table 3-23 of the AISC manual.
+    """
+    pin = {name: PIN[name] for name in PIN if name != "fatigue"} | {"diameter": diameter}
+    stresses = pin_stresses(
+        **pin, mechanism=spaced(6, 2), satellite_positions=places, support=support, span=0.052
+    )
+    found, b = stresses.strength(), 0.02
+    (loads,) = stresses.loads
+    bent, at = stresses.pin.bending(loads)
+    assert found.peak_bending_stress == pytest.approx(bent, rel=1e-13)
+    assert found.peak_moment_position == pytest.approx(at, rel=1e-6, abs=1e-9)
+    searched = stresses.pin.equivalent(loads, 0.0)
+    assert found.peak_equivalent_stress == pytest.approx(searched, rel=1e-12)
+    assert (found.peak_equivalent_stress > 1.1 * bent) == (diameter > 0.016)
+    if support == "supported":
+        reactions = [(1 - z / 0.052, z - b / 2) for z in sorted(places)]
+        moments = [reaction * (a + reaction * b / 2) for reaction, a in reactions]
+        top = 0 if moments[0] > moments[1] * (1 - 1e-12) else 1
+        reaction, a = reactions[top]
+        assert found.peak_moment == pytest.approx(found.peak_force * moments[top], rel=1e-13)
+        assert found.peak_moment_position == pytest.approx(a + reaction * b, rel=1e-13)
+
+
+@pytest.mark.parametrize("degrees", [90.0, 179.0])
+def test_loads_that_overlap_are_searched(degrees: float) -> None:
+    """The moments of both add up, also where that is for a moment of the turn only."""
+    mechanism = spaced(6, 2, degrees)
+    turn = pin_turn(mechanism, 1.0)
+    assert not PinLoads(turn, 1.0).one_by_one
+    assert PinLoads(pin_turn(spaced(6, 2), 1.0), 1.0).one_by_one
+    assert PinLoads(pin_turn(spaced(6, 1), 1.0), 1.0).one_by_one
 
 
 @pytest.mark.parametrize(
