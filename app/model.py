@@ -1,8 +1,8 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from itertools import chain
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args, get_origin
 
@@ -183,15 +183,19 @@ class RequestModel(BaseModel):
 
     @cached_property
     def core_paths(self) -> dict[str, tuple[str, ...]]:
-        """Path of the field of each core parameter, here or in the models within, the first."""
-        plan, own = _core_plan(type(self)), vars(self)
-        found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
-        for name, _, _ in plan:
-            value = own[name]
-            if isinstance(value, RequestModel):
-                for parameter, path in value.core_paths.items():
-                    found.setdefault(parameter, (name, *path))
-        return found
+        """Path of the field of each core parameter, here or in the models within, the first; by its
+        name alone and beneath those of the models that hold it, ``pin.diameter``.
+        """
+        return core_paths(self.shape)
+
+    @cached_property
+    def shape(self) -> "Shape":
+        """Its model, and its fields that are given, with the shapes of the models in them."""
+        own, given = vars(self), []
+        for name, _, _ in _core_plan(type(self)):
+            if (value := own[name]) is not None:
+                given.append((name, value.shape if isinstance(value, RequestModel) else None))
+        return type(self), tuple(given)
 
     @model_validator(mode="after")
     def _one_form_each(self) -> Self:
@@ -296,6 +300,42 @@ def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
     `app.problems.TEXTS`.
     """
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
+
+
+Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]
+"""Of a request, what the paths of its fields hang on, and which of them are given."""
+
+
+@lru_cache(maxsize=512)
+def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
+    """Paths of the fields of a request, by its shape; where a model is not given, as if it were."""
+    model, within = shape[0], {name: inner for name, inner in shape[1] if inner is not None}
+    plan = _core_plan(model)
+    found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
+    for name, core, _ in plan:
+        held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
+        for each in held:
+            for parameter, path in core_paths(each).items():
+                found.setdefault(f"{core}.{parameter}", (name, *path))
+    for name, inner in within.items():
+        for parameter, path in core_paths(inner).items():
+            found.setdefault(parameter, (name, *path))
+    return found
+
+
+def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
+    """Paths of the fields that requests of a shape have given."""
+    for name, inner in shape[1]:
+        yield (name,)
+        if inner is not None:
+            yield from ((name, *path) for path in given_paths(inner))
+
+
+def _held(annotation: Any) -> list[Shape]:
+    """Shapes of the models that an annotation allows, alone or in lists."""
+    if isinstance(annotation, type) and issubclass(annotation, RequestModel):
+        return [(annotation, ())]
+    return [shape for each in get_args(annotation) for shape in _held(each)]
 
 
 Values = dict[str, Any]

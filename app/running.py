@@ -2,16 +2,13 @@
 
 import re
 import time
-from collections.abc import Callable, Iterator
-from functools import cache
-from typing import Any, TypeVar, get_args
-
-from pydantic import BaseModel
+from collections.abc import Callable
+from typing import TypeVar
 
 from app.model import RequestModel, api_params
 from app.problems import Problem, pointer, refusal
 from app.record import at_hand
-from app.units import core_name, from_si
+from app.units import from_si
 from core.errors import InvalidInput
 
 Result = TypeVar("Result")
@@ -62,61 +59,14 @@ def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:
     """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
     it has none.
     """
-    head, *rest = _parts(parameter)
-    path = body.core_paths.get(head)
-    if path is None or not rest:
+    path = body.core_paths.get(parameter)
+    if path is not None or "[" not in parameter:
         return path
-    return (*path, *_deeper(body, path, rest))
-
-
-@cache
-def _parts(parameter: str) -> list[str]:
-    return re.findall(r"[^.\[\]]+", parameter)
-
-
-def _deeper(body: BaseModel, path: tuple[str, ...], rest: list[str]) -> Iterator[str | int]:
-    """The rest of a path, below a field: indices, and names with the units they have there."""
-    value: Any = body
-    for part in path:
-        value = _within(value, part)
-    for part in rest:
-        if part.isdigit():
-            yield int(part)
-            value = value[int(part)] if isinstance(value, list) else None
-            continue
-        name = part
-        if value is not None and not isinstance(value, list):
-            model = _model(value)
-            name = _field(model, part)
-            value = _within(value, name) if name in model.model_fields else None
-        yield name
-
-
-def _model(value: Any) -> type[BaseModel]:
-    return value if isinstance(value, type) else type(value)
-
-
-@cache
-def _field(model: type[BaseModel], parameter: str) -> str:
-    """The field of a core parameter; its own name where there is none."""
-    return next((name for name in model.model_fields if core_name(name) == parameter), parameter)
-
-
-def _within(value: Any, name: str) -> Any:
-    """The model or list that a field of a model holds, else the model that it could hold."""
-    model = _model(value)
-    found = None if value is model else getattr(value, name)
-    return found if isinstance(found, (BaseModel, list)) else _held(model, name)
-
-
-@cache
-def _held(model: type[BaseModel], name: str) -> type[BaseModel] | None:
-    """The model that a field may hold, if any."""
-    return _model_in(model.model_fields[name].annotation)
-
-
-def _model_in(annotation: Any) -> type[BaseModel] | None:
-    """The model that an annotation allows, if any."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation
-    return next(filter(None, map(_model_in, get_args(annotation))), None)
+    parts = re.findall(r"[^.\[\]]+", parameter)
+    own = [part for part in parts if not part.isdigit()]
+    path = body.core_paths.get(".".join(own))
+    if path is None:
+        return None
+    above = len(path) - len(own)
+    names = iter(path[above:])
+    return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))

@@ -1,13 +1,24 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
-from collections.abc import Callable, Iterable
-from functools import cache, partial
+from collections.abc import Iterable
+from functools import cache, lru_cache
 from typing import Any, Literal
 
 from pydantic import Field
 
-from app.model import SIZE, Maybe, RequestModel, ResponseModel, Values, quantity, result
+from app.model import (
+    SIZE,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Shape,
+    Values,
+    core_paths,
+    given_paths,
+    quantity,
+    result,
+)
 from app.problems import pointer
 from app.running import path_of
 from app.units import from_si, shown_unit
@@ -327,10 +338,6 @@ class JudgedResponse(ResponseModel):
     )
 
 
-Places = Callable[[str], str | None]
-"""Of a core parameter: the JSON pointer to its field in a request; None where there is none."""
-
-
 SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 
 
@@ -349,18 +356,23 @@ def _kind_values(code: str) -> Values:
     }
 
 
-def check_values(check: Check, place: Places, given: Places) -> Values:
-    """Values of a check, with its inputs as pointers into a request, all and those that are
-    given.
-    """
+@lru_cache(maxsize=64)
+def _inputs(shape: Shape) -> dict[str, list[str]]:
+    """Of each check, JSON pointers to its inputs that are given, in requests of a shape."""
+    paths, given = core_paths(shape), {*given_paths(shape)}
+    return {
+        code: [pointer(paths[name]) for name in kind.inputs if paths.get(name) in given]
+        for code, kind in CHECKS.items()
+    }
+
+
+def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
+    """Values of a check, with its inputs as pointers into a request."""
     kind = check.kind
     unit, source = f"value_{kind.unit}", check.limit_source or kind.source
-    at = {
-        "crank_angle_deg" if name == "crank_angle" else name: from_si("angle_deg", value)
-        if name == "crank_angle"
-        else value
-        for name, value in check.at.items()
-    }
+    at = dict(check.at)
+    if "crank_angle" in at:
+        at["crank_angle_deg"] = from_si("angle_deg", at.pop("crank_angle"))
     values: Values = {
         "status": check.status,
         "impossible": True if check.impossible and check.status == "fail" else None,
@@ -376,23 +388,12 @@ def check_values(check: Check, place: Places, given: Places) -> Values:
         "verified": check.verified or None,
         "life_factor": check.life_factor,
         "at": at or None,
-        "inputs": [*filter(None, map(given, kind.inputs))],
-        "missing": [*filter(None, map(place, check.missing))] or None,
+        "inputs": inputs,
+        "missing": [pointer(path) for name in check.missing if (path := path_of(body, name))]
+        or None,
     }
     known = {name: value for name, value in values.items() if value is not None}
     return _kind_values(check.code) | known
-
-
-def _place(body: RequestModel, name: str) -> str | None:
-    """Where a core parameter is in a request."""
-    path = path_of(body, name)
-    return None if path is None else pointer(path)
-
-
-def _given(body: RequestModel, name: str) -> str | None:
-    """The same where it is given."""
-    path = path_of(body, name)
-    return None if path is None or _value(body, path) is None else pointer(path)
 
 
 def _value(body: Any, path: tuple[str | int, ...]) -> Any:
@@ -495,7 +496,10 @@ def judgement(
     """The fields of `JudgedResponse`, None for what there is not."""
     reserve = verdict.torque_reserve
     known = verdict.largest_torque_known and reserve is not None and torque is not None
-    place, given = partial(_place, body), cache(partial(_given, body))
+    values: list[Values] | None = None
+    if checks:
+        inputs = _inputs(body.shape)
+        values = [check_values(each, body, inputs[each.code]) for each in verdict.checks]
     return {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
@@ -503,7 +507,7 @@ def judgement(
         "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
-        "checks": [check_values(each, place, given) for each in verdict.checks] if checks else None,
+        "checks": values,
         "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
     }
 

@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
-from typing import Any, Literal, get_args
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any, Literal, NamedTuple, get_args
 
 from core.checks.kinds import CHECKS, Kind
 from core.output.pin_geometry import FIT_TOLERANCE
@@ -18,8 +19,7 @@ MARGIN = 1.1
 """Torque reserve below which a check is marginal."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Check:
+class Check(NamedTuple):
     """One check of a design.
 
     Attributes
@@ -48,7 +48,7 @@ class Check:
         Of the limit of a material: source, criterion, how that was seen.
     life_factor : float or None
         Of that limit, which is in it, by the loads over the life; None where none is known.
-    at : dict
+    at : mapping
         Where the value is reached: satellite, pin, crank_angle (rad).
     missing : tuple of str
         Core names of inputs that would have to be given.
@@ -68,7 +68,7 @@ class Check:
     criterion: str = ""
     verified: str = ""
     life_factor: float | None = None
-    at: Mapping[str, float] = field(default_factory=dict)
+    at: Mapping[str, float] = MappingProxyType({})
     missing: tuple[str, ...] = ()
 
     @property
@@ -214,7 +214,7 @@ def wall(code: str, *, width: float, size: float, least: float | None = None) ->
     """
     there = width > FIT_TOLERANCE * size
     found = judged(code, width if there else min(width, 0.0), least or 0.0)
-    return found if there else replace(found, status="fail", impossible=True)
+    return found if there else found._replace(status="fail", impossible=True)
 
 
 @dataclass(frozen=True, slots=True)

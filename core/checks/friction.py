@@ -1,7 +1,6 @@
 """Checks of the pins' friction: efficiency, sliding speed, pv, wear against what is asked."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -49,7 +48,7 @@ def _efficiency(design: CrankDesign) -> Check:
     found = _asked(design, "efficiency", lambda losses: float(losses.efficiency))
     if found.value is None or found.limit is None:
         return found
-    return replace(found, utilisation=(1 - found.value) / (1 - found.limit))  # by the losses
+    return found._replace(utilisation=(1 - found.value) / (1 - found.limit))  # by the losses
 
 
 def _sliding_speed(design: CrankDesign) -> Check:

@@ -1,7 +1,6 @@
 """Checks of the contact of pin and hole: pressure, shakedown, first yield, width."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -104,7 +103,7 @@ def _pressure(design: CrankDesign, body: Body) -> Check:
         verified=limit.verified or "",
         life_factor=limit.life_factor,
     )
-    return found if found.reason else replace(found, reason=reason, missing=missing)
+    return found if found.reason else found._replace(reason=reason, missing=missing)
 
 
 def _plastic(design: CrankDesign, code: str, body: Body, warning: str = "") -> Check:

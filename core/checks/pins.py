@@ -1,7 +1,6 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -77,7 +76,7 @@ def _fatigue(design: CrankDesign) -> Check:
     reserve = design.pin_reserve(safety / limit, _used, near=NEAR_CYCLE)
     check = judged(code, safety, limit, reserve=reserve, error=error, rough=design.as_made)
     lasts = found.fatigue.finite_strength is not None and not check.reason
-    return replace(check, reason="finite_life") if lasts else check
+    return check._replace(reason="finite_life") if lasts else check
 
 
 def _used(pins: PinStrength) -> float:

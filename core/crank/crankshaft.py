@@ -189,7 +189,10 @@ def crankshaft(
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
     carried = _carried(satellite_positions, bearing_positions)
     arm_error = _carried_error(carried, satellite_positions, bearing_positions)
-    arm_error = arm_error + np.abs(carried) * _crank_error(mechanism)
+    cranks = _cranks(mechanism.crank_angles)
+    crank_error = ROUNDING * (4 + 2 * np.abs(mechanism.crank_angles))  # by rounding
+    arm_error = arm_error + np.abs(carried) * crank_error
+    arms = carried * cranks
     ways = WAYS[torque_direction]
     exponents = [EXPONENTS[kind] for kind in kinds]
     if made is None:
@@ -200,6 +203,7 @@ def crankshaft(
             pins=output_torque / pin_circle_radius,
             mesh=mesh,
             carried=carried,
+            arms=arms,
             arm_error=arm_error,
             exponents=exponents,
             ways=ways,
@@ -227,8 +231,15 @@ def crankshaft(
     balance = None
     if satellite_mass is not None and input_speed is not None:
         check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
-        unbalance = satellite_mass * eccentricity
-        balance = _balance(carried, arm_error, mechanism, unbalance, input_speed, last - first)
+        left = abs(complex(cranks.sum()))
+        balance = _balance(
+            needed=-arms.sum(axis=1),
+            error=arm_error.sum(axis=1),
+            left=left if left > crank_error.sum() else 0.0,
+            unbalance=satellite_mass * eccentricity,
+            speed=input_speed,
+            distance=last - first,
+        )
     notices = (*mesh.notices, *poorly_known(accuracy))
     return Crankshaft(found.most, found.equivalent, tuple(lives), balance, accuracy, notices)
 
@@ -255,6 +266,7 @@ def _ideal_reactions(
     pins: float,
     mesh: RingMesh,
     carried: FloatArray,
+    arms: ComplexArray,
     arm_error: FloatArray,
     exponents: list[float],
     ways: tuple[float, ...],
@@ -263,7 +275,6 @@ def _ideal_reactions(
     """By the ideal forces; in reverse the part across the crank changes its sign."""
     force_peak(mechanism, force_exponent)  # refuses what cannot be
     rho = float(mesh.radial_force_ratio)
-    arms = carried * _cranks(mechanism.crank_angles)
     most, equivalent, off, truncation = np.zeros(2), np.zeros(2), np.zeros(2), 0.0
     for stiffness in stiffnesses:
         turn = satellite_turn(mechanism, force_exponent, stiffness)
@@ -321,18 +332,12 @@ def _made_reactions(
 def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
     """What each bearing carries of a force at each satellite, shape (2, K)."""
     places, (first, last) = np.array(positions), bearings
-    return np.stack((last - places, places - first)) / (last - first)
+    return np.array((last - places, places - first)) / (last - first)
 
 
 def _cranks(angles: tuple[float, ...]) -> ComplexArray:
     """Directions of the cranks in the crank's frame."""
     found: ComplexArray = np.exp(1j * np.array(angles))
-    return found
-
-
-def _crank_error(mechanism: Mechanism) -> FloatArray:
-    """Error of these directions by rounding, shape (K,)."""
-    found: FloatArray = ROUNDING * (4 + 2 * np.abs(mechanism.crank_angles))
     return found
 
 
@@ -347,28 +352,26 @@ def _carried_error(
 
 
 def _balance(
-    carried: FloatArray,
-    arm_error: FloatArray,
-    mechanism: Mechanism,
+    *,
+    needed: ComplexArray,
+    error: FloatArray,
+    left: float,
     unbalance: float,
     speed: float,
     distance: float,
 ) -> Balance:
-    """Force and couple of unbalances of this size, and what balances them in the bearings' planes;
-    0 where nothing but rounding is left.
+    """Force and couple of unbalances of this size, by what is left of their directions, and what
+    balances them in the bearings' planes; 0 where nothing but rounding is left.
     """
-    cranks = _cranks(mechanism.crank_angles)
-    needed, error = -(carried * cranks).sum(axis=1), arm_error.sum(axis=1)
-    needed = np.where(np.abs(needed) > error, needed, 0.0)
-    left = abs(cranks.sum())
-    left = left if left > _crank_error(mechanism).sum() else 0.0
-    couple = abs(needed[1] - needed[0]) / 2 * distance
+    both = zip(needed.tolist(), error.tolist(), strict=True)
+    first, last = [each if abs(each) > off else 0.0 for each, off in both]
     return Balance(
         unbalance=unbalance * left,
         force=unbalance * left * speed**2,
-        couple=unbalance * couple * speed**2,
-        corrections=tuple(  # type: ignore[arg-type]
-            Correction(unbalance * abs(each), _turned(each)) for each in needed.tolist()
+        couple=unbalance * abs(last - first) / 2 * distance * speed**2,
+        corrections=(
+            Correction(unbalance * abs(first), _turned(first)),
+            Correction(unbalance * abs(last), _turned(last)),
         ),
     )
 

@@ -277,10 +277,9 @@ def _ideal_loads(
     the worst.
     """
     force_peak(mechanism, force_exponent)  # refuses what cannot be
-    shape = np.broadcast_shapes(np.shape(mesh.radial_force_ratio), np.shape(arm))
+    shape = np.broadcast(mesh.radial_force_ratio, arm).shape
     rho, along = (
-        np.broadcast_to(np.asarray(each, dtype=np.float64), shape).ravel()
-        for each in (mesh.radial_force_ratio, arm)
+        np.full(shape, each, dtype=np.float64).ravel() for each in (mesh.radial_force_ratio, arm)
     )
     turns = [satellite_turn(mechanism, force_exponent, each) for each in stiffnesses]
     phases = mechanism.phases
@@ -289,17 +288,17 @@ def _ideal_loads(
         _loads(turn, even and each is None, rho, along, exponent)
         for turn, each in zip(turns, stiffnesses, strict=True)
     ]
-    scale = np.asarray(across)[..., None]
-    each = [[scale * x.reshape(*shape, -1) for x in loads] for loads, *_ in found]
-    most, least, mean, ring = zip(*each, strict=True)
-    off = max(off for _, off, _ in found)
+    loads, offs, truncations = zip(*found, strict=True)
+    worst = np.maximum.reduce(loads).reshape(4, *shape, -1)
+    most, least, mean, ring = np.asarray(across)[..., None] * worst
+    off = max(offs)
     off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
-    truncation = max(each for *_, each in found)
+    truncation = max(truncations)
     return _Loads(
-        np.maximum.reduce(most),
-        np.minimum.reduce(least),
-        np.maximum.reduce(mean),
-        np.maximum.reduce(ring),
+        most,
+        0.0 - least,
+        mean,
+        ring,
         off + truncation / exponent,
         Accuracy("segments_tanh_sinh", off + MISSED + truncation, turns[0].forces[0].size),
     )
@@ -369,38 +368,46 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
 
 def _loads(
     turn: SatelliteTurn, alike: bool, rho: FloatArray, along: FloatArray, exponent: float
-) -> tuple[list[FloatArray], float, float]:
-    """Largest, least and equivalent load of each satellite, and the largest force of the ring
-    across the crank, over that of all the torque, shape (designs, K); their error by rounding; and
-    the error of the mean of powers.
+) -> tuple[FloatArray, float, float]:
+    """Largest, least (its sign turned) and equivalent load of each satellite, and the largest force
+    of the ring across the crank, over that of all the torque, shape (4, designs, K); their error by
+    rounding; and the error of the mean of powers.
     """
     satellites = len(turn.forces) // 2
     some = 1 if alike else satellites
     own, pins = np.eye(2 * satellites).reshape(2, satellites, -1)
-    across = np.tile(own[:some], (len(rho), 1))
-    inwards = rho[:, None, None] * own[:some] + along[:, None, None] * pins[:some]
-    arms = across, inwards.reshape(across.shape)
+    shares = own[:some]
+    inwards = rho[:, None, None] * shares + along[:, None, None] * pins[:some]
+    inwards = inwards.reshape(-1, 2 * satellites)
+    every = len(inwards)
+    across = shares if len(rho) == 1 else np.tile(shares, (len(rho), 1))
     # most, least and ring at once: what is sought least has its sign turned
-    rings = own[:some], np.zeros_like(own[:some])
-    many = (np.concatenate((each, each, ring)) for each, ring in zip(arms, rings, strict=True))
-    sign = np.repeat([1.0, -1.0, 1.0], (len(across), len(across), some))
-    signs = np.outer(sign, own.sum(axis=0))  # of the sum of all shares, which is 1
+    sign = np.ones((2 * every + some, 1))
+    sign[every : 2 * every] = -1.0
     found = largest(
         turn=turn,
-        arms=(*many, signs),
+        arms=(
+            np.concatenate((across, across, shares)),
+            np.concatenate((inwards, inwards, 0.0 * shares)),
+            sign * own.sum(axis=0),  # of the sum of all shares, which is 1
+        ),
         measure=lambda w, s, sign: np.copysign(np.hypot(w, s), sign),
     )
-    most, least = found[: 2 * len(across)].reshape(2, -1)
-    least, ring = -least, np.tile(found[2 * len(across) :], len(rho))
+    most, least, ring = found[:every], found[every : 2 * every], found[2 * every :]
     mean, truncation = mean_power(
-        turn=turn, arms=arms, measure=np.hypot, largest=most, exponents=[exponent] * len(most)
+        turn=turn,
+        arms=(across, inwards),
+        measure=np.hypot,
+        largest=most,
+        exponents=[exponent] * every,
     )
     share, force = turn.errors.reshape(2, -1)[:, :some]
-    off = np.outer(np.hypot(1, rho), share) + np.outer(along, force)
-    error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring[:some]).max()))
-    each = (most, np.maximum(least, 0.0), mean, ring)
-    shape = len(rho), satellites
-    return [np.broadcast_to(x.reshape(-1, some), shape) for x in each], error, truncation
+    off = np.hypot(1, rho)[:, None] * share + along[:, None] * force
+    error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring).max()))
+    loads = np.empty((4, len(rho), satellites))
+    for row, each in zip(loads, (most, np.minimum(least, 0.0), mean, ring), strict=True):
+        row[:] = each.reshape(-1, some)
+    return loads, error, truncation
 
 
 def mean_power(

@@ -193,7 +193,7 @@ def test_order_and_verdict() -> None:
     assert verdict([room]).verdict == "incomplete"  # nothing that the load could break
     assert verdict([room, warned]).verdict == "incomplete"
     assert verdict([room, judged("shaft_slope", 1.0, 2.0, reserve=2.0)]).verdict == "pass"
-    assert verdict([replace(room, status="fail")]).verdict == "fail"
+    assert verdict([room._replace(status="fail")]).verdict == "fail"
     assert verdict([seven]).governing is None
 
 

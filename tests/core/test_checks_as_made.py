@@ -143,7 +143,7 @@ def replaced(check: Check) -> Check:
     """With the backlash as it was printed, where it is that to all its digits."""
     assert check.value == pytest.approx(BACKLASH, rel=2e-10)
     assert check.utilisation is not None and check.limit is not None
-    return replace(check, value=BACKLASH, utilisation=BACKLASH / check.limit)
+    return check._replace(value=BACKLASH, utilisation=BACKLASH / check.limit)
 
 
 def test_lost_motion_is_backlash_and_what_gives() -> None:

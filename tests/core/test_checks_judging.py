@@ -1,6 +1,5 @@
 """How a value is judged against its limit, and the order of checks, by hand."""
 
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -79,13 +78,13 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     order = [unknown[2], warned, stressed, room, unknown[1], unknown[0]]
     assert verdict(reversed(order)).checks == tuple(order)
     # an impossible part that is not there is none
-    passing = replace(half, impossible=True)
+    passing = half._replace(impossible=True)
     stress = judged("roller_stress", 1.0, 2.0, reserve=2.0)
     assert [each.code for each in verdict([passing, stress]).checks] == [stress.code, "wall_holes"]
     assert verdict([stress]).largest_torque_known
-    assert not verdict([stress, replace(half, status="fail")]).largest_torque_known
+    assert not verdict([stress, half._replace(status="fail")]).largest_torque_known
     # the worst of those that no torque cures: more of the limit used
-    two = [replace(each, status="fail") for each in (half, most)]
+    two = [each._replace(status="fail") for each in (half, most)]
     assert verdict(two).checks[0].utilisation == 0.9
 
 

@@ -50,7 +50,7 @@ def test_static_strength() -> None:
     assert found.value == pytest.approx(STRESS, rel=1e-11)
     limit = 800e6 / 1.5
     says(
-        replace(found, value=STRESS, torque_reserve=limit / STRESS, utilisation=STRESS / limit),
+        found._replace(value=STRESS, torque_reserve=limit / STRESS, utilisation=STRESS / limit),
         status="pass", value=STRESS, limit=limit,
         utilisation=STRESS / limit, torque_reserve=limit / STRESS,
     )  # fmt: skip

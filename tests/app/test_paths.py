@@ -1,0 +1,58 @@
+"""Where core parameters are in requests: the pointers of refusals, and of the inputs of checks."""
+
+from typing import Any
+
+import pytest
+
+from app.calculations.checks import judgement
+from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.running import path_of
+from core.checks.crank_planetary import crank_checks
+
+BODY: dict[str, Any] = {
+    "mechanism": {"pins": 6, "ratio": 20.0},
+    "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0},
+    "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
+}
+PIN = {"satellite_positions_mm": [15.0, 37.0]}
+
+
+@pytest.mark.parametrize("given", [{}, {"pin": PIN}])
+@pytest.mark.parametrize(
+    ("parameter", "path"),
+    [
+        ("pins", ("mechanism", "pins")),
+        ("contact_length", ("contact", "contact_length_mm")),
+        ("pin.contact_length", ("pin", "contact_length_mm")),
+        ("pin.satellite_positions[1]", ("pin", "satellite_positions_mm", 1)),
+        ("hole_radial[0][2]", None),
+        ("deviations.hole_radial[0][2]", ("deviations", "hole_radial_mm", 0, 2)),
+        ("crank_angles[1]", ("mechanism", "crank_angles_deg", 1)),
+        (
+            "crankshaft.bearings[1].dynamic_rating",
+            ("crankshaft", "bearings", 1, "dynamic_rating_N"),
+        ),
+        ("pin.material.yield_strength", ("pin", "material", "yield_strength_MPa")),
+        ("nothing", None),
+    ],
+)
+def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:
+    """The same whether the section is given, so that a refusal can name what is missing."""
+    assert path_of(CrankPlanetaryRequest.model_validate(BODY | given), parameter) == path
+
+
+def inputs(**changes: Any) -> set[str]:
+    """Inputs of the contact's check that a request has given."""
+    body = CrankPlanetaryRequest.model_validate(BODY | changes)
+    answer = judgement(crank_checks(body.design), body, torque=500.0, checks=True)
+    return {*next(each for each in answer["checks"] if each["code"].endswith("hole"))["inputs"]}
+
+
+def test_the_inputs_of_a_check_are_those_that_are_given() -> None:
+    alone = inputs()
+    assert {"/mechanism/pins", "/contact/pin_radius_mm", "/requirements/pitting_safety"} <= alone
+    assert not any(each.startswith("/pin/") for each in alone)
+    assert inputs(pin=PIN) - alone == {"/pin/satellite_positions_mm", "/pin/support"}
+    thinner = inputs(pin=PIN | {"diameter_mm": 15.0})
+    assert thinner - alone == {"/pin/satellite_positions_mm", "/pin/support", "/pin/diameter_mm"}
+    assert inputs() == alone
