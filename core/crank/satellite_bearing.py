@@ -290,7 +290,8 @@ def _ideal_loads(
     ]
     loads, offs, truncations = zip(*found, strict=True)
     worst = np.maximum.reduce(loads).reshape(4, *shape, -1)
-    most, least, mean, ring = np.asarray(across)[..., None] * worst
+    scale = np.asarray(across)[..., None]
+    most, least, mean, ring = (scale * each for each in worst)
     off = max(offs)
     off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
     truncation = max(truncations)
