@@ -81,13 +81,21 @@ export function typedIn(state, path, text, time) {
   );
 }
 
-/** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
+/**
+ * A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. Groups that
+ * need it go off with it, and come back with it.
+ */
 export function switched(state, id, on, time) {
   const { typed, about: { model: { fields }, calculator: { wanted }, materialOf }, reading: { filled } } = state;
   const texts = { ...typed.texts };
   const turn = ({ id: one, starts = () => ({}), needs }) => {
     texts[`${one}.on`] = on ? "on" : "";
-    if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
+    for (const { id: other } of wanted.filter((group) => group.needs === one)) {
+      const back = texts[`${other}.back`] ?? "";
+      texts[`${other}.back`] = on ? "" : texts[`${other}.on`];
+      texts[`${other}.on`] = on ? texts[`${other}.on`] || back : "";
+    }
+    if (!on) return;
     const values = Object.entries(starts(filled, materialOf)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
     const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
     const empty = values.every(([path]) => untouched(path) || fields.get(path).wanted !== one);
