@@ -223,11 +223,12 @@ function warningLine({ titles }, { answer }) {
 }
 
 /** The verdict in one sentence, for those who hear it. */
-function announced({ cells, answer }, { calculator, titles }) {
+function announced(shown, { calculator, titles }) {
+  const { cells, answer } = shown;
   const judged = judgedOf(calculator, answer);
   const words = cells.filter(({ note }) => note !== undefined)
     .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
-  return [judged && verdictSentence(judged, titles), message("verdict.announce", { cells: `${words.join(". ")}.` })]
+  return [judged && verdictSentence(judged, titles, calculator.torque?.(shown)), message("verdict.announce", { cells: `${words.join(". ")}.` })]
     .filter(Boolean).join(" ");
 }
 

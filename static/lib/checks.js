@@ -1,7 +1,7 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatNumber, formatQuantity, shownDigits, unitOf } from "./format.js";
+import { formatNumber, formatQuantity, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
@@ -115,15 +115,34 @@ export function decisive({ verdict, governing, checks = [] }) {
   return checks.find(({ code, status }) => (verdict === "incomplete" ? status === "not_checked" : code === governing));
 }
 
-/** The verdict in a sentence. */
-export function verdictSentence(judged, titles) {
+/** The failing check that no smaller torque cures, by all that is known. */
+const beyondTorque = ({ checks = [] }) => checks.find(({ status, torque_reserve: reserve }) => status === "fail" && reserve === undefined);
+
+/**
+ * The largest torque, `{ value, estimated }`, none where it is not known. Where the service states a reserve but no torque,
+ * at another torque the forces are shared otherwise: then it is an estimate, of the `torque` in N·m that is asked.
+ */
+export function largestTorque(judged, torque) {
+  const { largest_torque_Nm: value, torque_reserve: reserve, verdict, counts } = judged;
+  if (value !== undefined) return { value, estimated: false };
+  const curable = verdict === "fail" && !counts?.not_checked && !beyondTorque(judged);
+  return curable && reserve !== undefined && torque !== undefined ? { value: reserve * torque, estimated: true } : null;
+}
+
+/** Digits that a largest torque is shown with. */
+export const torqueDigits = ({ estimated }) => (estimated ? 2 : 4);
+
+/** The verdict in a sentence; `torque` is the one that is asked. */
+export function verdictSentence(judged, titles, torque) {
   const word = wordOf(judged);
   const check = decisive(judged);
   const row = check && checkRow(check, titles);
-  const torque = judged.largest_torque_Nm === undefined ? ""
-    : message("checks.largestTorque", { torque: formatQuantity(judged.largest_torque_Nm, "N·m", shownDigits(0, 4)) });
+  const largest = largestTorque(judged, torque);
+  const allowed = largest && message("checks.largestTorque", {
+    torque: `${largest.estimated ? "≈\u00a0" : ""}${formatQuantity(largest.value, "N·m", torqueDigits(largest))}`,
+  });
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
-  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, torque && `${torque}.`].filter(Boolean).join(" ");
+  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`].filter(Boolean).join(" ");
 }
 
 /** What the checks that have been judged are about. */
@@ -146,7 +165,9 @@ export function wordNote(judged) {
 }
 
 /** Why a verdict knows no largest torque, in words. */
-export function torqueUnknown({ verdict, counts }) {
+export function torqueUnknown(judged) {
+  const { counts } = judged;
   if (counts.not_checked) return message("checks.openChecks", { count: counts.not_checked });
-  return message(verdict === "fail" ? "checks.notByTorque" : "checks.withoutTorque");
+  const check = beyondTorque(judged);
+  return check ? message("checks.notByTorque", { check: titleOf(check) }) : message("checks.withoutTorque");
 }
