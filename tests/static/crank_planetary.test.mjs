@@ -45,8 +45,8 @@ test("the cells say the numbers, and what has not been computed", () => {
 
 test("the peak force is said to be without the load factors, and with them", () => {
   const force = { peak_force_N: 1000, peak_crank_angle_deg: 30, peak_pair: { satellite: 1, pin: 2 }, equal_sharing_peak_N: 500, accuracy: ACCURACY };
-  const said = (contact) => {
-    const answer = { contact_force: force, hertz: {} };
+  const said = (contact, hertz = {}) => {
+    const answer = { contact_force: force, hertz };
     const [peak] = calculator.verdict({ contact_force: force }, { input: { contact } });
     return [peak.note, ...calculator.sentences(answer, { input: { contact } }).filter(Boolean).slice(1).map(([, words]) => words)];
   };
@@ -55,6 +55,9 @@ test("the peak force is said to be without the load factors, and with them", () 
     "The contact pressure is that of 1800\u00a0N: the peak force times the dynamic and distribution factors, 1.8.",
   ]);
   assert.deepEqual(said({}), ["at 30°, satellite 1, pin 2"]);
+  const bent = { line_load_factor: 2 };
+  assert.match(said({ dynamic_factor: 1.5 }, bent)[1], /that of 3000\u00a0N spread evenly .* factors, 1.5, and times 2 for bent pins/);
+  assert.match(said({}, bent)[1], /that of 2000\u00a0N spread/);
 });
 
 test("no part of the page gets the safety of what cannot be built", async () => {
