@@ -43,6 +43,16 @@ test("the cells say the numbers, and what has not been computed", () => {
   assert.ok(calculator.verdict({}).every(({ label, value, note }) => label && value === undefined && note === undefined));
 });
 
+test("with real forces the pairs are those that are loaded", () => {
+  const real = { loaded_pairs_min: 1, loaded_pairs_max: 3, peak_force_N: 9, peak_crank_angle_deg: 0, peak_pair: {}, accuracy: ACCURACY };
+  const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
+  const [, pairs] = calculator.verdict(answer, { input: {} });
+  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; 2–4 without clearance"]);
+  assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
+  const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };
+  assert.equal(calculator.verdict(dead, { input: {} })[1].level, "bad");
+});
+
 test("the peak force is said to be without the load factors, and with them", () => {
   const force = { peak_force_N: 1000, peak_crank_angle_deg: 30, peak_pair: { satellite: 1, pin: 2 }, equal_sharing_peak_N: 500, accuracy: ACCURACY };
   const said = (contact, hertz = {}) => {

@@ -4,12 +4,13 @@ import { message } from "../../messages/index.js";
 
 const say = (key, values) => message(`words.${key}`, values);
 
-function transmission({ min_driving: least, max_driving: most, mean_driving: mean, dead_centres_deg: dead, pairs }) {
+function transmission({ min_driving: least, max_driving: most, mean_driving: mean, dead_centres_deg: dead, pairs }, real) {
   if (dead.length > 0) {
     const named = dead.slice(0, 4).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
     return ["bad", say("dead", { angles: named + (dead.length > 4 ? ` ${message("verdict.more")}` : "") })];
   }
   const values = { least, most, all: pairs.length, mean: formatNumber(mean, 4) };
+  if (real) return ["good", say("loaded", { least: real.loaded_pairs_min, most: real.loaded_pairs_max, all: pairs.length })];
   return ["good", say(least === most ? "steady" : "transmits", values)];
 }
 
@@ -36,7 +37,7 @@ function pressed({ peak_force_N: peak }, { line_load_factor: edge = 1 }, factor)
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
 export function sentences({ cyclogram, contact_force: force, load_sharing: real, hertz }, { input } = {}) {
   return [
-    cyclogram && transmission(cyclogram),
+    cyclogram && transmission(cyclogram, real),
     force && real ? made(force, real) : force?.equal_sharing_peak_N !== undefined && evenness(force),
     force && hertz && !real && pressed(force, hertz, factorOf(input?.contact)),
   ];
