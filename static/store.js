@@ -5,11 +5,11 @@
  * `about`    what never changes: `{ model, calculator, catalogues, titles, materialOf }`
  * `typed`    what the boxes say, `{ texts, chosen }`, and `reading`, the same read and checked
  * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
- * `phase`    "incomplete", "wrong", "computing", "offline", "refused" or "fresh"
+ * `phase`    "incomplete", "wrong", "computing", "offline", "long", "refused" or "fresh"
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
- * `fixes`    what mends the design on the screen, `{ of: shown, list }`, or null
+ * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, `long` where it took too long to find; or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
@@ -233,7 +233,7 @@ function announced(shown, { calculator, titles }) {
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */
-export const mended = (state, of, list) => (state.shown === of ? { ...state, fixes: { of, list } } : state);
+export const mended = (state, of, list, long = false) => (state.shown === of ? { ...state, fixes: { of, list, long } } : state);
 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {
@@ -273,10 +273,10 @@ export function refusedAt({ typed, refusal, besides }, path) {
 /** Whether a group is switched on. */
 export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
 
-/** The service could not be asked. */
+/** The service could not be asked, or it takes too long. */
 export function failed(state, problem) {
   const text = problemText(problem, state.about.titles);
-  return { ...state, phase: "offline", line: ["bad", text], said: text };
+  return { ...state, phase: problem.kind === "too-long" ? "long" : "offline", line: ["bad", text], said: text };
 }
 
 export const compared = (state, kept) => ({ ...state, kept });
@@ -300,7 +300,7 @@ export function charted(state, id, data) {
 
 /** Whether the numbers on the screen are of other inputs than those on the screen, or may be. */
 export function stale({ phase, shown, typed }) {
-  return phase === "computing" || phase === "offline" || shown?.typed !== typed;
+  return ["computing", "offline", "long"].includes(phase) || shown?.typed !== typed;
 }
 
 /** How it stands, and what the numbers are of: these inputs, a part of them, older ones, none yet. */

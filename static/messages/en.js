@@ -54,7 +54,7 @@ export default {
   // What a refusal says that is about no field, by its kind.
   refused: {
     "too-large": "The request is too large.",
-    "too-long": "The answer takes longer than the service allows: make it smaller, for example with fewer pins.",
+    "too-long": "The calculation takes longer than the service allows. Switch off sections that are not needed, or clearance and errors; or take fewer pins or satellites.",
     unavailable: "The service is busy: try again in a few seconds.",
     failure: "The service failed: this is no error of the input.",
   },
@@ -283,6 +283,7 @@ export default {
     wrong: "Input wrong",
     refused: "Not possible",
     offline: "No connection",
+    long: "Takes too long",
     freshNote: "numbers match the inputs",
     partNote: "shown as far as possible",
     olderNote: "numbers are of older inputs",
@@ -351,6 +352,7 @@ export default {
   },
   fixes: {
     title: "What mends it",
+    long: "Which changes would help took longer to find than the service allows. Fewer sections, or no clearance and errors, make it faster; “Size for …” beside a field looks for one value.",
     change: "{field} {from} → {to} ({change})",
     notEnough: "Changing {field} alone is not enough.",
     then: "then: {verdict}",

@@ -79,7 +79,9 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
       fill(rest, html`${others.map((row) => rowMarkup(row, titleAt))}`);
       fixes.dataset.open = String(Boolean(calculator.mend) && ["fail", "marginal"].includes(judged.verdict));
       list = found?.of === shown ? found.list.slice(0, FIXES) : [];
-      fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
+      const long = found?.of === shown && found.long;
+      fill(fixes, list.length === 0 && !long ? html`` : html`<h3>${message("fixes.title")}</h3>
+        ${long && html`<p class="note">${message("fixes.long")}</p>`}
         <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);
       keep(!more.open);
     }),

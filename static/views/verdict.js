@@ -23,7 +23,7 @@ function wordMarkup({ phase, numbers }, judged) {
   const known = judged && numbers === "fresh";
   const word = known ? wordOf(judged) : null;
   const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
-  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad" }[phase];
+  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad", long: "bad" }[phase];
   return html`<p class="word ${level ?? ""}">${sign(level)}${text}</p>
     <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}</p>`;
 }
