@@ -338,7 +338,7 @@ export default {
     torque: "Largest torque",
     openChecks: { one: "not known: {count} check is open", other: "not known: {count} checks are open" },
     notByTorque: "not known: less torque does not cure “{check}”",
-    estimated: "estimate: the sharing changes too",
+    estimated: "an estimate",
     withoutTorque: "no check hangs on the torque",
     largestTorque: "Largest torque allowed {torque}",
     reserve: "Torque reserve",
