@@ -161,6 +161,11 @@ export function notConsidered({ not_considered: codes = [] }) {
 export function wordNote(judged) {
   const word = wordOf(judged);
   if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
+  const check = word === "marginal" && decisive(judged);
+  // The first of the marginal checks has no reserve where none of them has: what they doubt is nothing of strength.
+  if (check && check.torque_reserve === undefined) {
+    return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
+  }
   return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
 }
 

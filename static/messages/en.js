@@ -325,6 +325,7 @@ export default {
   verdictWord: {
     pass: "Works", marginal: "Marginal", fail: "Does not work", incomplete: "Not known", impossible: "Not possible",
     passNote: "looked at: {groups}", marginalNote: "the reserve is small, or within the model's error; looked at: {groups}",
+    marginalByNote: "because of the check “{check}”; looked at: {groups}",
     failNote: "a check is not met", incompleteNote: { one: "{count} check is open", other: "{count} checks are open" }, nothingNote: "nothing that was looked at could break", impossibleNote: "it cannot be built; the numbers mean nothing",
   },
   status: {

@@ -318,6 +318,7 @@ export default {
   verdictWord: {
     pass: "Пригодна", marginal: "На пределе", fail: "Непригодна", incomplete: "Неизвестно", impossible: "Невозможно",
     passNote: "рассмотрено: {groups}", marginalNote: "запас мал или в пределах погрешности модели; рассмотрено: {groups}",
+    marginalByNote: "из-за проверки «{check}»; рассмотрено: {groups}",
     failNote: "проверка не выполняется", incompleteNote: { one: "не проверено {count} условие", few: "не проверено {count} условия", many: "не проверено {count} условий", other: "не проверено {count} условия" }, nothingNote: "из проверенного ничто не может сломаться", impossibleNote: "построить нельзя; числа ничего не значат",
   },
   status: {

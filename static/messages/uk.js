@@ -318,6 +318,7 @@ export default {
   verdictWord: {
     pass: "Придатна", marginal: "На межі", fail: "Непридатна", incomplete: "Невідомо", impossible: "Неможливо",
     passNote: "розглянуто: {groups}", marginalNote: "запас малий або в межах похибки моделі; розглянуто: {groups}",
+    marginalByNote: "через перевірку «{check}»; розглянуто: {groups}",
     failNote: "перевірка не виконується", incompleteNote: { one: "не перевірено {count} умову", few: "не перевірено {count} умови", many: "не перевірено {count} умов", other: "не перевірено {count} умови" }, nothingNote: "з перевіреного ніщо не може зламатися", impossibleNote: "побудувати не можна; числа нічого не значать",
   },
   status: {

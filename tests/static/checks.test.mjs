@@ -72,6 +72,13 @@ test("not known says whether checks are open, or nothing could break", () => {
   assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
 });
 
+test("a marginal verdict says the check that makes it so, where that is no matter of the reserve", () => {
+  const differ = { code: "new_differ", title: "Satellites that differ", status: "marginal", group: "new" };
+  const note = (check) => wordNote({ verdict: "marginal", governing: check.code, counts: { not_checked: 0 }, checks: [check] });
+  assert.equal(note(differ), "because of the check “Satellites that differ”; looked at: new");
+  assert.match(note({ ...differ, torque_reserve: 1.05 }), /^the reserve is small, or within the model's error; /);
+});
+
 test("numbers of a formula are written as the language writes them", async () => {
   const formula = () => checkRow({ ...PRESSURE, formula: "p ≤ 2.31·R_e" }, titles).formula;
   assert.equal(formula(), "p ≤ 2.31·R_e");
