@@ -270,7 +270,7 @@ export default {
     separators: "One decimal sign only: write 1000.5 or 1000,5",
     range: "Too large for a number",
     integer: "Must be a whole number",
-    list: "Not a list of numbers: write 0; 120; 240",
+    list: "Not a list of numbers: part them by ; or a space, as 0; 120; 240",
     least: "Must be {limit} or more",
     above: "Must be more than {limit}",
     most: "Must be {limit} or less",
