@@ -84,28 +84,34 @@ export function checkRow(check, titles) {
 /** Dotted path of a JSON pointer. */
 export const pathOf = (pointer) => pointer.slice(1).replaceAll("/", ".");
 
-const shareOf = (share) => (share === undefined ? "–" : percent(share));
+/** What a fix does to another check: how much of its limit is used, where that is known before and after. */
+function effectText(check, { status_from: was, status_to: is, utilisation_from: before, utilisation_to: after }) {
+  const known = before !== undefined && after !== undefined;
+  return known ? message("fixes.effect", { check, before: percent(before), after: percent(after) })
+    : message("fixes.statusEffect", { check, before: message(`status.${was}`), after: message(`status.${is}`) });
+}
 
-/** A fix: what to change, by how much, to what verdict, and what else it does; `titleAt(path)` names a field. */
-export function fixRow(fix, titleAt, checks) {
-  const { pointer, unit, from, to, change, standard, status, verdict, side_effects: effects = [] } = fix;
-  const title = titleAt(pathOf(pointer)) ?? fix.title;
+/** A fix: what to change, by how much, to what verdict, and what else it sets and does; `fieldAt(path)` is a field of the form. */
+export function fixRow(fix, fieldAt, checks) {
+  const { pointer, from, to, change, standard, status, verdict, sets = {}, side_effects: effects = [] } = fix;
+  const field = fieldAt(pathOf(pointer)) ?? fix;
   const values = {
-    field: title, from: formatQuantity(from, unit, 5), to: to === undefined ? "" : formatQuantity(to, unit, 5),
+    field: field.title, from: formatQuantity(from, field.unit, 5), to: to === undefined ? "" : formatQuantity(to, field.unit, 5),
     change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
   };
+  const others = Object.entries(sets).filter(([at]) => at !== pointer)
+    .map(([at, value]) => [fieldAt(pathOf(at)), value]).filter(([other]) => other)
+    .map(([{ title, unit }, value]) => message("fixes.also", { field: title, to: formatQuantity(value, unit, 5) }));
   const named = (code) => titleOf(checks.find((check) => check.code === code) ?? { code });
   return {
     applies: status !== "not_enough" && fix.sets !== undefined,
-    text: status === "not_enough" ? message("fixes.notEnough", values) : message("fixes.change", values),
+    text: status === "not_enough" ? message("fixes.notEnough", values) : [message("fixes.change", values), ...others].join("; "),
     standard: standard ?? "",
     level: LEVELS[verdict],
     then: verdict && status !== "not_enough" ? message(`verdictWord.${verdict}`) : "",
     effects: status === "not_enough" ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
       level: LEVELS[effect.status_to],
-      text: message("fixes.effect", {
-        check: named(effect.code), before: shareOf(effect.utilisation_from), after: shareOf(effect.utilisation_to),
-      }),
+      text: effectText(named(effect.code), effect),
     })),
   };
 }

@@ -358,6 +358,8 @@ export default {
     notEnough: "Changing {field} alone is not enough.",
     then: "then: {verdict}",
     effect: "{check}: {before} → {after} of the limit",
+    statusEffect: "{check}: {before} → {after}",
+    also: "{field} → {to}",
   },
   sizing: {
     title: "Size for …",

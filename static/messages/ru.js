@@ -351,6 +351,8 @@ export default {
     notEnough: "Изменить только «{field}» недостаточно.",
     then: "тогда: {verdict}",
     effect: "«{check}»: {before} → {after} предела",
+    statusEffect: "«{check}»: {before} → {after}",
+    also: "«{field}» → {to}",
   },
   sizing: {
     title: "Подобрать по условию…",

@@ -351,6 +351,8 @@ export default {
     notEnough: "Змінити лише «{field}» недостатньо.",
     then: "тоді: {verdict}",
     effect: "«{check}»: {before} → {after} межі",
+    statusEffect: "«{check}»: {before} → {after}",
+    also: "«{field}» → {to}",
   },
   sizing: {
     title: "Підібрати за умовою…",
