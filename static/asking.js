@@ -80,8 +80,9 @@ export function createAsking({ store, client, designs }) {
   /** What would mend the design that is shown, asked for after its answer. */
   async function mend(shown) {
     if (!calculator.mend || !["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict)) return;
-    const { answer } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
+    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
     if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? []);
+    if (problem?.kind === "too-long") store.apply(mended, shown, [], true);
   }
 
   async function now() {

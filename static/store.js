@@ -5,11 +5,11 @@
  * `about`    what never changes: `{ model, calculator, catalogues, titles, materialOf }`
  * `typed`    what the boxes say, `{ texts, chosen }`, and `reading`, the same read and checked
  * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
- * `phase`    "incomplete", "wrong", "computing", "offline", "refused" or "fresh"
+ * `phase`    "incomplete", "wrong", "computing", "offline", "long", "refused" or "fresh"
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
- * `fixes`    what mends the design on the screen, `{ of: shown, list }`, or null
+ * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, `long` where it took too long to find; or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
@@ -81,13 +81,21 @@ export function typedIn(state, path, text, time) {
   );
 }
 
-/** A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. */
+/**
+ * A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. Groups that
+ * need it go off with it, and come back with it.
+ */
 export function switched(state, id, on, time) {
   const { typed, about: { model: { fields }, calculator: { wanted }, materialOf }, reading: { filled } } = state;
   const texts = { ...typed.texts };
   const turn = ({ id: one, starts = () => ({}), needs }) => {
     texts[`${one}.on`] = on ? "on" : "";
-    if (!on) return wanted.filter((group) => group.needs === one).forEach(turn);
+    for (const { id: other } of wanted.filter((group) => group.needs === one)) {
+      const back = texts[`${other}.back`] ?? "";
+      texts[`${other}.back`] = on ? "" : texts[`${other}.on`];
+      texts[`${other}.on`] = on ? texts[`${other}.on`] || back : "";
+    }
+    if (!on) return;
     const values = Object.entries(starts(filled, materialOf)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
     const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
     const empty = values.every(([path]) => untouched(path) || fields.get(path).wanted !== one);
@@ -215,16 +223,17 @@ function warningLine({ titles }, { answer }) {
 }
 
 /** The verdict in one sentence, for those who hear it. */
-function announced({ cells, answer }, { calculator, titles }) {
+function announced(shown, { calculator, titles }) {
+  const { cells, answer } = shown;
   const judged = judgedOf(calculator, answer);
   const words = cells.filter(({ note }) => note !== undefined)
     .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
-  return [judged && verdictSentence(judged, titles), message("verdict.announce", { cells: `${words.join(". ")}.` })]
+  return [judged && verdictSentence(judged, titles, calculator.torque?.(shown)), message("verdict.announce", { cells: `${words.join(". ")}.` })]
     .filter(Boolean).join(" ");
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */
-export const mended = (state, of, list) => (state.shown === of ? { ...state, fixes: { of, list } } : state);
+export const mended = (state, of, list, long = false) => (state.shown === of ? { ...state, fixes: { of, list, long } } : state);
 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {
@@ -264,10 +273,10 @@ export function refusedAt({ typed, refusal, besides }, path) {
 /** Whether a group is switched on. */
 export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
 
-/** The service could not be asked. */
+/** The service could not be asked, or it takes too long. */
 export function failed(state, problem) {
   const text = problemText(problem, state.about.titles);
-  return { ...state, phase: "offline", line: ["bad", text], said: text };
+  return { ...state, phase: problem.kind === "too-long" ? "long" : "offline", line: ["bad", text], said: text };
 }
 
 export const compared = (state, kept) => ({ ...state, kept });
@@ -291,7 +300,7 @@ export function charted(state, id, data) {
 
 /** Whether the numbers on the screen are of other inputs than those on the screen, or may be. */
 export function stale({ phase, shown, typed }) {
-  return phase === "computing" || phase === "offline" || shown?.typed !== typed;
+  return ["computing", "offline", "long"].includes(phase) || shown?.typed !== typed;
 }
 
 /** How it stands, and what the numbers are of: these inputs, a part of them, older ones, none yet. */

@@ -131,7 +131,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const verdict = createVerdict({ calculator, titles });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
-    calculator, titles, titleAt: (path) => model.fields.get(path)?.title, askedAt: (path) => entryOf(model, path),
+    calculator, titles, fieldAt: (path) => model.fields.get(path), askedAt: (path) => entryOf(model, path),
     on: {
       fixed: apply,
       asked(path) {

@@ -1,7 +1,7 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatNumber, formatQuantity, shownDigits, unitOf } from "./format.js";
+import { formatNumber, formatQuantity, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
@@ -84,28 +84,34 @@ export function checkRow(check, titles) {
 /** Dotted path of a JSON pointer. */
 export const pathOf = (pointer) => pointer.slice(1).replaceAll("/", ".");
 
-const shareOf = (share) => (share === undefined ? "–" : percent(share));
+/** What a fix does to another check: how much of its limit is used, where that is known before and after. */
+function effectText(check, { status_from: was, status_to: is, utilisation_from: before, utilisation_to: after }) {
+  const known = before !== undefined && after !== undefined;
+  return known ? message("fixes.effect", { check, before: percent(before), after: percent(after) })
+    : message("fixes.statusEffect", { check, before: message(`status.${was}`), after: message(`status.${is}`) });
+}
 
-/** A fix: what to change, by how much, to what verdict, and what else it does; `titleAt(path)` names a field. */
-export function fixRow(fix, titleAt, checks) {
-  const { pointer, unit, from, to, change, standard, status, verdict, side_effects: effects = [] } = fix;
-  const title = titleAt(pathOf(pointer)) ?? fix.title;
+/** A fix: what to change, by how much, to what verdict, and what else it sets and does; `fieldAt(path)` is a field of the form. */
+export function fixRow(fix, fieldAt, checks) {
+  const { pointer, from, to, change, standard, status, verdict, sets = {}, side_effects: effects = [] } = fix;
+  const field = fieldAt(pathOf(pointer)) ?? fix;
   const values = {
-    field: title, from: formatQuantity(from, unit, 5), to: to === undefined ? "" : formatQuantity(to, unit, 5),
+    field: field.title, from: formatQuantity(from, field.unit, 5), to: to === undefined ? "" : formatQuantity(to, field.unit, 5),
     change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
   };
+  const others = Object.entries(sets).filter(([at]) => at !== pointer)
+    .map(([at, value]) => [fieldAt(pathOf(at)), value]).filter(([other]) => other)
+    .map(([{ title, unit }, value]) => message("fixes.also", { field: title, to: formatQuantity(value, unit, 5) }));
   const named = (code) => titleOf(checks.find((check) => check.code === code) ?? { code });
   return {
     applies: status !== "not_enough" && fix.sets !== undefined,
-    text: status === "not_enough" ? message("fixes.notEnough", values) : message("fixes.change", values),
+    text: status === "not_enough" ? message("fixes.notEnough", values) : [message("fixes.change", values), ...others].join("; "),
     standard: standard ?? "",
     level: LEVELS[verdict],
     then: verdict && status !== "not_enough" ? message(`verdictWord.${verdict}`) : "",
     effects: status === "not_enough" ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
       level: LEVELS[effect.status_to],
-      text: message("fixes.effect", {
-        check: named(effect.code), before: shareOf(effect.utilisation_from), after: shareOf(effect.utilisation_to),
-      }),
+      text: effectText(named(effect.code), effect),
     })),
   };
 }
@@ -115,15 +121,34 @@ export function decisive({ verdict, governing, checks = [] }) {
   return checks.find(({ code, status }) => (verdict === "incomplete" ? status === "not_checked" : code === governing));
 }
 
-/** The verdict in a sentence. */
-export function verdictSentence(judged, titles) {
+/** The failing check that no smaller torque cures, by all that is known. */
+const beyondTorque = ({ checks = [] }) => checks.find(({ status, torque_reserve: reserve }) => status === "fail" && reserve === undefined);
+
+/**
+ * The largest torque, `{ value, estimated }`, none where it is not known. Where the service states a reserve but no torque,
+ * at another torque the forces are shared otherwise: then it is an estimate, of the `torque` in N·m that is asked.
+ */
+export function largestTorque(judged, torque) {
+  const { largest_torque_Nm: value, torque_reserve: reserve, verdict, counts } = judged;
+  if (value !== undefined) return { value, estimated: false };
+  const curable = verdict === "fail" && !counts?.not_checked && !beyondTorque(judged);
+  return curable && reserve !== undefined && torque !== undefined ? { value: reserve * torque, estimated: true } : null;
+}
+
+/** Digits that a largest torque is shown with. */
+export const torqueDigits = ({ estimated }) => (estimated ? 2 : 4);
+
+/** The verdict in a sentence; `torque` is the one that is asked. */
+export function verdictSentence(judged, titles, torque) {
   const word = wordOf(judged);
   const check = decisive(judged);
   const row = check && checkRow(check, titles);
-  const torque = judged.largest_torque_Nm === undefined ? ""
-    : message("checks.largestTorque", { torque: formatQuantity(judged.largest_torque_Nm, "N·m", shownDigits(0, 4)) });
+  const largest = largestTorque(judged, torque);
+  const allowed = largest && message("checks.largestTorque", {
+    torque: `${largest.estimated ? "≈\u00a0" : ""}${formatQuantity(largest.value, "N·m", torqueDigits(largest))}`,
+  });
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
-  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, torque && `${torque}.`].filter(Boolean).join(" ");
+  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`].filter(Boolean).join(" ");
 }
 
 /** What the checks that have been judged are about. */
@@ -142,11 +167,18 @@ export function notConsidered({ not_considered: codes = [] }) {
 export function wordNote(judged) {
   const word = wordOf(judged);
   if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
+  const check = word === "marginal" && decisive(judged);
+  // The first of the marginal checks has no reserve where none of them has: what they doubt is nothing of strength.
+  if (check && check.torque_reserve === undefined) {
+    return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
+  }
   return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
 }
 
 /** Why a verdict knows no largest torque, in words. */
-export function torqueUnknown({ verdict, counts }) {
+export function torqueUnknown(judged) {
+  const { counts } = judged;
   if (counts.not_checked) return message("checks.openChecks", { count: counts.not_checked });
-  return message(verdict === "fail" ? "checks.notByTorque" : "checks.withoutTorque");
+  const check = beyondTorque(judged);
+  return check ? message("checks.notByTorque", { check: titleOf(check) }) : message("checks.withoutTorque");
 }

@@ -142,7 +142,7 @@ export function readField(field, text) {
   if (field.kind === "records") return readRecords(field, typed);
   if (field.kind === "numbers") {
     const { values, problem } = parseNumbers(typed);
-    if (problem) return { problem: problem === "number" ? "list" : problem };
+    if (problem) return { problem: ["number", "separators"].includes(problem) ? "list" : problem };
     const value = values.map((one) => canonicalValue(one, field.unit));
     return value.map((one) => outside(field, one)).find(Boolean) ?? { value };
   }

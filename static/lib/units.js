@@ -98,13 +98,15 @@ export function shownValue(value, unit) {
   return value / sizeOf(unit);
 }
 
-// The values that stand behind texts which show only seven of their digits.
+// The values that stand behind texts which show only some of their digits.
 const spelled = new Map();
+const LONG = 12; // more digits than anybody types: a value converted from other units
 
 /** A canonical value as the text of a box, which `canonicalValue` reads back to the same value. */
 export function spell(value, unit) {
-  if (sizeOf(unit) === 1) return String(value);
-  for (let digits = 7; digits <= 17; digits += 1) {
+  const asIs = shownAsIs(unit);
+  if (asIs && (typeof value !== "number" || Number(value.toPrecision(LONG)) === value)) return String(value);
+  for (let digits = asIs ? 9 : 7; digits <= 17; digits += 1) {
     const text = String(Number(shownValue(value, unit).toPrecision(digits)));
     const key = `${unit} ${Number(text)}`;
     if ((spelled.get(key) ?? value) === value) {
@@ -117,8 +119,7 @@ export function spell(value, unit) {
 
 /** The canonical value of a number typed in the shown unit. */
 export function canonicalValue(typed, unit) {
-  if (sizeOf(unit) === 1) return typed;
-  return spelled.get(`${unit} ${typed}`) ?? Number((typed * sizeOf(unit)).toPrecision(15));
+  return spelled.get(`${unit} ${typed}`) ?? (shownAsIs(unit) ? typed : Number((typed * sizeOf(unit)).toPrecision(15)));
 }
 
 /** A step of the arrow keys in the shown unit: the nearest of 1, 2 and 5 by tens. */

@@ -12,12 +12,12 @@ function detailsMarkup({ why, formula, source, place, reason }) {
   return html`<div class="check-more">${[reason, why, formula && symbolMarkup(formula), source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</div>`;
 }
 
-function missingMarkup(missing, titleAt) {
+function missingMarkup(missing, fieldAt) {
   return missing.length > 0 && html`<span class="asked">${message("checks.enter")} ${missing.map((path) => html`
-    <button type="button" class="link" data-ask="${path}">${titleAt(path) ?? path}</button>`)}</span>`;
+    <button type="button" class="link" data-ask="${path}">${fieldAt(path)?.title ?? path}</button>`)}</span>`;
 }
 
-function rowMarkup(row, titleAt) {
+function rowMarkup(row, fieldAt) {
   const { code, level, status, title, value, limit, used, source, reason, missing, judged } = row;
   return html`
     <li class="check ${level ?? ""}" data-code="${code}" data-status="${status}">
@@ -27,7 +27,7 @@ function rowMarkup(row, titleAt) {
           : html`<span class="note">${message(`status.${status}`)}</span>`}</span>
         <span class="check-value">${value}${value && limit && " "}<span class="check-limit">${limit}</span></span>
         <span class="check-source">${judged ? source : reason}</span>
-      </summary>${detailsMarkup(row)}</details>${missingMarkup(missing, titleAt)}
+      </summary>${detailsMarkup(row)}</details>${missingMarkup(missing, fieldAt)}
     </li>`;
 }
 
@@ -40,10 +40,10 @@ function fixMarkup({ applies, text, standard, then, level, effects }, i) {
 }
 
 /**
- * `titleAt(path)` names a field, `askedAt(path)` gives the one in which something missing is entered;
+ * `fieldAt(path)` is a field of the form, `askedAt(path)` gives the one in which something missing is entered;
  * `on.fixed(sets)` applies `{pointer: value}`, `on.asked(path)` leads to a field.
  */
-export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
+export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
       <p class="note waiting">${message("checks.waiting")}</p>
@@ -72,15 +72,17 @@ export function createChecks({ calculator, titles, titleAt, askedAt, on }) {
         .map((row) => ({ ...row, missing: row.missing.map(askedAt) }));
       // What is asked for stands in sight wherever it comes.
       const inSight = rows.filter(({ judged: known, status }, i) => (known && i < AT_ONCE) || status === "not_checked");
-      fill(first, html`${inSight.map((row) => rowMarkup(row, titleAt))}`);
+      fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);
       const others = rows.filter((row) => !inSight.includes(row));
       more.hidden = others.length === 0;
       more.querySelector("summary").textContent = message("checks.more", { count: others.length });
-      fill(rest, html`${others.map((row) => rowMarkup(row, titleAt))}`);
+      fill(rest, html`${others.map((row) => rowMarkup(row, fieldAt))}`);
       fixes.dataset.open = String(Boolean(calculator.mend) && ["fail", "marginal"].includes(judged.verdict));
       list = found?.of === shown ? found.list.slice(0, FIXES) : [];
-      fill(fixes, list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
-        <ul>${list.map((fix) => fixRow(fix, titleAt, judged.checks)).map(fixMarkup)}</ul>`);
+      const long = found?.of === shown && found.long;
+      fill(fixes, list.length === 0 && !long ? html`` : html`<h3>${message("fixes.title")}</h3>
+        ${long && html`<p class="note">${message("fixes.long")}</p>`}
+        <ul>${list.map((fix) => fixRow(fix, fieldAt, judged.checks)).map(fixMarkup)}</ul>`);
       keep(!more.open);
     }),
   };

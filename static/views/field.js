@@ -31,9 +31,9 @@ export function createField(field, { suggestion, sizable, on }) {
         ${box(field, id)}
         ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
           title="${message("sizing.at", { field: field.title })}">◎</button>`}
+        <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
       </span>
-      <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
-      <p class="field-message" id="${id}-message"><span></span></p>
+      <p class="field-message" id="${id}-message" data-help="${field.help}"><span></span></p>
     </div>`);
   const input = root.querySelector(".box");
   const line = root.querySelector(".field-message span");

@@ -219,13 +219,13 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       const possible = Number.isFinite(amount);
       if (possible) suggested[path] = amount;
       const { title, unit } = model.fields.get(path);
-      const shown = possible ? formatQuantity(amount, unit) : formula;
+      const shown = possible ? formatQuantity(amount, unit) : "–";
       fields.get(path).setSuggestion({
         possible: possible || linked,
         pressed: linked && texts[path] === "",
         label: message(linked ? "form.link" : "form.suggestion", { title, formula, value: shown }),
       });
-      if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : formula);
+      if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : "");
     }
   }
 

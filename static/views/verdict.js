@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
+import { checkRow, decisive, judgedOf, largestTorque, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -23,7 +23,7 @@ function wordMarkup({ phase, numbers }, judged) {
   const known = judged && numbers === "fresh";
   const word = known ? wordOf(judged) : null;
   const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
-  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad" }[phase];
+  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad", long: "bad" }[phase];
   return html`<p class="word ${level ?? ""}">${sign(level)}${text}</p>
     <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}</p>`;
 }
@@ -37,11 +37,13 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-function torqueMarkup({ numbers }, judged) {
+function torqueMarkup({ numbers }, judged, torque) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
-  if (judged?.largest_torque_Nm === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
-  const { value, unit } = quantityParts(judged.largest_torque_Nm, "N·m", 4);
-  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>`;
+  const largest = judged && largestTorque(judged, torque);
+  if (!largest) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
+  const { value, unit } = quantityParts(largest.value, "N·m", torqueDigits(largest));
+  return html`${label}<p><span class="figures">${largest.estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
+    ${largest.estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
 }
 
 export function createVerdict({ calculator, titles }) {
@@ -62,7 +64,7 @@ export function createVerdict({ calculator, titles }) {
       const stands = standing(state);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged));
+      fill(part("torque"), torqueMarkup(stands, judged, state.shown && calculator.torque?.(state.shown)));
     }),
   };
 }

@@ -285,6 +285,8 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     settled(page, "incomplete")
     expect(page.locator(".field.wrong")).to_have_count(0)
     expect(page.locator(".say")).to_contain_text("Still needed")
+    # The formula stands typeset on its button only.
+    expect(box(page, "contact.hole_radius_mm")).to_have_attribute("placeholder", "")
     page.go_back()
     settled(page)
     expect(box(page, "mechanism.pins")).to_have_value("6")

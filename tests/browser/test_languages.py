@@ -88,3 +88,48 @@ def test_every_tab_is_in_sight_on_a_phone(
             " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
         )
         assert room == [0, 0], calculator
+
+
+@pytest.mark.parametrize("width", [1400, 360])
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_names_of_fields_break_between_words_only(
+    page: Page, service: str, language: str, width: int
+) -> None:
+    """Or at a soft hyphen that is written into them."""
+    page.set_viewport_size({"width": width, "height": 844})
+    for calculator in CALCULATORS:
+        page.goto(f"{service}/?calculator={calculator}&lang={language}")
+        settled(page)
+        page.evaluate(
+            "() => document.querySelectorAll('.form details').forEach((d) => d.open = true)"
+        )
+        broken = page.evaluate(
+            """() => [...document.querySelectorAll(".field-name, .choice > legend")]
+              .filter((name) => name.offsetParent && name.firstChild)
+              .flatMap(({ firstChild: text }) => [...text.data.matchAll(/[^\\s\\u00ad-]+/g)]
+                .filter((word) => {
+                  const range = document.createRange();
+                  range.setStart(text, word.index);
+                  range.setEnd(text, word.index + word[0].length);
+                  const lines = [...range.getClientRects()].map(({ top }) => Math.round(top));
+                  return new Set(lines).size > 1;
+                }).map(([word]) => `${text.data}: ${word}`))"""
+        )
+        assert broken == []
+
+
+def test_help_covers_no_other_field(page: Page, service: str) -> None:
+    page.goto(f"{service}/?calculator=crank-planetary&lang=uk")
+    settled(page)
+    for path in ("mechanism.ratio", "contact.eccentricity_mm", "mechanism.pins"):
+        before = page.locator(".form").bounding_box()
+        box(page, path).focus()
+        line = page.locator(f'[data-path="{path}"] .field-message span')
+        row = page.locator(f'[data-path="{path}"]')
+        expect(line).to_be_visible()
+        below = [
+            one.evaluate("(node) => node.getBoundingClientRect().bottom") for one in (line, row)
+        ]
+        assert below[0] <= below[1] + 0.5, path
+        after = page.locator(".form").bounding_box()
+        assert before and after and after["height"] == before["height"]

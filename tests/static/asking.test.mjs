@@ -13,10 +13,11 @@ const GONE = new Problem({ title: "unreachable" });
 const tick = () => new Promise((resolve) => { setImmediate(resolve); });
 
 /** A calculator at work with a service that answers as `post` says, and these designs kept. */
-function working(post, kept = [], texts = {}) {
+function working(post, kept = [], texts = {}, own = {}) {
   const calculator = {
     id: "job", sections: ["force"], seeds: {}, drawing: { section: "force" }, figures: [], verdict: () => [],
     ask: ({ post: send, input }) => send("/job", input),
+    ...own,
   };
   const titles = new Map();
   const { texts: all, chosen } = stateFromInput(MODEL, INPUT);
@@ -73,6 +74,22 @@ test("a slow comparison does not come after a later one", async () => {
   release();
   await tick();
   assert.deepEqual(store.state.kept, []);
+});
+
+test("fixes that take too long to find leave the answer as it is, and that is said", async () => {
+  const long = new Problem({ status: 503, kind: "too-long", detail: "not within 10 s" });
+  const fixes = [{ sets: {} }];
+  const judged = (body, slow) => {
+    if (body === "fixes" && slow) throw long;
+    return { ...(body !== "fixes" && answerTo(body)), verdict: "fail", governing: "x", checks: [{ code: "x", title: "X", status: "fail" }], counts: {}, fixes };
+  };
+  for (const slow of [true, false]) {
+    const { store, asking } = working((body) => judged(body, slow), [], {}, { mend: ({ post }) => post("/job", "fixes") });
+    await asking.now();
+    await tick();
+    assert.equal(store.state.phase, "fresh");
+    assert.deepEqual(store.state.fixes, { of: store.state.shown, list: slow ? [] : fixes, long: slow });
+  }
 });
 
 test("a live group that the service could not answer asks again by itself, unless its inputs have changed", async () => {

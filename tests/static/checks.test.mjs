@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { checkRow, fixRow, judgedOf, largestTorque, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -48,8 +48,21 @@ test("what is not looked at is said", () => {
 
 test("a largest torque that is not known says why", () => {
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 2 } }), "not known: 2 checks are open");
-  assert.equal(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 } }), "not known: what fails does not hang on the torque alone");
+  const small = { code: "new_room", title: "Room", status: "fail" };
+  assert.equal(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 }, checks: [PRESSURE, small] }), "not known: less torque does not cure “Room”");
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 0 } }), "no check hangs on the torque");
+});
+
+test("where every failing check has a reserve the largest torque is at least estimated, and said to be", () => {
+  const { largest_torque_Nm: exact, ...rough } = { ...JUDGED, checks: [PRESSURE], counts: { not_checked: 0 } };
+  assert.deepEqual(largestTorque({ ...rough, largest_torque_Nm: exact }, 280), { value: exact, estimated: false });
+  assert.deepEqual(largestTorque(rough, 280), { value: 0.78 * 280, estimated: true });
+  assert.match(verdictSentence(rough, titles, 280), /Largest torque allowed ≈\u00a0220\u00a0N·m\.$/);
+  for (const unknown of [
+    { ...rough, counts: { not_checked: 1 } }, { ...rough, verdict: "pass" }, { ...rough, torque_reserve: undefined },
+    { ...rough, checks: [PRESSURE, { code: "new_room", status: "fail" }] },
+  ]) assert.equal(largestTorque(unknown, 280), null);
+  assert.equal(largestTorque(rough), null);
 });
 
 test("not known says whether checks are open, or nothing could break", () => {
@@ -57,6 +70,13 @@ test("not known says whether checks are open, or nothing could break", () => {
   assert.deepEqual([note(1), note(2), note(0)], ["1 check is open", "2 checks are open", "nothing that was looked at could break"]);
   assert.match(wordNote({ verdict: "pass", counts: { not_checked: 0 }, checks: [{ status: "pass", group: "new" }] }), /^looked at: new$/);
   assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
+});
+
+test("a marginal verdict says the check that makes it so, where that is no matter of the reserve", () => {
+  const differ = { code: "new_differ", title: "Satellites that differ", status: "marginal", group: "new" };
+  const note = (check) => wordNote({ verdict: "marginal", governing: check.code, counts: { not_checked: 0 }, checks: [check] });
+  assert.equal(note(differ), "because of the check “Satellites that differ”; looked at: new");
+  assert.match(note({ ...differ, torque_reserve: 1.05 }), /^the reserve is small, or within the model's error; /);
 });
 
 test("numbers of a formula are written as the language writes them", async () => {
@@ -76,10 +96,19 @@ test("a fix says the change, the verdict it leads to and what else it does; one 
     sets: { "/contact/pin_radius_mm": 12.5 },
     side_effects: [{ code: "new_pressure", status_from: "fail", status_to: "pass", utilisation_from: 1.13, utilisation_to: 0.9 }],
   };
-  const row = fixRow(fix, () => "Pin radius", JUDGED.checks);
+  const fields = new Map([["contact.pin_radius_mm", FIELD]]);
+  const fieldAt = (path) => fields.get(path);
+  const row = fixRow(fix, fieldAt, JUDGED.checks);
   assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Marginal", "warning"]);
   assert.equal(row.effects[0].text, "Contact pressure of the hole: 113\u00a0% → 90\u00a0% of the limit");
-  assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, () => "Pin radius", []).applies, false);
+  assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, fieldAt, []).applies, false);
+  // What it sets besides is said, in the units of the boxes; and what has no share of a limit by its status.
+  fields.set("contact.pin_radius_mm", { title: "Pin diameter", unit: "⌀ mm" }).set("contact.hole_radius_mm", { title: "Hole diameter", unit: "⌀ mm" });
+  const sets = { ...fix.sets, "/contact/hole_radius_mm": 15, "/not/here": 1 };
+  const wall = { code: "new_wall", status_from: "pass", status_to: "fail", utilisation_from: 0 };
+  const wide = fixRow({ ...fix, sets, side_effects: [wall] }, fieldAt, [{ code: "new_wall", title: "Wall" }]);
+  assert.equal(wide.text, "Pin diameter 16\u00a0mm → 25\u00a0mm (+56.3\u00a0%); Hole diameter → 30\u00a0mm");
+  assert.deepEqual([wide.effects[0].level, wide.effects[0].text], ["bad", "Wall: met → not met"]);
 });
 
 const FIELD = { path: "contact.pin_radius_mm", name: "pin_radius_mm", title: "Pin radius", kind: "number", unit: "mm", lowest: 1e-12, highest: 1e12 };

@@ -43,10 +43,26 @@ test("the cells say the numbers, and what has not been computed", () => {
   assert.ok(calculator.verdict({}).every(({ label, value, note }) => label && value === undefined && note === undefined));
 });
 
+test("the torque that is asked is that of the reference force at the circle of the pins", () => {
+  const filled = { load: { pin_circle_radius_mm: 60 } };
+  assert.equal(calculator.torque({ answer: { contact_force: { reference_force_N: 25000 } }, filled }), 1500);
+  assert.equal(calculator.torque({ answer: {}, filled }), undefined);
+});
+
+test("with real forces the pairs are those that are loaded", () => {
+  const real = { loaded_pairs_min: 1, loaded_pairs_max: 3, peak_force_N: 9, peak_crank_angle_deg: 0, peak_pair: {}, accuracy: ACCURACY };
+  const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
+  const [, pairs] = calculator.verdict(answer, { input: {} });
+  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; 2–4 without clearance"]);
+  assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
+  const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };
+  assert.equal(calculator.verdict(dead, { input: {} })[1].level, "bad");
+});
+
 test("the peak force is said to be without the load factors, and with them", () => {
   const force = { peak_force_N: 1000, peak_crank_angle_deg: 30, peak_pair: { satellite: 1, pin: 2 }, equal_sharing_peak_N: 500, accuracy: ACCURACY };
-  const said = (contact) => {
-    const answer = { contact_force: force, hertz: {} };
+  const said = (contact, hertz = {}) => {
+    const answer = { contact_force: force, hertz };
     const [peak] = calculator.verdict({ contact_force: force }, { input: { contact } });
     return [peak.note, ...calculator.sentences(answer, { input: { contact } }).filter(Boolean).slice(1).map(([, words]) => words)];
   };
@@ -55,6 +71,9 @@ test("the peak force is said to be without the load factors, and with them", () 
     "The contact pressure is that of 1800\u00a0N: the peak force times the dynamic and distribution factors, 1.8.",
   ]);
   assert.deepEqual(said({}), ["at 30°, satellite 1, pin 2"]);
+  const bent = { line_load_factor: 2 };
+  assert.match(said({ dynamic_factor: 1.5 }, bent)[1], /that of 3000\u00a0N spread evenly .* factors, 1.5, and times 2 for bent pins/);
+  assert.match(said({}, bent)[1], /that of 2000\u00a0N spread/);
 });
 
 test("no part of the page gets the safety of what cannot be built", async () => {

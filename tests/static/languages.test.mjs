@@ -19,7 +19,7 @@ const OWN = ["unit"];
 const LATIN = new RegExp(String.raw`\([A-Z][\w, -]*\)|\b(${[
   "Enter", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "JSON", "curl", "Python", "psi", "lbf", "cos", "true", "false", "tanh-sinh",
   "QUADPACK", "PEEK", "ISO", "DIN", "arcsin", "HBW", "CuSn", "KISSsoft", "SKF", "IKO", "MITCalc", "Roloff/Matek", "Zaretsky", "Autodesk Inventor",
-  "Johnson, Contact Mechanics", "Wang, Luo, Su",
+  "Johnson, Contact Mechanics", "Shigley, Mechanical Engineering Design", "Shigley", "Wang, Luo, Su",
 ].join("|")})`, "g");
 
 /** Every text with its key; the forms of a noun are one text. */
@@ -34,6 +34,14 @@ const places = (text) => (text.match(/\{\w+\}/g) ?? []).sort().join();
 test("every language has its file and every file its language", () => {
   const files = readdirSync(new URL("../../static/messages", import.meta.url));
   assert.deepEqual(files.sort(), [...Object.keys(LANGUAGES), "index", "service"].map((name) => `${name}.js`).sort());
+});
+
+test("a book stands under its own name wherever it is named", async () => {
+  for (const language of OTHERS) {
+    const texts = [...leaves(await textsOf(language))].flatMap(([, forms]) => forms);
+    assert.ok(texts.some((text) => text.includes("Shigley, Mechanical Engineering Design, 6")));
+    assert.deepEqual(texts.filter((text) => /Джонсон|Шигл[иі]|Shigley, Mechanical Engineering Design(?!, 6)/.test(text)), []);
+  }
 });
 
 for (const language of OTHERS) {

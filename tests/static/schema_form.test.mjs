@@ -3,6 +3,7 @@ import { test } from "node:test";
 
 import { fieldAtPointer, readField, readState, shownFields, stateFromInput, stepped } from "../../static/lib/form_state.js";
 import { INPUT, MODEL } from "./model.mjs";
+import { readingText } from "../../static/store.js";
 
 const field = (path) => MODEL.fields.get(path);
 const withTexts = (state, texts) => ({ ...state, texts: { ...state.texts, ...texts } });
@@ -79,6 +80,8 @@ test("boxes are checked against the schema's limits, open and closed", () => {
   assert.deepEqual(problems("mechanism.ratio", "1,000.5"), { problem: "separators" });
   assert.deepEqual(problems("mechanism.crank_angles_deg", "0; -400"), { problem: "least", limit: -360 });
   assert.deepEqual(problems("mechanism.crank_angles_deg", "0; one"), { problem: "list" });
+  assert.deepEqual(problems("mechanism.crank_angles_deg", "15,45,75"), { problem: "list" });
+  assert.match(readingText({ problem: "list" }), /part them by ; or a space/);
   assert.deepEqual(problems("mechanism.pins", "1e0"), { value: 1 });
 });
 

@@ -92,6 +92,9 @@ test("without the service the numbers count as older, and the reason is said", (
   const state = next.failed(next.asked(answeredWith(opened())), new Problem({ title: "unreachable" }));
   assert.deepEqual(next.standing(state), { phase: "offline", numbers: "older" });
   assert.match(state.line[1], /cannot be reached/);
+  const long = next.failed(next.asked(answeredWith(opened())), new Problem({ status: 503, kind: "too-long", detail: "not within 10 s" }));
+  assert.deepEqual(next.standing(long), { phase: "long", numbers: "older" });
+  assert.match(long.line[1], /^The calculation takes longer than the service allows\. Switch off sections/);
 });
 
 test("warnings are said in the line", () => {

@@ -33,6 +33,17 @@ test("a value is shown with few digits and read back whole", () => {
   assert.equal(spell(10, "mm"), "0.3937008");
 });
 
+test("a value typed in other units is shown in few digits after them, and is still the same", () => {
+  setUnits("us");
+  const torque = canonicalValue(1000, "N·m");
+  assert.equal(torque, 112.984829027617);
+  setUnits("metric");
+  assert.equal(spell(torque, "N·m"), "112.984829");
+  assert.equal(canonicalValue(112.984829, "N·m"), torque);
+  assert.equal(canonicalValue(112.98483, "N·m"), 112.98483);
+  for (const value of [5, 123456.789012, 1e-12, 0.1]) assert.equal(spell(value, "mm"), String(value));
+});
+
 test("two values that look alike keep their difference", () => {
   setUnits("us");
   const texts = [10, 10.0000001].map((value) => spell(value, "mm"));

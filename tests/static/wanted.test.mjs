@@ -117,6 +117,20 @@ test("switched on, it starts from values, goes apart into the input, and into li
   assert.equal(next.switched(off, "real", true, 0).typed.texts.tolerance, "0.5");
 });
 
+test("a group goes off with the one that it needs, and comes back with it where it was on", () => {
+  const wanted = [{ id: "ring" }, { id: "shaft", needs: "ring" }];
+  const about = { model: MODEL, calculator: { wanted, drawing: {} } };
+  const turned = (state, id, on) => next.switched(state, id, on, 0);
+  const on = ({ typed: { texts } }) => wanted.map(({ id }) => isOn(id, texts));
+  const both = turned(next.opened(about, stateFromInput(MODEL, INPUT), "light"), "shaft", true);
+  assert.deepEqual(on(both), [true, true]);
+  const off = turned(both, "ring", false);
+  assert.deepEqual([on(off), on(turned(off, "ring", true)), on(next.steppedBack(off))], [[false, false], [true, true], [true, true]]);
+  const ring = turned(both, "shaft", false);
+  assert.deepEqual(on(turned(turned(ring, "ring", false), "ring", true)), [true, false]);
+  assert.ok(![...encodeState(MODEL, off.typed).keys()].includes("shaft.back"));
+});
+
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
   const wanted = next.switched(opened(), "real", true, 0);
   const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);

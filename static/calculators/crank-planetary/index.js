@@ -76,20 +76,23 @@ function teethOf(ratio) {
   return { "mechanism.satellite_teeth": satellite, "mechanism.ring_teeth": satellite + difference };
 }
 
-function pairsCell(section) {
+/** How many pairs drive; with real forces, how many of them are loaded. */
+function pairsCell(section, real) {
   const { min_driving: least, max_driving: most, mean_driving: mean, pairs, dead_centres_deg: dead } = section;
   if (dead.length > 0) {
     const angles = dead.slice(0, 3).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
     const more = dead.length > 3 ? ` ${message("verdict.more")}` : "";
     return { value: `0–${most}`, note: message("verdict.dead", { angles: angles + more }), level: "bad" };
   }
-  return {
-    value: least === most ? String(least) : `${least}–${most}`,
-    note: message("verdict.pairsMean", {
-      all: new Set(pairs.map(({ satellite, pin }) => `${satellite}/${pin}`)).size,
-      mean: formatNumber(mean, 4),
-    }),
-  };
+  const span = (from, to) => (from === to ? String(from) : `${from}–${to}`);
+  const all = new Set(pairs.map(({ satellite, pin }) => `${satellite}/${pin}`)).size;
+  if (real) {
+    return {
+      value: span(real.loaded_pairs_min, real.loaded_pairs_max),
+      note: message("verdict.pairsLoaded", { all, ideal: span(least, most) }),
+    };
+  }
+  return { value: span(least, most), note: message("verdict.pairsMean", { all, mean: formatNumber(mean, 4) }) };
 }
 
 function peakCell(section, { contact }) {
@@ -250,9 +253,12 @@ export default {
 
   verdict: (answer, { input = {} } = {}) => [
     cell("peak", answer.load_sharing ?? answer.contact_force, (section) => peakCell(section, input)),
-    cell("pairs", answer.cyclogram, pairsCell),
+    cell("pairs", answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
     cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],
+
+  /** The output torque that is asked, N·m. */
+  torque: ({ answer: { contact_force: force }, filled }) => force && force.reference_force_N * filled.load.pin_circle_radius_mm / 1000,
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],

@@ -4,12 +4,13 @@ import { message } from "../../messages/index.js";
 
 const say = (key, values) => message(`words.${key}`, values);
 
-function transmission({ min_driving: least, max_driving: most, mean_driving: mean, dead_centres_deg: dead, pairs }) {
+function transmission({ min_driving: least, max_driving: most, mean_driving: mean, dead_centres_deg: dead, pairs }, real) {
   if (dead.length > 0) {
     const named = dead.slice(0, 4).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
     return ["bad", say("dead", { angles: named + (dead.length > 4 ? ` ${message("verdict.more")}` : "") })];
   }
   const values = { least, most, all: pairs.length, mean: formatNumber(mean, 4) };
+  if (real) return ["good", say("loaded", { least: real.loaded_pairs_min, most: real.loaded_pairs_max, all: pairs.length })];
   return ["good", say(least === most ? "steady" : "transmits", values)];
 }
 
@@ -25,14 +26,19 @@ function made({ peak_force_N: peak }, { peak_force_N: real }) {
 /** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
 export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
 
+/** The force that the pressure is of, where it is not the peak force: the load factors, and what bent pins add to the line load. */
+function pressed({ peak_force_N: peak }, { line_load_factor: edge = 1 }, factor) {
+  if (factor === 1 && edge === 1) return null;
+  return ["", say(edge === 1 ? "factors" : "bentFactors", {
+    force: formatQuantity(peak * factor * edge, "N", 4), factor: formatNumber(factor, 4), edge: formatNumber(edge, 3),
+  })];
+}
+
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
 export function sentences({ cyclogram, contact_force: force, load_sharing: real, hertz }, { input } = {}) {
-  const factor = factorOf(input?.contact);
   return [
-    cyclogram && transmission(cyclogram),
+    cyclogram && transmission(cyclogram, real),
     force && real ? made(force, real) : force?.equal_sharing_peak_N !== undefined && evenness(force),
-    force && hertz && !real && factor !== 1 && ["", say("factors", {
-      force: formatQuantity(force.peak_force_N * factor, "N", 4), factor: formatNumber(factor, 4),
-    })],
+    force && hertz && !real && pressed(force, hertz, factorOf(input?.contact)),
   ];
 }
