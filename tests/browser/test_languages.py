@@ -1,6 +1,7 @@
 """The page in every language: all its words, decimal signs, and the same numbers."""
 
 import re
+from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -73,15 +74,21 @@ def test_refusals_of_the_service_are_translated(browser, service: str) -> None: 
     context.close()
 
 
+def each_calculator(page: Page, service: str, language: str, width: int) -> Iterator[str]:
+    """Show one calculator after the other."""
+    page.set_viewport_size({"width": width, "height": 844})
+    for calculator in CALCULATORS:
+        page.goto(f"{service}/?calculator={calculator}&lang={language}")
+        settled(page)
+        yield calculator
+
+
 @pytest.mark.parametrize("width", [390, 320])
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
 def test_every_tab_is_in_sight_on_a_phone(
     page: Page, service: str, language: str, width: int
 ) -> None:
-    page.set_viewport_size({"width": width, "height": 844})
-    for calculator in CALCULATORS:
-        page.goto(f"{service}/?calculator={calculator}&lang={language}")
-        settled(page)
+    for calculator in each_calculator(page, service, language, width):
         expect(page.locator(f"#tab-{calculator}")).to_have_attribute("aria-selected", "true")
         room = page.locator(".tabs").evaluate(
             "({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>"
@@ -96,10 +103,7 @@ def test_names_of_fields_break_between_words_only(
     page: Page, service: str, language: str, width: int
 ) -> None:
     """Or at a soft hyphen that is written into them."""
-    page.set_viewport_size({"width": width, "height": 844})
-    for calculator in CALCULATORS:
-        page.goto(f"{service}/?calculator={calculator}&lang={language}")
-        settled(page)
+    for _ in each_calculator(page, service, language, width):
         page.evaluate(
             "() => document.querySelectorAll('.form details').forEach((d) => d.open = true)"
         )

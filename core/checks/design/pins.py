@@ -209,13 +209,12 @@ class DesignPins(DesignForces):
         stiff = self.sharing.under(np.array([factor]))[0]
         more = 1 + self.satellites * (stiff.max() / stiff.min() - 1)
         one, other = self._pin_stresses.cases
-        # slopes by several satellites may cancel, and do so less when one of these takes more
-        turned = np.abs(self._pin_stresses.pin.slopes) @ other.forces
+        arms = np.abs(self._pin_stresses.pin.slopes)  # what cancels, cancels less with other shares
         return bool(
             more * other.bent >= near * one.bent
             or more * other.equivalent >= one.equivalent
             or more * other.deflections.max() >= one.deflections.max()
-            or (other.slopes + (more - 1) * turned).max() >= one.slopes.max()
+            or (other.slopes + (more - 1) * (arms @ other.forces)).max() >= one.slopes.max()
         )
 
     @cached_property
