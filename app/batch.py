@@ -3,7 +3,7 @@
 import asyncio
 import time
 import zlib
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -25,18 +25,20 @@ from app.endpoint import (
     takes_gzip,
 )
 from app.examples import REQUESTS
-from app.jobs import Jobs, TooLong, Unfinished
+from app.jobs import Job, Jobs, Stopped, TooLong
 from app.model import Calculation, Maybe, RequestModel, ResponseModel
 from app.problems import (
     MAX_NAME,
     Problem,
     ProblemOut,
     impossible,
+    problem_of,
     too_large,
+    too_long,
     wrong_fields,
     wrong_json,
 )
-from app.processes import in_parts, in_process, refused_if_busy, why
+from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
 from app.running import named
@@ -150,16 +152,16 @@ async def batch(request: Request) -> Response:
     Both are sent as they are done. What `ids` name comes back with its `id`.
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
-    with refused_if_busy():
-        jobs.admit(record.client)
+    jobs.admit(record.client)
     content = await received(record, record.settings.max_batch_bytes)
-    calculation, requests, ids = await in_process(
-        jobs, split, content, record.settings, record=record
-    )
-    done = answers(jobs, partial(_lines, SPELLINGS[calculation]), requests, record)
-    done = _from(await anext(done), done)  # without which there is nothing to answer
+    async with wanted(record):
+        calculation, requests, ids = await in_process(
+            jobs, split, content, record.settings, record=record
+        )
+        done = answers(jobs, partial(lines, name=SPELLINGS[calculation]), requests, record)
+        first = await anext(done)  # without which there is nothing to answer
     lines_asked = by_lines(record)
-    written = _written(done, ids, lines=lines_asked)
+    written = _written(first, done, ids, lines=lines_asked)
     headers = {"vary": "accept-encoding"}
     if takes_gzip(record.headers):
         headers["content-encoding"] = "gzip"
@@ -167,9 +169,7 @@ async def batch(request: Request) -> Response:
     return StreamingResponse(written, headers=headers, media_type=LINES if lines_asked else JSON)
 
 
-def split(
-    content: bytes, settings: Settings
-) -> Iterator[tuple[str, list[bytes], list[str] | None]]:
+def split(tell: Tell, content: bytes, settings: Settings) -> None:
     """The calculation and the requests of a batch, each as JSON of its own, and their names.
 
     Raises
@@ -188,19 +188,12 @@ def split(
     except InvalidInput as error:
         raise named(error, body) from error
     enough = settings.max_body_bytes + 1  # to see that a request is too large
-    yield (
-        body.calculation,
-        [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests],
-        body.ids,
-    )
-
-
-Lines = Callable[[list[bytes], Settings, int], Iterator[tuple[bytes, int]]]
-"""`lines` of a calculation."""
+    requests = [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests]
+    tell((body.calculation, requests, body.ids))
 
 
 async def answers(
-    jobs: Jobs, job: Lines, requests: list[bytes], record: Record
+    jobs: Jobs, job: Job, requests: list[bytes], record: Record
 ) -> AsyncIterator[list[bytes]]:
     """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``, some at a time.
 
@@ -211,20 +204,20 @@ async def answers(
     limit_s = SLICE_S + settings.max_seconds  # the last one may start at the end of the slice
     done, size, errors, stopped_at = 0, FIRST_SLICE, MAX_ERRORS, -1
     while done < len(requests):
-        some = requests[done : done + size]
-        unfinished: Unfinished | None = None
+        written: list[bytes] = []
+        asked = requests[done : done + size], settings, errors
         try:
-            told = await in_parts(
-                jobs, job, some, settings, errors, record=record, limit_s=limit_s, admitted=True
-            )
-        except Unfinished as error:
-            unfinished, told = error, error.parts
-        written = [line for line, _ in told]
-        errors -= sum(named for _, named in told)
-        if unfinished is not None:
+            async for line, named in in_parts(
+                jobs, job, *asked, record=record, limit_s=limit_s, admitted=True
+            ):
+                written.append(line)
+                errors -= named
+        except TooLong:
+            written.append(_problem(too_long(settings.max_seconds)))
+        except Stopped as stopped:
             culprit = done + len(written)
-            if isinstance(unfinished, TooLong) or culprit == stopped_at:
-                written.append(_problem(why(unfinished, settings.max_seconds)))
+            if culprit == stopped_at:
+                written.append(_problem(problem_of(stopped)))
             stopped_at = culprit
         if written:
             yield written
@@ -232,20 +225,14 @@ async def answers(
         size = max(1, 2 * len(written))
 
 
-def _lines(name: str, *asked: Any) -> Iterator[tuple[bytes, int]]:
-    return lines(CALCULATIONS[name], *asked)
-
-
-def lines(
-    calculation: Calculation, requests: list[bytes], settings: Settings, errors: int
-) -> Iterator[tuple[bytes, int]]:
+def lines(tell: Tell, requests: list[bytes], settings: Settings, errors: int, *, name: str) -> None:
     """Answers to the first requests, to as many as there is time for, and how many wrong fields
     each names.
     """
     end = time.monotonic() + SLICE_S
     for request in requests:
-        line, named = _line(calculation, request, settings, errors)
-        yield line, named
+        line, named = _line(CALCULATIONS[name], request, settings, errors)
+        tell((line, named))
         errors -= named
         if time.monotonic() > end:
             break
@@ -270,27 +257,23 @@ def _problem(problem: Problem) -> bytes:
     return orjson.dumps({"problem": problem.body()})
 
 
-async def _from(
-    first: list[bytes], others: AsyncIterator[list[bytes]]
-) -> AsyncIterator[list[bytes]]:
-    yield first
-    async for some in others:
-        yield some
-
-
 async def _written(
-    answers: AsyncIterator[list[bytes]], ids: list[str] | None, *, lines: bool
+    some: list[bytes] | None,
+    others: AsyncIterator[list[bytes]],
+    ids: list[str] | None,
+    *,
+    lines: bool,
 ) -> AsyncIterator[bytes]:
     """The answers with their names: lines with their places too, or one object."""
     place, before = 0, b'{"results":['
-    async for some in answers:
+    while some is not None:
         for index, answer in enumerate(some):
             if ids is not None:
                 answer = b'{"id":%b,%b' % (orjson.dumps(ids[place]), answer[1:])
             some[index] = b'{"index":%d,%b\n' % (place, answer[1:]) if lines else answer
             place += 1
         yield b"".join(some) if lines else before + b",".join(some)
-        before = b","
+        before, some = b",", await anext(others, None)
     if not lines:
         yield b"]}"
 

@@ -9,11 +9,8 @@ import math
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
-from contextvars import copy_context
 from dataclasses import dataclass
 from functools import cache
-from queue import SimpleQueue
-from threading import Thread
 from typing import Any, get_args, get_type_hints
 
 import numpy as np
@@ -25,17 +22,18 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
-from app import processes
 from app.model import Calculation, RequestModel
 from app.problems import (
     MEDIA_TYPE,
-    Problem,
+    REFUSED,
     not_json,
+    problem_of,
     refusal,
     too_large,
     unavailable,
     wrong_fields,
 )
+from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
 from app.running import named
@@ -55,7 +53,7 @@ holds the loop for some 10 ms; to hand it over costs half of one."""
 COUNTS = {"pins": 1, "satellites": 2, "revolutions": 1, "rollers": 1, "rollers_total": 1}
 """Fields that count what is calculated, each with its power."""
 
-SIZES = {*COUNTS, "include", "samples", "ratio", "ring_teeth", "satellite_teeth"}
+SIZES = {*COUNTS, "samples", "ratio", "ring_teeth", "satellite_teeth"}
 """Fields on which the size of a request hangs."""
 
 ELEMENT_POINTS, DRAWN_POINTS = 20, 100
@@ -142,9 +140,11 @@ class CalculationRoute(APIRoute):
             if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
                 content = _content(calculation, body, theme, zipped)
             else:
-                jobs = request.app.state.jobs
                 asked = name, sent, theme, zipped, record.settings
-                content = await processes.in_process(jobs, _answer, *asked, record=record)
+                async with wanted(record):
+                    content = await in_process(
+                        request.app.state.jobs, _answer, *asked, record=record
+                    )
             return Answer(content)
 
         return handle
@@ -159,7 +159,7 @@ def points(body: RequestModel, *, drawn: bool) -> float:
     its figure.
     """
     stated = _stated(body)
-    asked = stated.get("include") or ()
+    asked = stated.pop("include", ())
     if body.long or "fixes" in asked:
         return math.inf
     size = DRAWN_POINTS if drawn else ELEMENT_POINTS
@@ -179,33 +179,19 @@ def points(body: RequestModel, *, drawn: bool) -> float:
 
 def _stated(body: BaseModel) -> dict[str, Any]:
     """What a request and the models within it state of `SIZES`; what any of them includes."""
-    names, models = _sizing(type(body))
-    values = vars(body)
     stated: dict[str, Any] = {}
-    for name in models:
-        if isinstance(inner := values[name], BaseModel):
-            stated |= _stated(inner)
-    included = stated.get("include")
-    for name in names:
-        if (value := values[name]) is not None:
-            stated[name] = value
-    if included:
-        stated["include"] = [*included, *values.get("include", ())]
-    return stated
-
-
-@cache
-def _sizing(model: type[BaseModel]) -> tuple[list[str], list[str]]:
-    """Which of `SIZES` a model has, and its fields that hold models which have some."""
-    fields = model.model_fields
-    holding = [name for name, each in fields.items() if _holds_sizes(each.annotation)]
-    return [name for name in fields if name in SIZES], holding
-
-
-def _holds_sizes(annotation: Any) -> bool:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return any(_sizing(annotation))
-    return any(map(_holds_sizes, get_args(annotation)))
+    asked: list[str] = []
+    for name, value in vars(body).items():
+        if name == "include":
+            asked += value or ()
+        elif name in SIZES:
+            if value is not None:
+                stated[name] = value
+        elif isinstance(value, BaseModel):
+            inner = _stated(value)
+            asked += inner.pop("include", ())
+            stated = inner | stated
+    return stated | {"include": asked} if asked else stated
 
 
 def _content(
@@ -223,77 +209,55 @@ def _content(
 
 
 def _answer(
-    name: str, sent: bytes, theme: str | None, zipped: bool, settings: Settings
-) -> Iterator[bytes]:
+    tell: Tell, name: str, sent: bytes, theme: str | None, zipped: bool, settings: Settings
+) -> None:
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
-    yield _content(calculation, read_body(calculation, sent, settings), theme, zipped)
+    tell(_content(calculation, read_body(calculation, sent, settings), theme, zipped))
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
     """Answer of a study, line by line: how much of it is done, and at last its result."""
     settings = record.settings.model_copy(update={"max_seconds": record.settings.max_study_seconds})
-    jobs, limit_s = request.app.state.jobs, settings.max_seconds
-    parts = processes.as_it_comes(
-        jobs, _progress, name, sent, settings, record=record, limit_s=limit_s
+    parts = in_parts(
+        request.app.state.jobs,
+        *(_progress, name, sent, settings),
+        record=record,
+        limit_s=settings.max_seconds,
     )
-    await anext(parts)  # without which it is refused as a whole
+    async with wanted(record):
+        await anext(parts)  # without which it is refused as a whole
 
     async def lines() -> AsyncIterator[bytes]:
         try:
             async with aclosing(parts) as some:
                 async for line in some:
                     yield line
-        except Problem as problem:
-            yield _line({"problem": problem.body()})
+        except (*REFUSED,) as error:
+            yield _line({"problem": problem_of(error).body()})
 
     return StreamingResponse(lines(), media_type=LINES)
 
 
-def _progress(name: str, sent: bytes, settings: Settings) -> Iterator[bytes]:
+def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
     """Lines of a study in a process, behind an empty one where the request is right."""
     calculation = CALCULATIONS[name]
     body, reporting = read_body(calculation, sent, settings), calculation.reporting
     assert reporting is not None
-    yield b""
-    for told in _reported(lambda report: encoded(reporting(body, report))):
-        if isinstance(told, bytes):
-            yield b'{"result":' + told + b"}\n"
-        else:
-            yield _line({"progress": told})
-
-
-def _line(values: dict[str, Any]) -> bytes:
-    return orjson.dumps(values) + b"\n"
-
-
-def _reported(work: Callable[[Callable[[float], None]], bytes]) -> Iterator[float | bytes]:
-    """How much of some work is done, now and then, and at last its outcome: the work runs in a
-    thread, as it can tell that but not stop for it.
-    """
-    told: SimpleQueue[float | bytes | BaseException] = SimpleQueue()
+    tell(b"")
     last = time.monotonic()
 
     def report(share: float) -> None:
         nonlocal last
         if time.monotonic() - last >= PROGRESS_S:
             last = time.monotonic()
-            told.put(share)
+            tell(_line({"progress": share}))
 
-    def run() -> None:
-        try:
-            told.put(work(report))
-        except BaseException as error:
-            told.put(error)
+    tell(b'{"result":' + encoded(reporting(body, report)) + b"}\n")
 
-    Thread(target=copy_context().run, args=(run,), daemon=True).start()
-    while True:
-        each = told.get()
-        if isinstance(each, BaseException):
-            raise each
-        yield each
-        if isinstance(each, bytes):
-            return
+
+def _line(values: dict[str, Any]) -> bytes:
+    return orjson.dumps(values) + b"\n"
 
 
 def by_lines(record: Record) -> bool:

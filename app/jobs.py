@@ -1,8 +1,9 @@
 """Jobs in processes of their own: bounded, cancellable, replaced; the standard library only.
 
-A job is a generator function of a module; what it yields comes back part by part. Each process has
-one socket to it and does one job at a time. A job that nobody waits for any more, or that takes too
-long, costs its process, which is replaced in the background; so does one whose process is killed.
+A job is a function of a module; what it tells its first argument comes back part by part. Each
+process has one socket to it and does one job at a time. A job that nobody waits for any more, or
+that takes too long, costs its process, which is replaced in the background; so does one whose
+process is killed.
 
 Children come from a fork server, which has imported what they need: one is there within about a
 tenth of a second. To close a child's socket is to end it, so that none outlives its owner.
@@ -22,8 +23,8 @@ import threading
 import time
 import weakref
 from collections import deque
-from collections.abc import AsyncGenerator, Callable, Iterable, Iterator
-from contextlib import aclosing, suppress
+from collections.abc import AsyncGenerator, Callable, Iterable
+from contextlib import suppress
 from multiprocessing.process import BaseProcess
 from typing import Any, Self
 
@@ -40,7 +41,7 @@ CHECK_S = 1.0
 PAUSE_S = 0.005
 """How often parts are fetched that come one after the other."""
 
-Job = Callable[..., Iterator[Any]]
+Job = Callable[..., None]
 
 
 class Busy(Exception):
@@ -60,25 +61,21 @@ class CannotRun(Exception):
     """No process can be started."""
 
 
-class Unfinished(Exception):
-    """A job has ended before its end.
+class TooLong(Exception):
+    """A job took longer than allowed.
 
     Attributes
     ----------
-    parts : list
-        What it had yielded until then.
+    limit_s : float
+        What was allowed, seconds.
     """
 
-    def __init__(self, parts: list[Any]) -> None:
-        self.parts = parts
+    def __init__(self, limit_s: float) -> None:
+        self.limit_s = limit_s
 
 
-class TooLong(Unfinished):
-    """It took longer than allowed."""
-
-
-class Stopped(Unfinished):
-    """Its process was stopped by something else."""
+class Stopped(Exception):
+    """The process of a job was stopped by something else."""
 
 
 class Jobs:
@@ -147,17 +144,15 @@ class Jobs:
 
     async def run(
         self, job: Job, *args: Any, limit_s: float, admitted: bool = False, client: str = ""
-    ) -> list[Any]:
-        """All that a job yields.
-
-        To cancel this ends the job.
+    ) -> AsyncGenerator[Any]:
+        """What a job tells, as it comes; to cancel or close this ends the job.
 
         Parameters
         ----------
         job : callable
-            Generator function of a module; what it raises ends its process.
+            Function of a module; what it raises ends its process.
         *args
-            Its arguments; they are pickled, as is what it yields.
+            Its arguments but the first; they are pickled, as is what it tells.
         limit_s : float
             Longest time from its start to its end, seconds; waiting for a process is not counted.
         admitted : bool
@@ -174,21 +169,6 @@ class Jobs:
         CannotRun
             If there is no process and none can be started.
         """
-        parts: list[Any] = []
-        asked = self.stream(job, *args, limit_s=limit_s, admitted=admitted, client=client)
-        try:
-            async with aclosing(asked) as some:
-                async for each in some:
-                    parts += each
-        except Unfinished as unfinished:
-            unfinished.parts = parts
-            raise
-        return parts
-
-    async def stream(
-        self, job: Job, *args: Any, limit_s: float, admitted: bool = False, client: str = ""
-    ) -> AsyncGenerator[list[Any]]:
-        """The same as it comes, some parts at a time; to close this ends the job."""
         if not admitted:
             self.admit(client)
         child = await self._next_free(client)
@@ -201,12 +181,13 @@ class Jobs:
                 async with asyncio.timeout_at(end):
                     message = await child.receive(PAUSE_S if count > 1 else 0.0)
                 count, ended = count + len(message), not message
-                if message:
-                    yield message
+                for part in message:
+                    yield part
         except TimeoutError:
-            raise TooLong([]) from None
+            raise TooLong(limit_s) from None
         except ConnectionError:
-            raise Stopped([]) from None
+            LOG.warning("a process for calculations was stopped")
+            raise Stopped from None
         finally:
             self._turn_s += 0.1 * (time.monotonic() - begun - self._turn_s)
             if ended:
@@ -312,7 +293,7 @@ class Jobs:
 class _Child:
     """A process that does one job after another, and the socket to it.
 
-    A message is a pickled list behind the eight bytes of its length: parts of what the job yields;
+    A message is a pickled tuple behind the eight bytes of its length: parts of what the job tells;
     an empty one where it has come to its end, and at the start.
     """
 
@@ -326,11 +307,11 @@ class _Child:
     async def send(self, message: object) -> None:
         await asyncio.get_running_loop().sock_sendall(self.socket, pickle.dumps(message))
 
-    async def receive(self, pause_s: float = 0.0) -> list[Any]:
+    async def receive(self, pause_s: float = 0.0) -> tuple[Any, ...]:
         if pause_s and not self.received:
             await asyncio.sleep(pause_s)
         size = int.from_bytes(await self._next_bytes(8), "big")
-        message: list[Any] = pickle.loads(await self._next_bytes(size))
+        message: tuple[Any, ...] = pickle.loads(await self._next_bytes(size))
         return message
 
     async def _next_bytes(self, count: int) -> bytes:
@@ -398,18 +379,17 @@ def _serve(pipe: socket.socket) -> None:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     threading.Thread(target=_end_with, args=(pipe,), daemon=True).start()
 
-    def send(message: list[Any]) -> None:
-        content = pickle.dumps(message)
+    def tell(*parts: Any) -> None:
+        content = pickle.dumps(parts)
         pipe.sendall(len(content).to_bytes(8, "big") + content)
 
     owner_gone = suppress(EOFError, pickle.UnpicklingError, ConnectionError)
     with owner_gone, pipe.makefile("rb") as jobs:
-        send([])
+        tell()
         while True:
             job, args = pickle.load(jobs)
-            for part in job(*args):
-                send([part])
-            send([])
+            job(tell, *args)
+            tell()
 
 
 def _end_with(pipe: socket.socket) -> None:

@@ -14,6 +14,7 @@ from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
+from app.jobs import Busy, CannotRun, Stopped, TooLong
 from app.model import UNION_TAGS, api_params
 from app.record import root_path
 from app.units import api_value
@@ -366,11 +367,20 @@ REFUSED: dict[type[Exception], Callable[[Any], Problem]] = {
     ImpossibleMechanism: impossible,
     HTTPException: http_problem,
     RequestValidationError: lambda error: invalid_input([_item(each) for each in error.errors()]),
+    Busy: lambda busy: unavailable("Too many calculations are waiting", busy.retry_after_s),
+    CannotRun: lambda _: unavailable("No process for calculations can be started"),
+    TooLong: lambda error: too_long(error.limit_s),
+    Stopped: lambda _: unavailable("The process of the calculation was stopped"),
 }
 """Problem of each exception; errors of our own are left to `app.middleware.Requests`."""
 
 
+def problem_of(error: Exception) -> Problem:
+    """Problem of an exception of `REFUSED`."""
+    kind = next(kind for kind in REFUSED if isinstance(error, kind))
+    return REFUSED[kind](error)
+
+
 async def refused(_: Request, error: Exception) -> Response:
     """Answer of an exception of `REFUSED`."""
-    kind = next(kind for kind in REFUSED if isinstance(error, kind))
-    return REFUSED[kind](error).response()
+    return problem_of(error).response()

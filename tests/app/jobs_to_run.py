@@ -3,52 +3,55 @@
 import os
 import signal
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 from app.batch import lines
 from app.calculations.hertz import HertzRequest
 from app.model import Values
+from app.processes import Tell
 from app.registry import CALCULATIONS
 
 
-def counts(last):
-    yield from range(last)
+def counts(tell, last):
+    for number in range(last):
+        tell(number)
 
 
-def sleeps_after(file: Path, seconds):
+def sleeps_after(tell, file: Path, seconds):
     """From when a file is there."""
     while not file.exists():
         time.sleep(0.01)
     time.sleep(seconds)
-    yield None
+    tell(None)
 
 
-def sleeps(seconds):
+def sleeps(tell, seconds):
     time.sleep(seconds)
-    yield os.getpid()
+    tell(os.getpid())
 
 
-def yields_then_sleeps(count, seconds):
-    yield from range(count)
+def tells_then_sleeps(tell, count, seconds):
+    counts(tell, count)
     time.sleep(seconds)
-    yield "awake"
+    tell("awake")
 
 
-def yields_then_dies(count):
-    yield from range(count)
+def tells_then_dies(tell, count):
+    counts(tell, count)
     os.kill(os.getpid(), signal.SIGKILL)
-    yield "alive"
+    tell("alive")
 
 
-def large(size):
-    yield bytes(size)
+def large(tell, size):
+    tell(bytes(size))
 
 
-def length(content):
-    yield len(content)
+def length(tell, content):
+    tell(len(content))
 
 
 def noted(file: Path, body: HertzRequest) -> Values:
@@ -70,6 +73,7 @@ def endless(file: Path, body: HertzRequest) -> Values:
     return values
 
 
-def lines_of(solve: Callable[[HertzRequest], Values], *asked: Any) -> Iterator[tuple[bytes, int]]:
+def lines_of(tell: Tell, *asked: Any, solve: Callable[[HertzRequest], Values]) -> None:
     """The job of a batch of one of these."""
-    return lines(replace(CALCULATIONS["hertz"], solve=solve), *asked)
+    with patch.dict(CALCULATIONS, hertz=replace(CALCULATIONS["hertz"], solve=solve)):
+        lines(tell, *asked, name="hertz")

@@ -137,7 +137,7 @@ async def evaluated(forces, solve, **limits):
     requests = [json.dumps(REQUESTS["hertz"] | {"force_N": force}).encode() for force in forces]
     record = Record(Settings(**limits), receive=stays)
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
-        job = partial(jobs_to_run.lines_of, solve)
+        job = partial(jobs_to_run.lines_of, solve=solve)
         slices = [some async for some in answers(jobs, job, requests, record)]
     return [json.loads(line) for some in slices for line in some], slices
 

@@ -34,7 +34,9 @@ def test_an_installation_prepares_once(elsewhere, monkeypatch):
 
 def test_a_process_from_before_they_were_compiled_uses_them_once_they_are(elsewhere, monkeypatch):
     def used():
-        return [part for part, _ in processes._told(lambda: iter([loops.at_hand()]), ())]
+        told = []
+        processes._told(told.append, lambda tell: tell(loops.at_hand()), ())
+        return [part for part, _ in told]
 
     monkeypatch.setattr(compiled, "run_once", lambda: None)
     monkeypatch.setattr(loops, "_compiled", lambda: "compiled")

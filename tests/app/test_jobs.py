@@ -34,6 +34,14 @@ def pids(jobs):
     return {child.process.pid for child in jobs._children}
 
 
+async def all_of(jobs, *asked, told=None, **limits):
+    """All that a job tells."""
+    told = [] if told is None else told
+    async for part in jobs.run(*asked, **limits):
+        told.append(part)
+    return told
+
+
 async def until(holds):
     """Wait for what has to come."""
     while not holds():
@@ -42,14 +50,14 @@ async def until(holds):
 
 async def test_parts_come_in_their_order_however_many_or_large(started):
     for count in (0, 1, 2, 5000):
-        assert await started.run(jobs_to_run.counts, count, limit_s=60) == list(range(count))
-    assert await started.run(jobs_to_run.large, 30_000_000, limit_s=60) == [bytes(30_000_000)]
-    assert await started.run(jobs_to_run.length, bytes(30_000_000), limit_s=60) == [30_000_000]
+        assert await all_of(started, jobs_to_run.counts, count, limit_s=60) == list(range(count))
+    assert await all_of(started, jobs_to_run.large, 30_000_000, limit_s=60) == [bytes(30_000_000)]
+    assert await all_of(started, jobs_to_run.length, bytes(30_000_000), limit_s=60) == [30_000_000]
 
 
 async def test_no_more_processes_than_there_are_to_be_and_all_are_used(started):
     used = await asyncio.gather(
-        *(started.run(jobs_to_run.sleeps, 0.2, limit_s=60) for _ in range(5))
+        *(all_of(started, jobs_to_run.sleeps, 0.2, limit_s=60) for _ in range(5))
     )
     assert {pid for (pid,) in used} == pids(started)
     assert len(pids(started)) == 2
@@ -57,21 +65,21 @@ async def test_no_more_processes_than_there_are_to_be_and_all_are_used(started):
 
 async def test_waiting_is_not_counted(started):
     """Each takes 0.5 s of its 2 s; the last begins after 2.5 s."""
-    jobs = (started.run(jobs_to_run.sleeps, 0.5, limit_s=2, admitted=True) for _ in range(12))
+    jobs = (all_of(started, jobs_to_run.sleeps, 0.5, limit_s=2, admitted=True) for _ in range(12))
     assert len(await asyncio.gather(*jobs)) == 12
 
 
 async def test_a_full_queue_refuses_at_once_and_says_when_to_come_again(started):
     running = []
     for _ in range(6):
-        running.append(asyncio.create_task(started.run(jobs_to_run.sleeps, 1, limit_s=60)))
+        running.append(asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60)))
         await asyncio.sleep(0)
-    for refused in (started.run(jobs_to_run.sleeps, 1, limit_s=60) for _ in range(3)):
+    for refused in (all_of(started, jobs_to_run.sleeps, 1, limit_s=60) for _ in range(3)):
         with pytest.raises(Busy) as busy:
             await refused
         assert 1 <= busy.value.retry_after_s <= 3
     assert not any(each.done() for each in running)
-    part_of_more = started.run(jobs_to_run.sleeps, 0, limit_s=60, admitted=True)
+    part_of_more = all_of(started, jobs_to_run.sleeps, 0, limit_s=60, admitted=True)
     await asyncio.gather(*running, part_of_more)
     started.admit()
 
@@ -81,7 +89,7 @@ async def test_clients_take_turns_and_none_takes_all_the_room(tmp_path):
     jobs = Jobs(processes=1, waiting=9, preload=PRELOAD)
 
     async def ask(client, job):
-        await jobs.run(jobs_to_run.sleeps_after, go, 0, limit_s=60, client=client)
+        await all_of(jobs, jobs_to_run.sleeps_after, go, 0, limit_s=60, client=client)
         done.append((client, job))
 
     def refused(client):
@@ -108,19 +116,21 @@ async def test_clients_take_turns_and_none_takes_all_the_room(tmp_path):
 
 async def test_what_takes_too_long_ends_and_what_it_had_done_is_kept(started):
     before = pids(started)
-    with pytest.raises(TooLong) as unfinished:
-        await started.run(jobs_to_run.yields_then_sleeps, 100, 3600, limit_s=1)
-    assert unfinished.value.parts == list(range(100))
+    told = []
+    with pytest.raises(TooLong):
+        await all_of(started, jobs_to_run.tells_then_sleeps, 100, 3600, limit_s=1, told=told)
+    assert told == list(range(100))
     await until(lambda: len(pids(started)) == 2)
     (killed,) = before - pids(started)
     await until(lambda: not lives(killed))
 
 
 async def test_a_process_that_dies_costs_its_own_job_only(started):
-    other = asyncio.create_task(started.run(jobs_to_run.sleeps, 1, limit_s=60))
-    with pytest.raises(Stopped) as unfinished:
-        await started.run(jobs_to_run.yields_then_dies, 100, limit_s=60)
-    assert unfinished.value.parts == list(range(100))
+    other = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60))
+    told = []
+    with pytest.raises(Stopped):
+        await all_of(started, jobs_to_run.tells_then_dies, 100, limit_s=60, told=told)
+    assert told == list(range(100))
     assert len(await other) == 1
     await until(lambda: len(pids(started)) == 2)
 
@@ -130,18 +140,18 @@ async def test_a_process_that_dies_idle_is_replaced(started):
     for pid in before:
         os.kill(pid, signal.SIGKILL)
     await until(lambda: len(pids(started) - before) == 2)
-    assert await started.run(jobs_to_run.counts, 1, limit_s=60) == [0]
+    assert await all_of(started, jobs_to_run.counts, 1, limit_s=60) == [0]
 
 
 async def test_cancelled_jobs_leave_nothing_behind(started):
     descriptors = len(os.listdir("/proc/self/fd"))
     r = random.Random(1)
     for _ in range(50):
-        job = asyncio.create_task(started.run(jobs_to_run.sleeps, 0.05, limit_s=60))
+        job = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 0.05, limit_s=60))
         await asyncio.sleep(r.uniform(0, 0.1))
         job.cancel()
         assert len(pids(started)) <= 2
-    assert len(await started.run(jobs_to_run.sleeps, 0, limit_s=60)) == 1
+    assert len(await all_of(started, jobs_to_run.sleeps, 0, limit_s=60)) == 1
     await until(lambda: len(pids(started)) == 2)
     await until(lambda: pids(started) <= calculators(os.getpid()))
     await until(lambda: len(os.listdir("/proc/self/fd")) <= descriptors)
@@ -149,7 +159,7 @@ async def test_cancelled_jobs_leave_nothing_behind(started):
 
 async def test_jobs_that_are_cancelled_while_they_wait_leave_the_queue(started):
     running = [
-        asyncio.create_task(started.run(jobs_to_run.sleeps, 0.5, limit_s=60)) for _ in range(6)
+        asyncio.create_task(all_of(started, jobs_to_run.sleeps, 0.5, limit_s=60)) for _ in range(6)
     ]
     await asyncio.sleep(0)
     with pytest.raises(Busy):
@@ -161,7 +171,7 @@ async def test_jobs_that_are_cancelled_while_they_wait_leave_the_queue(started):
 
 
 async def test_signals_to_the_group_do_not_end_a_job(started):
-    job = asyncio.create_task(started.run(jobs_to_run.sleeps, 1, limit_s=60))
+    job = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60))
     await asyncio.sleep(0.3)
     for pid in pids(started):
         os.kill(pid, signal.SIGTERM)
@@ -178,7 +188,8 @@ async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(mo
         patched.setattr(module, "_started", fails)
         async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
             waiting = [
-                asyncio.create_task(jobs.run(jobs_to_run.counts, 1, limit_s=60)) for _ in range(3)
+                asyncio.create_task(all_of(jobs, jobs_to_run.counts, 1, limit_s=60))
+                for _ in range(3)
             ]
             for each in waiting:
                 with pytest.raises(CannotRun):
@@ -186,14 +197,14 @@ async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(mo
             assert not jobs.ready
             patched.undo()
             await until(lambda: jobs.ready)
-            assert await jobs.run(jobs_to_run.counts, 1, limit_s=60) == [0]
+            assert await all_of(jobs, jobs_to_run.counts, 1, limit_s=60) == [0]
     assert not jobs.ready
 
 
 async def test_processes_end_with_their_jobs():
     async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
         await until(lambda: len(pids(jobs)) == 2)
-        running = asyncio.create_task(jobs.run(jobs_to_run.sleeps, 3600, limit_s=7200))
+        running = asyncio.create_task(all_of(jobs, jobs_to_run.sleeps, 3600, limit_s=7200))
         await asyncio.sleep(0.1)
         before = pids(jobs)
     await until(lambda: not any(map(lives, before)))
@@ -201,13 +212,13 @@ async def test_processes_end_with_their_jobs():
         await running
     assert not pids(jobs)
     with pytest.raises(CannotRun):
-        await jobs.run(jobs_to_run.counts, 1, limit_s=60)
+        await all_of(jobs, jobs_to_run.counts, 1, limit_s=60)
 
 
 async def test_without_being_started_ahead_processes_start_with_the_first_job():
     jobs = Jobs(processes=1, waiting=4, preload=PRELOAD)
     assert not pids(jobs)
-    assert await jobs.run(jobs_to_run.counts, 3, limit_s=60) == [0, 1, 2]
+    assert await all_of(jobs, jobs_to_run.counts, 3, limit_s=60) == [0, 1, 2]
     (pid,) = pids(jobs)
     del jobs
     gc.collect()

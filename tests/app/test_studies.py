@@ -11,13 +11,12 @@ from app import endpoint
 from app.calculations.tolerance_study import ToleranceStudyRequest, reporting
 from app.endpoint import LINES
 from app.examples import REQUESTS
-from app.jobs import Jobs
+from app.jobs import Jobs, Stopped, TooLong
 from app.main import PRELOAD, create_app
-from app.problems import Problem
-from app.processes import as_it_comes
+from app.problems import problem_of
+from app.processes import in_parts
 from app.record import Record
 from app.settings import Settings
-from core.errors import ImpossibleMechanism
 from tests.app import jobs_to_run
 from tests.running_service import lives
 
@@ -147,42 +146,40 @@ async def test_more_time_is_given_than_to_an_answer_at_once(api):
 
 
 @pytest.mark.parametrize(
-    ("job", "said"), [("yields_then_sleeps", "0.5 s"), ("yields_then_dies", "stopped")]
+    ("job", "said"), [("tells_then_sleeps", "0.5 s"), ("tells_then_dies", "stopped")]
 )
 async def test_what_does_not_come_to_its_end_has_given_what_it_had(job, said):
     async def stays():
         await asyncio.Event().wait()
 
-    got, asked = [], (3, 60) if job == "yields_then_sleeps" else (3,)
+    got, asked = [], (3, 60) if job == "tells_then_sleeps" else (3,)
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
         record = Record(receive=stays)
-        parts = as_it_comes(jobs, getattr(jobs_to_run, job), *asked, record=record, limit_s=0.5)
+        parts = in_parts(jobs, getattr(jobs_to_run, job), *asked, record=record, limit_s=0.5)
 
         async def take():
             async for part in parts:
                 got.append(part)
 
-        with pytest.raises(Problem) as problem:
+        with pytest.raises((TooLong, Stopped)) as error:
             await take()
+    problem = problem_of(error.value)
     assert got == [0, 1, 2]
-    assert problem.value.status == 503 and said in problem.value.detail
-
-
-def test_an_error_of_the_work_is_raised():
-    def fails(report):
-        report(0.5)
-        raise ImpossibleMechanism("not_balanced")
-
-    with pytest.raises(ImpossibleMechanism):
-        list(endpoint._reported(fails))
+    assert problem.status == 503 and said in problem.detail
 
 
 def test_so_much_is_told_only_as_anyone_can_see(monkeypatch):
-    def work(report):
-        for done in range(1000):
-            report(done / 1000)
-        return b"done"
+    content = json.dumps(STUDY | {"samples": 640, "crank_angles": 12}).encode()
 
-    assert [*endpoint._reported(work)] == [b"done"]
+    def lines():
+        told = []
+        endpoint._progress(told.append, PATH, content, Settings())
+        assert told[0] == b""
+        return [json.loads(line) for line in told[1:]]
+
+    monkeypatch.setattr(endpoint, "PROGRESS_S", 1e9)
+    assert [[*line] for line in lines()] == [["result"]]
     monkeypatch.setattr(endpoint, "PROGRESS_S", 0.0)
-    assert len([*endpoint._reported(work)]) == 1001
+    *shares, last = lines()
+    assert [*last] == ["result"]
+    assert len(shares) > 1 and shares[-1] == {"progress": 1.0}
