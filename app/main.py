@@ -175,8 +175,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def static(request: Request) -> Response:
         return file_response(request.path_params["name"], request.scope)
 
-    # First, as a page asks for sixty; by Starlette, whose route is compared in less time.
-    app.add_route("/static/{name:path}", static, include_in_schema=False)
     app.router.route_class = CalculationRoute
     for each in CALCULATIONS.values():
         app.post(
@@ -186,7 +184,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             response_model=each.answer,
             **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
         )(each.solve)
-    for each in CALCULATIONS.values():  # behind those above, as paths are compared in this order
+    # Paths are compared in this order.
+    app.add_route("/static/{name:path}", static, include_in_schema=False)
+    for each in CALCULATIONS.values():
         if each.figure is not None:
             app.post(
                 f"{API}/{each.name}/chart",
