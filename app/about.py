@@ -29,7 +29,13 @@ from core.materials import (
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
-ClassName = Literal[CLASS_NAMES]  # type: ignore[valid-type]
+CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
+"""Names of theirs for generated clients, which may know no case."""
+
+ClassName = Annotated[
+    Literal[CLASS_NAMES],  # type: ignore[valid-type]
+    Field(json_schema_extra={"x-enum-varnames": CLASS_VARIABLES}),
+]
 
 
 class Health(ResponseModel):

@@ -192,6 +192,25 @@ async def test_the_description_is_enough_for_a_form(api):
             assert described.get("x-unit", "") == shown_unit(field), f"{name}.{field}"
 
 
+async def test_the_values_of_each_choice_have_names_of_their_own_in_generated_clients(api):
+    """Where `f7` and `F7` are both F7."""
+
+    def choices(schema):
+        if isinstance(schema, dict):
+            if isinstance(schema.get("enum"), list):
+                yield schema
+            schema = [*schema.values()]
+        if isinstance(schema, list):
+            for inner in schema:
+                yield from choices(inner)
+
+    found = [*choices((await api.get("/openapi.json")).json())]
+    assert len(found) > 20
+    for each in found:
+        names = each.get("x-enum-varnames", each["enum"])
+        assert len(names) == len(each["enum"]) == len({str(name).upper() for name in names})
+
+
 async def test_every_input_says_what_it_is(api):
     """Where a field is a section of a request, the section's own words do."""
     schema = (await api.get("openapi.json")).json()
