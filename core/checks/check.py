@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, get_args
 
 from core.checks.kinds import CHECKS, Kind
@@ -68,7 +67,7 @@ class Check(NamedTuple):
     criterion: str = ""
     verified: str = ""
     life_factor: float | None = None
-    at: Mapping[str, float] = MappingProxyType({})
+    at: Mapping[str, float] = {}
     missing: tuple[str, ...] = ()
 
     @property

@@ -1,5 +1,6 @@
 """How a value is judged against its limit, and the order of checks, by hand."""
 
+import pickle
 from typing import Any
 
 import pytest
@@ -86,6 +87,12 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     # the worst of those that no torque cures: more of the limit used
     two = [each._replace(status="fail") for each in (half, most)]
     assert verdict(two).checks[0].utilisation == 0.9
+
+
+def test_checks_and_their_verdict_go_to_other_processes() -> None:
+    somewhere = Check(code="wall_rim", status="pass", at={"satellite": 2})
+    for each in (Check(code="assembly", status="not_asked"), somewhere, verdict([somewhere])):
+        assert pickle.loads(pickle.dumps(each)) == each
 
 
 def test_the_largest_torque_is_an_estimate_where_a_rough_reserve_may_decide() -> None:
