@@ -339,7 +339,7 @@ ROUGH = {
     "bearing": {"kind": "ball", "dynamic_rating_N": 6e4, "static_rating_N": 1e6},
     "include": ["checks"],
 }
-"""The loads of its bearings, by the forces with clearance, are those of the teeth and of the pins."""
+"""Its bearings are loaded by the forces with clearance."""
 
 
 @pytest.mark.parametrize(("rating", "verdict"), [(6e4, "fail"), (1.2e5, "pass")])
