@@ -14,6 +14,7 @@ from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
+from app import compiled
 from app.model import UNION_TAGS, api_params
 from app.record import root_path
 from app.units import api_value
@@ -262,12 +263,12 @@ def too_large(limit: int) -> Problem:
     return Problem(413, "too-large", "Too large", f"The body exceeds {limit} bytes")
 
 
-def too_long(limit_s: float, *, preparing: bool = False) -> Problem:
+def too_long(limit_s: float) -> Problem:
     """Problem of a calculation that is not done in time; it would not be another time, unless the
     load sharing is yet being prepared.
     """
     detail = f"It was not done within {limit_s:g} s"
-    if preparing:
+    if compiled.came_late(limit_s):
         return not_prepared(detail)
     return Problem(503, "too-long", "Takes too long", detail)
 

@@ -121,7 +121,7 @@ async def as_it_comes(
 def why(unfinished: Unfinished, limit_s: float) -> Problem:
     """Problem of a calculation that has not come to its end."""
     if isinstance(unfinished, TooLong):
-        return too_long(limit_s, preparing=compiled.came_late(limit_s))
+        return too_long(limit_s)
     return unavailable("The process of the calculation was stopped")
 
 
