@@ -12,6 +12,7 @@ import logging
 import os
 import platform
 import sys
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import cache
@@ -63,6 +64,16 @@ def state() -> State:
         return "ready"
     there = mark.parent if mark.parent.exists() else mark.parent.parent
     return "preparing" if os.access(there, os.W_OK) else "missing"
+
+
+def came_late(seconds: float) -> bool:
+    """Whether what began so many seconds ago went without compiled loops that another time it would
+    have: they are being prepared, or have been at hand for less than that.
+    """
+    mark, now = _mark(), state()
+    if now != "ready" or mark is None:
+        return now == "preparing"
+    return time.time() - mark.stat().st_mtime < seconds
 
 
 def use() -> State:

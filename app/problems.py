@@ -14,6 +14,7 @@ from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
+from app import compiled
 from app.jobs import Busy, CannotRun, Stopped, TooLong
 from app.model import UNION_TAGS, api_params
 from app.record import root_path
@@ -97,8 +98,8 @@ KINDS = {
     "too-large": "The body has more bytes than the service takes.",
     "too-long": "The calculation takes longer than the service allows, and would again: ask for "
     "less at once.",
-    "unavailable": "Too much is asked at once, or the service starts or stops; `Retry-After` says "
-    "when to ask again.",
+    "unavailable": "Too much is asked at once, or the service starts, stops, or prepares the load "
+    "sharing after an installation; `Retry-After` says when to ask again.",
     "unsupported-media-type": "The body is not sent as plain `application/json`.",
 }
 """What each kind of problem is, as the address in its `type` says."""
@@ -264,8 +265,13 @@ def too_large(limit: int) -> Problem:
 
 
 def too_long(limit_s: float) -> Problem:
-    """Problem of a calculation that is not done in time; it would not be another time."""
-    return Problem(503, "too-long", "Takes too long", f"It was not done within {limit_s:g} s")
+    """Problem of a calculation that is not done in time; it would not be another time, unless the
+    load sharing is yet being prepared.
+    """
+    detail = f"It was not done within {limit_s:g} s"
+    if compiled.came_late(limit_s):
+        return not_prepared(detail)
+    return Problem(503, "too-long", "Takes too long", detail)
 
 
 def http_problem(error: HTTPException) -> Problem:
@@ -285,6 +291,11 @@ def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     """Problem of a service that cannot answer now but may soon."""
     headers = {"retry-after": str(retry_after_s)}
     return Problem(503, "unavailable", "Not available now", detail, headers=headers)
+
+
+def not_prepared(detail: str) -> Problem:
+    """Problem of what has to wait for the compiled loops of the load sharing."""
+    return unavailable(f"{detail}: the load sharing is prepared, once after an installation", 10)
 
 
 def failure(request_id: str) -> Problem:

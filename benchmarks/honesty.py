@@ -41,7 +41,7 @@ further off than its `relative_error` says, relative to what the calculation doc
 size, that of its vector, the largest force, the pin circle, the range shown. From 1 on it says that
 nothing is known, and the answer warns of it (`hardly_known`): such cases, none of them practical,
 have a column of their own. Overstated: median of the stated error over the largest one measured in
-the answer (at least 2^-54). Pins state what their search may end below the largest, 2e-13, and
+the answer (at least 2^-54). Pins state what their search may end below the largest, 1e-14, and
 eight times the error of the peak force, which grows with the exponent: none was measured to be off
 by more than a twentieth of it, but nothing less is certain.
 

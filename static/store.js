@@ -228,7 +228,7 @@ function announced(shown, { calculator, titles }) {
   const judged = judgedOf(calculator, answer);
   const words = cells.filter(({ note }) => note !== undefined)
     .map(({ label, value, unit, note }) => `${[label, value, unit].filter(Boolean).join(" ")}, ${note}`);
-  return [judged && verdictSentence(judged, titles, calculator.torque?.(shown)), message("verdict.announce", { cells: `${words.join(". ")}.` })]
+  return [judged && verdictSentence(judged, titles), message("verdict.announce", { cells: `${words.join(". ")}.` })]
     .filter(Boolean).join(" ");
 }
 

@@ -253,8 +253,7 @@ class CheckOut(ResponseModel):
     torque_reserve: Maybe[float] = Field(
         default=None,
         description="Factor on the torque at which the value is at its limit; where the forces "
-        "are solved, an estimate by the sharing as it is, but for the contact of pins that do not "
-        "bend.",
+        "are solved, an estimate by the sharing as it is, but for contacts.",
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")
@@ -323,6 +322,11 @@ class JudgedResponse(ResponseModel):
         default=None,
         description="Torque at which the first check fails; absent where less torque cures "
         "nothing, or something is not known.",
+    )
+    largest_torque_estimated: Maybe[bool] = Field(
+        default=None,
+        description="Present and true where that torque is an estimate: where the forces are "
+        "solved, the reserves of most checks are.",
     )
     counts: dict[str, int] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
     not_considered: list[str] = Field(
@@ -505,6 +509,7 @@ def judgement(
         "governing": verdict.governing,
         "torque_reserve": reserve,
         "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
+        "largest_torque_estimated": True if known and verdict.largest_torque_estimated else None,
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
         "checks": values,

@@ -28,6 +28,7 @@ from app.model import (
     quantity,
     warning,
 )
+from app.problems import not_prepared
 from app.running import run
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
@@ -107,14 +108,21 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
         self.refuse_other_shares(self.mechanism.satellites)
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
+        preparing = self.loops == "preparing"
         for section, limit in (
-            ("over_turn", MAX_TURN_PAIRS[self.loops] // times),
+            ("over_turn", MAX_TURN_PAIRS["ready" if preparing else self.loops] // times),
             ("positions", forces // len(self.crank_angle_deg)),
             ("stiffness_curve", forces // len(self.torques)),
             ("curves", forces // self.samples),
         ):
             if section in self.include and pairs > limit:
                 self._refuse_pairs(limit)
+        if (
+            preparing
+            and "over_turn" in self.include
+            and pairs > MAX_TURN_PAIRS[self.loops] // times
+        ):
+            raise not_prepared("There are many pairs")
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 

@@ -102,7 +102,8 @@ TOUCHING = ("pin_radius_mm", "contact_length_mm")
 def _crank_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     """Holes need their pins."""
     request_schema(schema, model)
-    schema["dependentRequired"] = {name: [*TOUCHING] for name in RADII_OF_HOLES}
+    needs = {"required": [*TOUCHING]}  # in their order, which FastAPI drops of `dependentRequired`
+    schema["dependentSchemas"] = dict.fromkeys(RADII_OF_HOLES, needs)
 
 
 class CrankContactFields(PinContactFields):

@@ -26,7 +26,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import refusal, unavailable
+from app.problems import not_prepared, refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -172,7 +172,7 @@ class ToleranceStudyRequest(RealDesignFields):
         if self.samples > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
         if self.samples > budget // (positions * self.mechanism.pairs):
-            raise unavailable("Large studies are being prepared, once after an installation", 10)
+            raise not_prepared("It is a large study")
 
     @property
     def _positions_of_a_pair(self) -> int:

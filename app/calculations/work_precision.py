@@ -11,6 +11,7 @@ from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
 from app.calculations.pin_strength import PinStrengthRequest
 from app.calculations.roller_strength import RollerStrengthRequest
+from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values, result
@@ -26,6 +27,7 @@ from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
 from core.work_precision.pin_strength import pin_bending_study
 from core.work_precision.rollers import roller_sharing_study
+from core.work_precision.satellite_bearing import equivalent_load_study
 from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
 from core.work_precision.tolerance import COST, tolerance_sampling_study
@@ -82,6 +84,27 @@ class PinStrengthStudy(Study):
         """The study."""
         equally = {"pair_stiffness": None, "made": None}
         return pin_bending_study(**(self.input.design.loaded_pins | equally))
+
+
+class SatelliteBearingStudy(Study):
+    """Equivalent load of the satellites' bearings, by ideal forces that these share equally."""
+
+    calculation: Literal["satellite-bearing"] = Field(description="Whose methods are compared.")
+    input: SatelliteBearingRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        design = self.input.design
+        assert design.mesh is not None and design.bearing is not None
+        assert design.pin_circle_radius is not None and design.eccentricity is not None
+        return equivalent_load_study(
+            mechanism=design.mechanism,
+            force_exponent=design.force_exponent,
+            pin_circle_radius=design.pin_circle_radius,
+            eccentricity=design.eccentricity,
+            mesh=design.mesh,
+            kind=design.bearing.kind,
+        )
 
 
 class ContactLineStudy(Study):
@@ -203,6 +226,7 @@ WorkPrecisionRequest = Annotated[
     PeakForceStudy
     | TotalForceStudy
     | PinStrengthStudy
+    | SatelliteBearingStudy
     | ContactLineStudy
     | MeshingLoadStudy
     | RollerSharingStudy

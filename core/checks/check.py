@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, get_args
 
 from core.checks.kinds import CHECKS, Kind
@@ -68,7 +67,7 @@ class Check(NamedTuple):
     criterion: str = ""
     verified: str = ""
     life_factor: float | None = None
-    at: Mapping[str, float] = MappingProxyType({})
+    at: Mapping[str, float] = {}
     missing: tuple[str, ...] = ()
 
     @property
@@ -234,6 +233,8 @@ class Verdict:
     largest_torque_known : bool
         Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
         that is known, and nothing is unknown.
+    largest_torque_estimated : bool
+        Whether that torque is an estimate: a reserve that fails or comes first is rough.
     counts : dict of str to int
         How many checks have each status.
     not_considered : tuple of str
@@ -246,6 +247,7 @@ class Verdict:
     governing: str | None
     torque_reserve: float | None
     largest_torque_known: bool
+    largest_torque_estimated: bool
     counts: dict[str, int]
     not_considered: tuple[str, ...]
     checks: tuple[Check, ...]
@@ -302,6 +304,7 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         for each in decided
         if each.torque_reserve is not None and not each.warning
     ]
+    least = min(reserves, default=None)
     outcome: Outcome = "pass"
     if counts["fail"]:
         outcome = "fail"
@@ -309,14 +312,16 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         outcome = "incomplete"
     elif counts["marginal"]:
         outcome = "marginal"
-    stuck = any(
-        each.status == "fail" and (each.torque_reserve is None or each.rough) for each in decided
-    )
+    stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,
-        torque_reserve=min(reserves, default=None),
+        torque_reserve=least,
         largest_torque_known=bool(reserves) and not stuck and not counts["not_checked"],
+        largest_torque_estimated=any(
+            each.rough and (each.status == "fail" or each.torque_reserve == least)
+            for each in decided
+        ),
         counts=counts,
         not_considered=not_considered,
         checks=ranked,

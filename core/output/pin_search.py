@@ -55,8 +55,9 @@ SIDES = 4e-15
 """How far both sides of a hill differ by rounding, as a part of its height: what its middle misses
 by that is the square of it, over the fall to the next samples."""
 
-JOINT_SMOOTH, JOINT_ROUNDS = 13, 22
-"""Rounds in all variables at once, where the forces are smooth and where not."""
+JOINT_SMOOTH, JOINT_ROUNDS = 16, 22
+"""Rounds in all variables at once, where the forces are smooth and where not: in each the distances
+halve at least, and what may be left above, `NEAR_AROUND` at first, falls to a quarter."""
 
 FOLLOWED = 4
 """How far about a place that moves with the section is looked next at least, over how far it moved:
@@ -72,7 +73,7 @@ ALONG, SECTIONS = 4, 24
 """Parts of each stretch of the pin that are looked at first, at least, and about how many sections
 where there are few stretches and directions do not count."""
 
-ENOUGH = 2e-13
+ENOUGH = 1e-14
 """What a largest value may be missed by, as a part of it."""
 
 NEAR, NEAR_AROUND = 1e-3, 1e-5

@@ -9,8 +9,10 @@ Modules, in reading order
 -------------------------
 study          points, timing, choice
 rules          quadrature rules with a setting each
+turn_mean      means over the turn: equal steps, and rules between switching angles
 peak_force     sampling, polished sampling, segment-exact, the papers' approximations
-total_force    mean total force: equal steps, and rules between switching angles
+total_force    of the total force
+satellite_bearing  of powers of the load of a satellite's bearing
 pin_strength   largest bending stress: equal steps against the search by arcs
 mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton

@@ -6,7 +6,8 @@ import { formatNumber, formatQuantity, unitOf } from "./format.js";
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
-  "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve", "largest_torque_Nm",
+  "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
+  "largest_torque_Nm", "largest_torque_estimated",
 ];
 /** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
 export function flattened(section) {
@@ -124,28 +125,17 @@ export function decisive({ verdict, governing, checks = [] }) {
 /** The failing check that no smaller torque cures, by all that is known. */
 const beyondTorque = ({ checks = [] }) => checks.find(({ status, torque_reserve: reserve }) => status === "fail" && reserve === undefined);
 
-/**
- * The largest torque, `{ value, estimated }`, none where it is not known. Where the service states a reserve but no torque,
- * at another torque the forces are shared otherwise: then it is an estimate, of the `torque` in N·m that is asked.
- */
-export function largestTorque(judged, torque) {
-  const { largest_torque_Nm: value, torque_reserve: reserve, verdict, counts } = judged;
-  if (value !== undefined) return { value, estimated: false };
-  const curable = verdict === "fail" && !counts?.not_checked && !beyondTorque(judged);
-  return curable && reserve !== undefined && torque !== undefined ? { value: reserve * torque, estimated: true } : null;
-}
+/** Digits that the largest torque is shown with. */
+export const torqueDigits = ({ largest_torque_estimated: estimated }) => (estimated ? 2 : 4);
 
-/** Digits that a largest torque is shown with. */
-export const torqueDigits = ({ estimated }) => (estimated ? 2 : 4);
-
-/** The verdict in a sentence; `torque` is the one that is asked. */
-export function verdictSentence(judged, titles, torque) {
+/** The verdict in a sentence. */
+export function verdictSentence(judged, titles) {
   const word = wordOf(judged);
   const check = decisive(judged);
   const row = check && checkRow(check, titles);
-  const largest = largestTorque(judged, torque);
-  const allowed = largest && message("checks.largestTorque", {
-    torque: `${largest.estimated ? "≈\u00a0" : ""}${formatQuantity(largest.value, "N·m", torqueDigits(largest))}`,
+  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged;
+  const allowed = largest !== undefined && message("checks.largestTorque", {
+    torque: `${estimated ? "≈\u00a0" : ""}${formatQuantity(largest, "N·m", torqueDigits(judged))}`,
   });
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`].filter(Boolean).join(" ");

@@ -55,7 +55,7 @@ export default {
   refused: {
     "too-large": "The request is too large.",
     "too-long": "The calculation takes longer than the service allows. Switch off sections that are not needed, or clearance and errors; or take fewer pins or satellites.",
-    unavailable: "The service is busy: try again in a few seconds.",
+    unavailable: "The service is busy, or prepares itself after its installation: try again in a few seconds.",
     failure: "The service failed: this is no error of the input.",
   },
   unit: {}, // names of units that are not written as in the service

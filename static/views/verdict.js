@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, decisive, judgedOf, largestTorque, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
+import { checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -37,13 +37,13 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-function torqueMarkup({ numbers }, judged, torque) {
+function torqueMarkup({ numbers }, judged) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
-  const largest = judged && largestTorque(judged, torque);
-  if (!largest) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
-  const { value, unit } = quantityParts(largest.value, "N·m", torqueDigits(largest));
-  return html`${label}<p><span class="figures">${largest.estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
-    ${largest.estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
+  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
+  if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
+  const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
+  return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
+    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
 }
 
 export function createVerdict({ calculator, titles }) {
@@ -64,7 +64,7 @@ export function createVerdict({ calculator, titles }) {
       const stands = standing(state);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged, state.shown && calculator.torque?.(state.shown)));
+      fill(part("torque"), torqueMarkup(stands, judged));
     }),
   };
 }

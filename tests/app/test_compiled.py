@@ -2,8 +2,10 @@
 
 import asyncio
 import importlib
+import os
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -44,6 +46,17 @@ def test_a_process_from_before_they_were_compiled_uses_them_once_they_are(elsewh
     assert used() == [loops.PLAIN]
     compiled._mark().touch()
     assert used() == ["compiled"]
+
+
+def test_what_began_before_the_loops_were_there_may_be_faster_another_time(elsewhere, monkeypatch):
+    assert compiled.came_late(10.0)
+    mark = compiled._mark()
+    mark.touch()
+    os.utime(mark, (time.time() - 8,) * 2)
+    assert compiled.came_late(10.0) and not compiled.came_late(6.0)
+    mark.unlink()
+    monkeypatch.setattr("os.access", lambda path, mode: False)
+    assert compiled.state() == "missing" and not compiled.came_late(10.0)
 
 
 def test_what_failed_is_not_ready(elsewhere, monkeypatch):

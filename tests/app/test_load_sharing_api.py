@@ -209,6 +209,19 @@ async def test_more_pairs_than_there_is_time_for_are_refused(
     assert error["params"]["limit"] == limit
 
 
+@pytest.mark.parametrize(("pins", "status"), [(51, 503), (501, 422)])
+async def test_turns_of_many_pairs_wait_for_the_compiled_loops(api, monkeypatch, pins, status):
+    """Two satellites: 100 pairs until these are there, 1,000 then."""
+    monkeypatch.setattr("app.compiled.state", lambda: "preparing")
+    body = changed(mechanism={"pins": pins}, include=["over_turn"])
+    del body["deviations"]
+    response = await api.post(PATH, json=body)
+    assert response.status_code == status
+    assert response.headers.get("retry-after") == ("10" if status == 503 else None)
+    if status == 422:
+        assert response.json()["errors"][0]["params"]["limit"] == 500
+
+
 async def test_ten_thousand_pairs_at_one_position(api):
     body = changed(mechanism={"pins": 5000})
     del body["deviations"]

@@ -71,7 +71,9 @@ async def test_health_is_answered_while_a_long_calculation_runs():
         await slow
 
 
-async def test_what_takes_too_long_is_stopped_and_refused():
+@pytest.mark.parametrize("late", [False, True])
+async def test_what_takes_too_long_is_stopped_and_refused(monkeypatch, late):
+    monkeypatch.setattr("app.compiled.came_late", lambda seconds: late and seconds == 0.6)
     app = create_app(Settings(max_seconds=0.6, processes=1))
     async with client(app) as api:
         asked = asyncio.create_task(api.post("contact-force", json=SLOW))
@@ -80,9 +82,11 @@ async def test_what_takes_too_long_is_stopped_and_refused():
         response = await asked
         assert response.status_code == 503
         assert response.headers["content-type"] == "application/problem+json"
-        assert response.json()["type"].endswith("/too-long")
-        assert "retry-after" not in response.headers  # it would take as long again
-        assert "0.6 s" in response.json()["detail"]
+        problem = response.json()
+        assert problem["type"] == f"/problems/{'unavailable' if late else 'too-long'}"
+        # it would take as long again, unless it waits for the compiled loops
+        assert response.headers.get("retry-after") == ("10" if late else None)
+        assert "0.6 s" in problem["detail"] and ("prepared" in problem["detail"]) == late
         await until(lambda: not lives(killed))
         assert (await api.post("cyclogram", json=MANY)).status_code == 200
         assert len(processes_of(app)) == 1

@@ -33,7 +33,12 @@ REF = {
 
 def design(**changes):
     """REF with changed fields: `section__field=value`; None takes a field away."""
-    body = deepcopy(REF)
+    return changed(REF, **changes)
+
+
+def changed(body, **changes):
+    """A body with changed fields likewise."""
+    body = deepcopy(body)
     for place, value in changes.items():
         *path, last = place.split("__")
         inner = body
@@ -318,6 +323,46 @@ async def test_fixes_of_real_forces(api):
     assert answer["largest_torque_Nm"] == pytest.approx(480.85, abs=0.01)
     assert len(answer["fixes"]) == 4
     assert {each["verdict"] for each in answer["fixes"]} == {"pass"}
+
+
+ROUGH = {
+    "mechanism": {"pins": 4, "satellites": 2, "ratio": 20.0},
+    "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "input_speed_rpm": 1500.0},
+    "contact": {
+        "contact_length_mm": 20.0,
+        "pin_radius_mm": 8.0,
+        "hole_clearance_mm": 0.03,
+        "eccentricity_mm": 2.0,
+        "hole_material": "steel_bearing",
+    },
+    "gear": {"kind": "none"},
+    "bearing": {"kind": "ball", "dynamic_rating_N": 6e4, "static_rating_N": 1e6},
+    "include": ["checks"],
+}
+"""Its bearings are loaded by the forces with clearance."""
+
+
+@pytest.mark.parametrize(("rating", "verdict"), [(6e4, "fail"), (1.2e5, "pass")])
+async def test_where_the_forces_are_solved_a_life_estimates_the_largest_torque(
+    api, rating, verdict
+):
+    body = changed(ROUGH, bearing__dynamic_rating_N=rating)
+    answer, checks = await asked(api, "crank-planetary", body)
+    life = checks["bearing_life"]
+    assert (answer["verdict"], answer["governing"]) == (verdict, "bearing_life")
+    assert answer["largest_torque_estimated"] is True
+    torque = answer["largest_torque_Nm"]
+    assert torque == pytest.approx(500 * (life["value"] / life["limit"]) ** (1 / 3), rel=1e-12)
+    # under that torque the life is about what is asked, but not that: the sharing has moved
+    _, there = await asked(api, "crank-planetary", changed(body, load__output_torque_Nm=torque))
+    assert 1e-6 < abs(there["bearing_life"]["utilisation"] - 1) < 0.1
+
+
+@pytest.mark.parametrize("known", [{"contact__hole_clearance_mm": 0.0}, {"bearing": None}])
+async def test_a_largest_torque_that_is_exact_is_not_said_to_be_estimated(api, known):
+    """Ideal forces follow the torque; the pressure is known with clearance too."""
+    answer, _ = await asked(api, "crank-planetary", changed(ROUGH, **known))
+    assert "largest_torque_Nm" in answer and "largest_torque_estimated" not in answer
 
 
 @pytest.mark.parametrize("kind", ["none", "allowable", "both"])

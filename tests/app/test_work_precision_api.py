@@ -2,11 +2,13 @@
 
 import math
 
+import numpy as np
 import plotly.graph_objects as go
 import pytest
 
+from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.calculations.work_precision import ToleranceSamplingStudy
+from app.calculations.work_precision import SatelliteBearingStudy, ToleranceSamplingStudy
 from app.examples import REQUESTS
 from app.settings import Settings
 from core.errors import InvalidInput
@@ -36,6 +38,16 @@ STUDIES = {
             "support": "cantilever",
             "material": {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3},
         },
+    },
+    "satellite-bearing": {
+        "mechanism": {"pins": 5, "satellites": 2, "ratio": 20, "crank_spacing_deg": 100},
+        "load": {
+            "output_torque_Nm": 500, "pin_circle_radius_mm": 50, "input_speed_rpm": 1450,
+            "force_exponent": 1.5,
+        },
+        "contact": {"eccentricity_mm": 2},
+        "gear": {"radial_force_ratio": -0.4},
+        "bearing": {"kind": "roller"},
     },
     "contact_line_length": GEAR,
     "meshing_load": MESH,
@@ -100,12 +112,51 @@ async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(api, held
     assert answer["chosen"]["evaluations"] == alone["accuracy"]["evaluations"]
 
 
-async def test_a_study_of_the_pins_has_a_limit(api):
-    own = STUDIES["pin-strength"]
-    many = {**own, "mechanism": {**own["mechanism"], "pins": 17}}
-    response = await api.post("work-precision", json={"calculation": "pin-strength", "input": many})
+@pytest.mark.parametrize(("study", "limit"), [("pin-strength", 16), ("satellite-bearing", 24)])
+async def test_studies_over_the_turn_have_a_limit(api, study, limit):
+    own = STUDIES[study]
+    many = {**own, "mechanism": {**own["mechanism"], "pins": limit + 1}}
+    response = await api.post("work-precision", json={"calculation": study, "input": many})
     error = response.json()["errors"][0]
-    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 16)
+    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", limit)
+
+
+@pytest.mark.parametrize(
+    ("kind", "gear"),
+    [("roller", {"radial_force_ratio": -0.4}), ("ball", {"radial_force_ratio": 0.7})],
+)
+async def test_means_of_the_bearing_loads_come_nearer_by_each_method(api, kind, gear):
+    """Against loads in multiple precision, of which the bearings' own search knows nothing."""
+    own = {**STUDIES["satellite-bearing"], "bearing": {"kind": kind}, "gear": gear}
+    body = {"calculation": "satellite-bearing", "input": own}
+    answer = (await api.post("work-precision", json=body)).json()
+    lines: dict[str, list[float]] = {}
+    for point in answer["points"]:
+        lines.setdefault(point["method_code"], []).append(point["relative_error"])
+    for method, least in (("sampling", 1e-11), ("segments_gauss", 1e-12)):
+        assert lines[method] == sorted(lines[method], reverse=True)
+        assert lines[method][0] > 1e-5 and lines[method][-1] < least
+    assert lines["segments_tanh_sinh"] == [answer["chosen"]["relative_error"]] < [2e-15]
+
+
+def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
+    """Over the load across the crank of a satellite that carries all of the torque."""
+    asked = {}
+    monkeypatch.setattr(
+        "core.work_precision.satellite_bearing.turn_mean_study", lambda **given: asked.update(given)
+    )
+    body = SatelliteBearingRequest.model_validate(
+        STUDIES["satellite-bearing"]
+        | {"mechanism": {"pins": 5, "satellites": 3, "ratio": 20, "crank_angles_deg": [200, 0, 50]}}
+    )
+    SatelliteBearingStudy(calculation="satellite-bearing", input=body).solve()
+    loads = body.solve().equivalent_load
+    assert min(loads) < 0.9995 * max(loads) and max(loads) > loads[0]
+    across = 500 / (0.002 * 20)
+    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    angles = np.array([0.1, 1.2, 3.4])
+    curve = body.design.bearing_curves(angles).load[:, int(np.argmax(loads))]
+    assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
 
 
 async def test_the_papers_approximation_has_its_known_error(api):

@@ -1,10 +1,11 @@
 """How a value is judged against its limit, and the order of checks, by hand."""
 
+import pickle
 from typing import Any
 
 import pytest
 
-from core.checks.check import Check, judged, verdict
+from core.checks.check import Check, Status, Verdict, judged, verdict
 from core.checks.kinds import CHECKS
 
 
@@ -86,6 +87,31 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     # the worst of those that no torque cures: more of the limit used
     two = [each._replace(status="fail") for each in (half, most)]
     assert verdict(two).checks[0].utilisation == 0.9
+
+
+def test_checks_and_their_verdict_go_to_other_processes() -> None:
+    somewhere = Check(code="wall_rim", status="pass", at={"satellite": 2})
+    for each in (Check(code="assembly", status="not_asked"), somewhere, verdict([somewhere])):
+        assert pickle.loads(pickle.dumps(each)) == each
+
+
+def test_the_largest_torque_is_an_estimate_where_a_rough_reserve_may_decide() -> None:
+    exact, rough = "contact_pressure_hole", "bearing_life"
+
+    def found(first: float, second: float, status: Status = "pass") -> Verdict:
+        exactly = judged(exact, 1.0, 2.0, reserve=first)
+        roughly = judged(rough, 2.0, 1.0, reserve=second, rough=True)._replace(status=status)
+        return verdict([exactly, roughly])
+
+    for first, second, status, estimated in (
+        (1.3, 1.5, "pass", False),
+        (1.5, 1.3, "pass", True),
+        (1.05, 0.9, "fail", True),
+        (0.8, 0.9, "fail", True),  # by less torque its reserve may be the smaller one
+    ):
+        one = found(first, second, status)
+        assert one.largest_torque_known and one.largest_torque_estimated == estimated
+        assert one.torque_reserve == min(first, second)
 
 
 def test_what_has_to_stay_above_its_limit_says_so() -> None:

@@ -10,6 +10,10 @@ from numpy.typing import NDArray
 
 from core.arrays import FloatArray
 from core.output.pin_search import (
+    ENOUGH,
+    JOINT_ROUNDS,
+    JOINT_SMOOTH,
+    NEAR_AROUND,
     Points,
     _tops,
     _vertex,
@@ -247,8 +251,12 @@ def test_climbed_looks_closer_where_its_steps_are_longer_than_a_ridge_is_wide() 
     assert [x[0], chi[0]] == pytest.approx([0.5, 1.0], abs=1e-7)
 
 
+def test_the_search_in_all_variables_leaves_no_more_than_is_stated() -> None:
+    assert NEAR_AROUND / 4 ** min(JOINT_SMOOTH, JOINT_ROUNDS) < ENOUGH
+
+
 def test_of_values_alike_but_for_rounding_the_first_section_counts() -> None:
-    values = np.array([3.0, 4.0, 4.0 * (1 - 1e-13), 4.0 * (1 - 3e-13)])
+    values = np.array([3.0, 4.0, 4.0 * (1 - 5e-15), 4.0 * (1 - 15e-15)])
     assert first_of(values=values, section=np.array([0.1, 0.4, 0.3, 0.2])) == 2
     assert first_of(values=values, section=np.array([0.1, 0.3, 0.4, 0.2])) == 1
 

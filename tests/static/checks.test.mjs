@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, largestTorque, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -53,16 +53,10 @@ test("a largest torque that is not known says why", () => {
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 0 } }), "no check hangs on the torque");
 });
 
-test("where every failing check has a reserve the largest torque is at least estimated, and said to be", () => {
-  const { largest_torque_Nm: exact, ...rough } = { ...JUDGED, checks: [PRESSURE], counts: { not_checked: 0 } };
-  assert.deepEqual(largestTorque({ ...rough, largest_torque_Nm: exact }, 280), { value: exact, estimated: false });
-  assert.deepEqual(largestTorque(rough, 280), { value: 0.78 * 280, estimated: true });
-  assert.match(verdictSentence(rough, titles, 280), /Largest torque allowed ≈\u00a0220\u00a0N·m\.$/);
-  for (const unknown of [
-    { ...rough, counts: { not_checked: 1 } }, { ...rough, verdict: "pass" }, { ...rough, torque_reserve: undefined },
-    { ...rough, checks: [PRESSURE, { code: "new_room", status: "fail" }] },
-  ]) assert.equal(largestTorque(unknown, 280), null);
-  assert.equal(largestTorque(rough), null);
+test("a largest torque that is an estimate is said to be one, with fewer digits", () => {
+  assert.match(verdictSentence({ ...JUDGED, largest_torque_estimated: true }, titles), /Largest torque allowed ≈\u00a0220\u00a0N·m\.$/);
+  const { largest_torque_Nm: _, ...unknown } = JUDGED;
+  assert.doesNotMatch(verdictSentence(unknown, titles), /torque/);
 });
 
 test("not known says whether checks are open, or nothing could break", () => {

@@ -43,12 +43,6 @@ test("the cells say the numbers, and what has not been computed", () => {
   assert.ok(calculator.verdict({}).every(({ label, value, note }) => label && value === undefined && note === undefined));
 });
 
-test("the torque that is asked is that of the reference force at the circle of the pins", () => {
-  const filled = { load: { pin_circle_radius_mm: 60 } };
-  assert.equal(calculator.torque({ answer: { contact_force: { reference_force_N: 25000 } }, filled }), 1500);
-  assert.equal(calculator.torque({ answer: {}, filled }), undefined);
-});
-
 test("with real forces the pairs are those that are loaded", () => {
   const real = { loaded_pairs_min: 1, loaded_pairs_max: 3, peak_force_N: 9, peak_crank_angle_deg: 0, peak_pair: {}, accuracy: ACCURACY };
   const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };

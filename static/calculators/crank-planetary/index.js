@@ -257,9 +257,6 @@ export default {
     cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
   ],
 
-  /** The output torque that is asked, N·m. */
-  torque: ({ answer: { contact_force: force }, filled }) => force && force.reference_force_N * filled.load.pin_circle_radius_mm / 1000,
-
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],
 
