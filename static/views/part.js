@@ -61,7 +61,7 @@ export function createView({ id, section, client, titles, figures, calculations,
     part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model }).join("; ") });
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [
-      valuesMarkup(answer, calculator.elsewhere, titles),
+      valuesMarkup(section, answer, calculator.elsewhere, titles),
       ...Object.keys(lists).filter((name) => values.has(name)).map((name) => listMarkup(name, values.get(name), lists[name])),
     ]}`);
   });

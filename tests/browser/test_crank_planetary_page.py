@@ -533,7 +533,7 @@ def test_enter_with_a_wrong_box_goes_to_it(page: Page, service: str) -> None:
 def test_the_verdict_is_spoken(page: Page, service: str) -> None:
     show(page, service, ZYL)
     live = page.locator("#live")
-    expect(live).to_contain_text("Peak force 888.231 N")
+    expect(live).to_contain_text("Peak force, ideal 888.231 N")
     box(page, "mechanism.pins").fill("0")
     expect(live).to_contain_text("Pins: must be 1 or more")
     expect(page.locator("[aria-live]")).to_have_count(1)

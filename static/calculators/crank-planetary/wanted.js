@@ -62,7 +62,7 @@ const STUDY = {
   "tolerances.eccentricity_mm": {},
   "tolerances.crank_phase_deg": {},
   "tolerances.disc_phase_deg": {},
-  quantities: { words: ["quantities", "study"] },
+  quantities: { words: ["quantities", "study"], section: "load_sharing" },
   samples: {},
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
   percentiles: rare,
