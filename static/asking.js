@@ -95,7 +95,7 @@ export function createAsking({ store, client, designs }) {
     if (superseded) return;
     if (problem) {
       store.apply(failed, problem);
-      if (problem.passing) timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
+      if (problem.passing) timer = setTimeout(now, Math.max(problem.wait, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]));
       failures += 1;
       return;
     }

@@ -18,7 +18,7 @@ import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
-import { problemText } from "./service_texts.js";
+import { passingText } from "./service_texts.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
@@ -187,7 +187,7 @@ async function open(id) {
   } catch (error) {
     close();
     tabs.setOpen(null);
-    panel.textContent = message("page.failed", { detail: problemText(error, new Map()) });
+    panel.textContent = message("page.failed", { detail: passingText(error, new Map()) });
     reopening = setTimeout(() => open(id), AGAIN_MS);
   }
 }

@@ -5,7 +5,7 @@
  * `about`    what never changes: `{ model, calculator, catalogues, titles, materialOf }`
  * `typed`    what the boxes say, `{ texts, chosen }`, and `reading`, the same read and checked
  * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
- * `phase`    "incomplete", "wrong", "computing", "offline", "long", "refused" or "fresh"
+ * `phase`    "incomplete", "wrong", "computing", "refused" or "fresh", or without an answer one of `UNANSWERED`
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
@@ -26,7 +26,7 @@ import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_stat
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
-import { ofTitle, problemText, refusalTexts, warningText } from "./service_texts.js";
+import { ofTitle, passingText, problemText, refusalTexts, warningText } from "./service_texts.js";
 
 /** What is wrong with a box, in words; nothing for one that can be read. */
 export function readingText(reading) {
@@ -250,10 +250,10 @@ export function besided(state, id, part) {
   return { ...state, besides: { ...state.besides, [id]: { ...state.besides[id], ...part } } };
 }
 
-/** A wanted group was refused: at its boxes, and in words. */
-export function refusedBesides(state, id, problem) {
+/** A wanted group was refused: at its boxes, and in words; a `live` one asks again what may be answered then. */
+export function refusedBesides(state, id, problem, live) {
   const { about: { model, titles }, besides: { [id]: { typed } } } = state;
-  if (problem.status !== 422) return besided(state, id, { phase: "offline", refusal: { at: {}, text: problemText(problem, titles) } });
+  if (problem.status !== 422) return besided(state, id, { phase: "failed", refusal: { at: {}, text: (live ? passingText : problemText)(problem, titles) } });
   const { at, elsewhere } = refusalTexts(problem, shownFields(model, typed), titles);
   const atBoxes = Object.entries(at).map(([path, { words }]) => ofTitle(model.fields.get(path).title, words));
   return besided(state, id, { phase: "refused", refusal: { at, text: [...elsewhere, ...atBoxes].join("; ") } });
@@ -273,10 +273,13 @@ export function refusedAt({ typed, refusal, besides }, path) {
 /** Whether a group is switched on. */
 export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
 
-/** The service could not be asked, or it takes too long. */
+/** Why there is no answer: the service is out of reach, it is busy, it takes too long, or it fails. */
+export const UNANSWERED = ["offline", "busy", "long", "failed"];
+
 export function failed(state, problem) {
-  const text = problemText(problem, state.about.titles);
-  return { ...state, phase: problem.kind === "too-long" ? "long" : "offline", line: ["bad", text], said: text };
+  const text = passingText(problem, state.about.titles);
+  const phase = problem.status === 0 ? "offline" : { unavailable: "busy", "too-long": "long" }[problem.kind] ?? "failed";
+  return { ...state, phase, line: ["bad", text], said: text };
 }
 
 export const compared = (state, kept) => ({ ...state, kept });
@@ -300,7 +303,7 @@ export function charted(state, id, data) {
 
 /** Whether the numbers on the screen are of other inputs than those on the screen, or may be. */
 export function stale({ phase, shown, typed }) {
-  return ["computing", "offline", "long"].includes(phase) || shown?.typed !== typed;
+  return ["computing", ...UNANSWERED].includes(phase) || shown?.typed !== typed;
 }
 
 /** How it stands, and what the numbers are of: these inputs, a part of them, older ones, none yet. */

@@ -128,7 +128,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
-  const verdict = createVerdict({ calculator, titles });
+  const verdict = createVerdict({ calculator, titles, on: { again: () => asking.now() } });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
     calculator, titles, fieldAt: (path) => model.fields.get(path), askedAt: (path) => entryOf(model, path),

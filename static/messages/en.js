@@ -43,7 +43,8 @@ export default {
     keys: "Help",
     undo: "Undo",
     redo: "Redo",
-    unreachable: "The service cannot be reached. Everything typed is kept; the page asks again by itself.",
+    unreachable: "The service cannot be reached.",
+    again: "Everything typed is kept; the page asks again by itself.",
     unknown: "This link has something that this version does not know, or that contradicts the rest; it is left out: {names}. Check the inputs.",
     failed: "The page could not be started: {detail}",
   },
@@ -55,7 +56,7 @@ export default {
   refused: {
     "too-large": "The request is too large.",
     "too-long": "The calculation takes longer than the service allows. Switch off sections that are not needed, or clearance and errors; or take fewer pins or satellites.",
-    unavailable: "The service is busy: try again in a few seconds.",
+    unavailable: "The service is busy.",
     failure: "The service failed: this is no error of the input.",
   },
   unit: {}, // names of units that are not written as in the service
@@ -283,6 +284,9 @@ export default {
     wrong: "Input wrong",
     refused: "Not possible",
     offline: "No connection",
+    busy: "Service busy",
+    failed: "Error of the service",
+    again: "Try again",
     long: "Takes too long",
     freshNote: "numbers match the inputs",
     partNote: "shown as far as possible",
