@@ -89,7 +89,10 @@ export function createAsking({ store, client, designs }) {
     cancel();
     store.apply(asked);
     const { reading: { input, filled, wrong }, tables } = store.state;
-    if (wrong.length > 0) return;
+    if (wrong.length > 0) {
+      if (!store.state.kept) compare();
+      return;
+    }
     const { answer, problem, superseded } = await newest.ask((signal) =>
       askSections({ client, calculator, input, filled, tables, signal }));
     if (superseded) return;

@@ -125,7 +125,8 @@ async function partsOf(id) {
   };
 }
 
-function build(id, { modelOf, ...parts }) {
+/** A calculator at work from its address; `history` is that of a design which it follows. */
+function build(id, { modelOf, ...parts }, history) {
   const model = modelOf();
   const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
   const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
@@ -138,6 +139,7 @@ function build(id, { modelOf, ...parts }) {
     designs,
     typed,
     claim,
+    history,
     on: {
       say,
       tell,
@@ -152,6 +154,13 @@ function build(id, { modelOf, ...parts }) {
       left() {
         addressing.now();
         leaving = true;
+      },
+      cleared(query, history) {
+        close();
+        kept[id] = query;
+        leaving = true;
+        rebuild(history); // nothing of the design before stays on the screen
+        bench.begin();
       },
       lengths(chosen) {
         close(); // its state, in radii or diameters, goes into the address
@@ -182,7 +191,7 @@ async function open(id) {
     if (superseded) return;
     if (problem) throw problem;
     close();
-    rebuild = () => build(id, parts);
+    rebuild = (history) => build(id, parts, history);
     rebuild();
   } catch (error) {
     close();

@@ -61,13 +61,14 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, design, theme, claim = {}) {
+/** A design opened: the first one, or after those of a `history`. */
+export function opened(about, design, theme, claim = {}, history = null) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
     kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
-  }, begun(typed));
+  }, history ? recorded(history, typed) : begun(typed));
   return { ...state, pending: state.reading.filled };
 }
 

@@ -37,6 +37,7 @@ function change(value, base) {
 }
 
 const isNumber = (value) => typeof value === "number";
+const NOTHING = { input: {}, answer: null }; // a design that is not complete
 const XYZ = ["x", "y", "z"];
 
 /** The numbers of a section, those of vectors each: `[[name, title, unit, value]]`. */
@@ -152,11 +153,11 @@ export function createCompare({ model, calculator, on }) {
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
     update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
       designs = kept ?? [];
-      if (designs.length === 0 || !own) {
+      if (designs.length === 0) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;
       }
-      const all = [own, ...designs];
+      const all = [own ?? NOTHING, ...designs];
       const base = 1; // the design kept first: what comes after is held against it
       fill(table, html`
         <table class="data">

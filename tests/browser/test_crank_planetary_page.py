@@ -279,14 +279,25 @@ def test_radii_are_typed_as_diameters_where_chosen(page: Page, service: str) -> 
 
 
 def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> None:
-    """New clears and asks; Back leads to the design before."""
+    """New clears and asks, with no number of the design before; Undo and Back lead to that."""
     show(page, service, ZYL)
+    page.get_by_role("button", name="Keep").click()
     page.get_by_role("button", name="New").click()
     settled(page, "incomplete")
+    expect(box(page, "mechanism.pins")).not_to_have_value("6")
+    for figures in page.locator(".summary .figures").all():
+        expect(figures).to_have_text("–")
+    expect(page.locator(".plain-words li, .drawing svg, .check, .js-line")).to_have_count(0)
+    expect(page.locator(".compare-table").get_by_role("button", name="Open")).to_be_visible()
     expect(page.locator(".field.wrong")).to_have_count(0)
     expect(page.locator(".say")).to_contain_text("Still needed")
     # The formula stands typeset on its button only.
     expect(box(page, "contact.hole_radius_mm")).to_have_attribute("placeholder", "")
+    page.get_by_role("button", name="Undo").click()
+    settled(page)
+    expect(box(page, "mechanism.pins")).to_have_value("6")
+    page.get_by_role("button", name="New").click()
+    settled(page, "incomplete")
     page.go_back()
     settled(page)
     expect(box(page, "mechanism.pins")).to_have_value("6")
