@@ -83,19 +83,14 @@ export function typedIn(state, path, text, time) {
 }
 
 /**
- * A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. Groups that
- * need it go off with it, and come back with it.
+ * A group that is off until wanted, switched on, with what it needs, or off; one that is empty starts from the
+ * calculator's values.
  */
 export function switched(state, id, on, time) {
   const { typed, about: { model: { fields }, calculator: { wanted }, materialOf }, reading: { filled } } = state;
   const texts = { ...typed.texts };
   const turn = ({ id: one, starts = () => ({}), needs }) => {
     texts[`${one}.on`] = on ? "on" : "";
-    for (const { id: other } of wanted.filter((group) => group.needs === one)) {
-      const back = texts[`${other}.back`] ?? "";
-      texts[`${other}.back`] = on ? "" : texts[`${other}.on`];
-      texts[`${other}.on`] = on ? texts[`${other}.on`] || back : "";
-    }
     if (!on) return;
     const values = Object.entries(starts(filled, materialOf)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
     const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
@@ -271,8 +266,8 @@ export function refusedAt({ typed, refusal, besides }, path) {
   return refusal?.at[path] ?? Object.values(besides).find((one) => one.typed === typed && one.refusal?.at[path])?.refusal.at[path];
 }
 
-/** Whether a group is switched on. */
-export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
+/** Whether a group is on. */
+export const wants = ({ typed: { texts }, about: { model } }, id) => isOn(model, id, texts);
 
 /** Why there is no answer: the service is out of reach, it is busy, it takes too long, or it fails. */
 export const UNANSWERED = ["offline", "busy", "long", "failed"];

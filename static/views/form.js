@@ -199,7 +199,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
       const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
       if (names) view.setNames?.(names, texts[path]);
-      view.setText(texts[path]);
+      view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
       view.setRows?.(field.rows(filled));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);

@@ -261,7 +261,7 @@ export function inputOf({ pin, fatigue = {}, friction, gear, bearing, crankshaft
     besides: {
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(friction && { losses: on, friction }),
-      ...(bearing && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...((bearing || crankshaft) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },
