@@ -272,6 +272,12 @@ addEventListener("popstate", () => {
   open(id);
 });
 onSystemTheme(() => bench?.retheme());
+/** How much of the page's lower edge a keyboard on the screen covers. */
+for (const event of ["resize", "scroll"]) {
+  visualViewport.addEventListener(event, ({ target: { height, offsetTop } }) => {
+    document.documentElement.style.setProperty("--covered", `${Math.max(0, innerHeight - height - offsetTop)}px`);
+  });
+}
 addEventListener("pagehide", () => bench?.close());
 addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back from another page, as it was left
 

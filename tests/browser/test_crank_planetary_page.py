@@ -687,4 +687,6 @@ def test_without_the_service_everything_typed_stays(page: Page, service: str, wa
     page.unroute("**/api/v1/*/chart*")
     expect(missing).to_be_hidden()
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line').first).to_be_attached()
-    watch.complaints = [line for line in watch.complaints if not re.search("ERR_FAILED|status of 500", line)]
+    watch.complaints = [
+        line for line in watch.complaints if not re.search("ERR_FAILED|status of 500", line)
+    ]

@@ -122,18 +122,20 @@ def test_names_of_fields_break_between_words_only(
         assert broken == []
 
 
-def test_help_covers_no_other_field(page: Page, service: str) -> None:
-    page.goto(f"{service}/?calculator=crank-planetary&lang=uk")
-    settled(page)
-    for path in ("mechanism.ratio", "contact.eccentricity_mm", "mechanism.pins"):
-        before = page.locator(".form").bounding_box()
-        box(page, path).focus()
-        line = page.locator(f'[data-path="{path}"] .field-message span')
-        row = page.locator(f'[data-path="{path}"]')
-        expect(line).to_be_visible()
-        below = [
-            one.evaluate("(node) => node.getBoundingClientRect().bottom") for one in (line, row)
-        ]
-        assert below[0] <= below[1] + 0.5, path
-        after = page.locator(".form").bounding_box()
-        assert before and after and after["height"] == before["height"]
+def test_help_is_in_sight_covers_not_its_box_and_moves_nothing(page: Page, service: str) -> None:
+    page.goto(f"{service}/?calculator=crank-planetary&lang=uk&crank.on=on&bearings.on=on")
+    settled(page, "incomplete")
+    help_line = page.locator(".help")
+    for size in ((1280, 720), (360, 640)):
+        page.set_viewport_size({"width": size[0], "height": size[1]})
+        page.evaluate("() => document.activeElement.blur()")
+        expect(help_line).to_be_hidden()
+        height = page.locator(".form").evaluate("(form) => form.offsetHeight")
+        for path in ("contact.eccentricity_mm", "gear.kind", "crankshaft.satellite_mass_kg"):
+            row = page.locator(f'[data-path="{path}"]')
+            box(page, path).focus()
+            expect(help_line).to_have_text(row.locator("label").get_attribute("title") or "-")
+            assert page.locator(".form").evaluate("(form) => form.offsetHeight") == height
+            at, line = box(page, path).bounding_box(), help_line.bounding_box()
+            assert at and line and at["y"] + at["height"] <= line["y"], path
+            assert line["y"] + line["height"] <= size[1], path
