@@ -455,6 +455,7 @@ export default {
     reference_force_N: ["Reference force, torque over pin circle radius", "F₀"],
     peak_force_N: ["Peak force, ideal", "F"],
     "load_sharing.peak_force_N": ["Peak force with clearance and errors", "F_max"],
+    support_bounds: ["A cage: between free to tilt and built in"],
     "pin_strength.peak_force_N": ["Peak force on a pin, with the dynamic factor", "F_max"],
     "output_efficiency.peak_force_N": ["Peak force of pv and wear, without the dynamic factor", "F_max"],
     peak_force_ratio: ["Peak to reference force", "F/F₀"],

@@ -81,6 +81,7 @@ const STRENGTH = {
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
+  "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
   "pin.rotates": rare,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
