@@ -95,6 +95,14 @@ test("notation: precedence, powers to the right, calls, what is wrong", () => {
   assert.throws(() => at("x+1"), RangeError);
 });
 
+test("the life of the pins' fatigue is its own where it has one, else that of the requirements", async () => {
+  const one = cases.find(({ answer }) => answer.pin_strength?.fatigue?.finite_strength_MPa);
+  const { requirements: { life_h }, besides } = one.input;
+  const apart = { ...one.input, requirements: { life_h: 100 * life_h }, besides: { ...besides, fatigue: { ...besides.fatigue, life_h } } };
+  const stepsFor = async (input) => (await stepsOf({ ...one, input })).find(({ section }) => section === "pin_strength").steps;
+  assert.deepEqual(await stepsFor(apart), await stepsFor(one.input));
+});
+
 test("formulas are written with symbols and with numbers and units", () => {
   const values = { F_i: q("F_i", [1.5, -2, 3, 4, 5], "N"), d: q("d", 10, "mm"), E: q("E*", 210, "GPa") };
   const written = (text, withNumbers) => plainText(parse(text), { values, withNumbers });
