@@ -85,7 +85,7 @@ def each_calculator(page: Page, service: str, language: str, width: int) -> Iter
 
 @pytest.mark.parametrize("width", [390, 320])
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_every_tab_is_in_sight_on_a_phone(
+def test_every_tab_and_heading_is_in_sight_on_a_phone(
     page: Page, service: str, language: str, width: int
 ) -> None:
     for calculator in each_calculator(page, service, language, width):
@@ -95,6 +95,11 @@ def test_every_tab_is_in_sight_on_a_phone(
             " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
         )
         assert room == [0, 0], calculator
+        headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked-head h2")
+        cut = headings.evaluate_all(
+            "(all) => all.filter((h) => h.scrollWidth > h.clientWidth).map((h) => h.innerText)"
+        )
+        assert cut == [], calculator  # nor under the buttons beside it
 
 
 @pytest.mark.parametrize("width", [1400, 360])

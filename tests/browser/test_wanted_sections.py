@@ -282,10 +282,17 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     text = text_of(printed(page))
     for words in ("Fatigue notch factor", "Largest reaction at A", "Bearings of the shaft"):
         assert words in text, words
+    page.set_viewport_size({"width": 320, "height": 800})
     page.goto(f"{address(page)}&lang=uk")
     settled(page)
     expect(box(page, "bearing.dynamic_rating_N")).to_have_value("5000")
+    titles = page.locator(".part .js-plotly-plot .xtitle, .part .js-plotly-plot .x2title")
     expect(page.locator(".part .js-plotly-plot .xtitle")).to_have_count(4)
+    beyond = titles.evaluate_all(
+        """(all) => all.filter((one) => one.getBoundingClientRect().right
+             > one.closest(".plot").getBoundingClientRect().right).map((one) => one.textContent)"""
+    )
+    assert beyond == []
     page.evaluate("() => document.querySelectorAll('details').forEach((d) => d.open = true)")
     assert foreign(page) == set()
 
