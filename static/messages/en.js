@@ -160,7 +160,6 @@ export default {
     equivalent: "equivalent load {load}",
     life: "life {life}",
     left: "force {force}, couple {couple}",
-    unlikePins: "Along the pins they are {gaps} apart.",
     scale: "To scale, in the plane of the first crank, eccentricity {eccentricity}. Arrows: the largest reactions of the bearings, as long as the bar says; their direction turns.",
     scaleAssumed: "To scale in places, widths and eccentricity ({eccentricity}), in the plane of the first crank; diameters of satellites and shaft are assumed. Arrows: the largest reactions of the bearings, as long as the bar says; their direction turns.",
   },

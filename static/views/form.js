@@ -182,7 +182,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     if (reading?.worked) return `= ${formatQuantity(reading.value, field.unit, 12)}`;
     const entries = catalogues[field.path];
     if (entries) return properties(entries.find(({ name }) => name === text));
-    return (field.note ?? suggestions[field.path]?.note)?.(filled) ?? "";
+    return suggestions[field.path]?.note?.(filled) ?? "";
   }
 
   /** The names of a table; none of them is one too where the box may be empty. */

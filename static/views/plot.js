@@ -6,7 +6,7 @@ import { message } from "../messages/index.js";
 // With a finger, dragging scrolls the page and does not zoom the figure.
 const HOVERS = matchMedia("(hover: hover)").matches;
 const NARROW_PX = 520;
-const [SIDES_PX, LETTER, LEAST_PX] = [64, 0.52, 9]; // beside the axes; of a title: width over height of a letter, least height
+const [SIDES_PX, LETTER, LEAST_PX] = [72, 0.6, 9]; // beside the axes; of a title: width over height of a letter, least height
 const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a point
 // No toolbar over the legend: dragging zooms, a double click shows all again, as Plotly says on a zoom.
 const CONFIG = { displayModeBar: false, responsive: true };

@@ -223,12 +223,7 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     expect(switch(page, "bearings")).to_be_checked()
     expect(box(page, "load.input_speed_rpm")).to_have_value("1500")
     along = box(page, "crankshaft.satellite_positions_mm")
-    expect(along).to_have_attribute("placeholder", "12; 26")  # as far apart as along the pins
-    along.fill("12; 30")
-    expect(words_at(page, "crankshaft.satellite_positions_mm")).to_have_text(
-        "Along the pins they are 14\u00a0mm apart."
-    )
-    along.fill("")
+    expect(along).to_have_attribute("placeholder", "12; 26")  # as along the pins
     expect(part(page, "crank").locator(".figures").first).to_contain_text("N")
     expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
     assert page.evaluate("() => watched.shift") < 0.02

@@ -3,7 +3,7 @@
  * ask with, and the page's own. What they ask and say is in modules of their own, loaded when they are switched on.
  */
 import { fatigueFields } from "../../lib/fatigue.js";
-import { formatQuantity, tidy } from "../../lib/format.js";
+import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { ratioOf } from "./mechanism.js";
@@ -114,7 +114,7 @@ const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
 });
 const CRANK = {
-  "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, note: unlikePins, words: ["satellites", "crank"] },
+  "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, words: ["satellites", "crank"] },
   "crankshaft.bearing_positions_mm": { required: true, follows: besideSatellites },
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
@@ -150,14 +150,6 @@ function onShaft({ mechanism, contact, besides }) {
   const own = planes({ mechanism, contact }, contact?.contact_length_mm / 2);
   const along = besides?.pin?.satellite_positions_mm;
   return along?.length === own.length ? along.map((z) => tidy(own[0] + z - Math.min(...along))) : own;
-}
-
-/** Said where satellites are not as far apart along the shaft as along the pins, from either end. */
-function unlikePins({ besides: { pin, crankshaft } = {} }) {
-  const gaps = ({ satellite_positions_mm: places = [] } = {}) => places.slice(1).map((z, j) => z - places[j]);
-  const [pins, shaft] = [gaps(pin), gaps(crankshaft)];
-  const alike = [1, -1].some((way) => pins.every((gap, j) => Math.abs(gap - way * shaft[j]) < 1e-6));
-  return pins.length !== shaft.length || alike ? "" : message("crank.unlikePins", { gaps: pins.map((gap) => formatQuantity(gap, "mm")).join("; ") });
 }
 
 /** Bearings a satellite's width away from the satellites. */
