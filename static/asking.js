@@ -89,13 +89,16 @@ export function createAsking({ store, client, designs }) {
     cancel();
     store.apply(asked);
     const { reading: { input, filled, wrong }, tables } = store.state;
-    if (wrong.length > 0) return;
+    if (wrong.length > 0) {
+      if (!store.state.kept) compare();
+      return;
+    }
     const { answer, problem, superseded } = await newest.ask((signal) =>
       askSections({ client, calculator, input, filled, tables, signal }));
     if (superseded) return;
     if (problem) {
       store.apply(failed, problem);
-      if (problem.passing) timer = setTimeout(now, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]);
+      if (problem.passing) timer = setTimeout(now, Math.max(problem.wait, AGAIN_MS[Math.min(failures, AGAIN_MS.length - 1)]));
       failures += 1;
       return;
     }

@@ -46,8 +46,8 @@ export function createBeside({ store, client, id, logic }) {
       store.apply(besided, id, { answer, of: request, phase: "fresh" });
       return;
     }
-    store.apply(refusedBesides, id, problem);
-    if (logic.live && problem.passing) again = setTimeout(() => store.state.reading === reading && ask(), AGAIN_MS);
+    store.apply(refusedBesides, id, problem, logic.live);
+    if (logic.live && problem.passing) again = setTimeout(() => store.state.reading === reading && ask(), Math.max(problem.wait, AGAIN_MS));
   }
 
   function cancel() {

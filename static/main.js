@@ -18,7 +18,7 @@ import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
-import { problemText } from "./service_texts.js";
+import { passingText } from "./service_texts.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
@@ -125,7 +125,8 @@ async function partsOf(id) {
   };
 }
 
-function build(id, { modelOf, ...parts }) {
+/** A calculator at work from its address; `history` is that of a design which it follows. */
+function build(id, { modelOf, ...parts }, history) {
   const model = modelOf();
   const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
   const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
@@ -138,6 +139,7 @@ function build(id, { modelOf, ...parts }) {
     designs,
     typed,
     claim,
+    history,
     on: {
       say,
       tell,
@@ -152,6 +154,13 @@ function build(id, { modelOf, ...parts }) {
       left() {
         addressing.now();
         leaving = true;
+      },
+      cleared(query, history) {
+        close();
+        kept[id] = query;
+        leaving = true;
+        rebuild(history); // nothing of the design before stays on the screen
+        bench.begin();
       },
       lengths(chosen) {
         close(); // its state, in radii or diameters, goes into the address
@@ -182,12 +191,12 @@ async function open(id) {
     if (superseded) return;
     if (problem) throw problem;
     close();
-    rebuild = () => build(id, parts);
+    rebuild = (history) => build(id, parts, history);
     rebuild();
   } catch (error) {
     close();
     tabs.setOpen(null);
-    panel.textContent = message("page.failed", { detail: problemText(error, new Map()) });
+    panel.textContent = message("page.failed", { detail: passingText(error, new Map()) });
     reopening = setTimeout(() => open(id), AGAIN_MS);
   }
 }
@@ -263,6 +272,12 @@ addEventListener("popstate", () => {
   open(id);
 });
 onSystemTheme(() => bench?.retheme());
+/** How much of the page's lower edge a keyboard on the screen covers. */
+for (const event of ["resize", "scroll"]) {
+  visualViewport.addEventListener(event, ({ target: { height, offsetTop } }) => {
+    document.documentElement.style.setProperty("--covered", `${Math.max(0, innerHeight - height - offsetTop)}px`);
+  });
+}
 addEventListener("pagehide", () => bench?.close());
 addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back from another page, as it was left
 

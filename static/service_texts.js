@@ -98,6 +98,11 @@ export function problemText(problem, titles) {
   return problem.errors ? refusalTexts(problem, [], titles).elsewhere.join("; ") : problem.message;
 }
 
+/** The same where the page asks again by itself what may be answered then. */
+export function passingText(problem, titles) {
+  return [problemText(problem, titles), problem.passing && message("page.again")].filter(Boolean).join(" ");
+}
+
 export function warningText(warning, titles) {
   return inWords("notices", warning, warning.params?.field, titles);
 }

@@ -5,7 +5,7 @@
  * `about`    what never changes: `{ model, calculator, catalogues, titles, materialOf }`
  * `typed`    what the boxes say, `{ texts, chosen }`, and `reading`, the same read and checked
  * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
- * `phase`    "incomplete", "wrong", "computing", "offline", "long", "refused" or "fresh"
+ * `phase`    "incomplete", "wrong", "computing", "refused" or "fresh", or without an answer one of `UNANSWERED`
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
@@ -26,7 +26,7 @@ import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_stat
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
-import { ofTitle, problemText, refusalTexts, warningText } from "./service_texts.js";
+import { ofTitle, passingText, problemText, refusalTexts, warningText } from "./service_texts.js";
 
 /** What is wrong with a box, in words; nothing for one that can be read. */
 export function readingText(reading) {
@@ -61,13 +61,14 @@ function read(state, history) {
   return checked({ ...state, history, typed, reading: readState(state.about.model, typed) });
 }
 
-export function opened(about, design, theme, claim = {}) {
+/** A design opened: the first one, or after those of a `history`. */
+export function opened(about, design, theme, claim = {}, history = null) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
     kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
-  }, begun(typed));
+  }, history ? recorded(history, typed) : begun(typed));
   return { ...state, pending: state.reading.filled };
 }
 
@@ -82,19 +83,14 @@ export function typedIn(state, path, text, time) {
 }
 
 /**
- * A group that is off until wanted, switched on or off; one that is empty starts from the calculator's values. Groups that
- * need it go off with it, and come back with it.
+ * A group that is off until wanted, switched on, with what it needs, or off; one that is empty starts from the
+ * calculator's values.
  */
 export function switched(state, id, on, time) {
   const { typed, about: { model: { fields }, calculator: { wanted }, materialOf }, reading: { filled } } = state;
   const texts = { ...typed.texts };
   const turn = ({ id: one, starts = () => ({}), needs }) => {
     texts[`${one}.on`] = on ? "on" : "";
-    for (const { id: other } of wanted.filter((group) => group.needs === one)) {
-      const back = texts[`${other}.back`] ?? "";
-      texts[`${other}.back`] = on ? "" : texts[`${other}.on`];
-      texts[`${other}.on`] = on ? texts[`${other}.on`] || back : "";
-    }
     if (!on) return;
     const values = Object.entries(starts(filled, materialOf)).filter(([, value]) => [value].flat().every((each) => each !== undefined && !Number.isNaN(each)));
     const untouched = (path) => ["", textIn(fields.get(path), fields.get(path).default)].includes(texts[path]);
@@ -250,10 +246,10 @@ export function besided(state, id, part) {
   return { ...state, besides: { ...state.besides, [id]: { ...state.besides[id], ...part } } };
 }
 
-/** A wanted group was refused: at its boxes, and in words. */
-export function refusedBesides(state, id, problem) {
+/** A wanted group was refused: at its boxes, and in words; a `live` one asks again what may be answered then. */
+export function refusedBesides(state, id, problem, live) {
   const { about: { model, titles }, besides: { [id]: { typed } } } = state;
-  if (problem.status !== 422) return besided(state, id, { phase: "offline", refusal: { at: {}, text: problemText(problem, titles) } });
+  if (problem.status !== 422) return besided(state, id, { phase: "failed", refusal: { at: {}, text: (live ? passingText : problemText)(problem, titles) } });
   const { at, elsewhere } = refusalTexts(problem, shownFields(model, typed), titles);
   const atBoxes = Object.entries(at).map(([path, { words }]) => ofTitle(model.fields.get(path).title, words));
   return besided(state, id, { phase: "refused", refusal: { at, text: [...elsewhere, ...atBoxes].join("; ") } });
@@ -270,13 +266,16 @@ export function refusedAt({ typed, refusal, besides }, path) {
   return refusal?.at[path] ?? Object.values(besides).find((one) => one.typed === typed && one.refusal?.at[path])?.refusal.at[path];
 }
 
-/** Whether a group is switched on. */
-export const wants = ({ typed: { texts } }, id) => isOn(id, texts);
+/** Whether a group is on. */
+export const wants = ({ typed: { texts }, about: { model } }, id) => isOn(model, id, texts);
 
-/** The service could not be asked, or it takes too long. */
+/** Why there is no answer: the service is out of reach, it is busy, it takes too long, or it fails. */
+export const UNANSWERED = ["offline", "busy", "long", "failed"];
+
 export function failed(state, problem) {
-  const text = problemText(problem, state.about.titles);
-  return { ...state, phase: problem.kind === "too-long" ? "long" : "offline", line: ["bad", text], said: text };
+  const text = passingText(problem, state.about.titles);
+  const phase = problem.status === 0 ? "offline" : { unavailable: "busy", "too-long": "long" }[problem.kind] ?? "failed";
+  return { ...state, phase, line: ["bad", text], said: text };
 }
 
 export const compared = (state, kept) => ({ ...state, kept });
@@ -300,7 +299,7 @@ export function charted(state, id, data) {
 
 /** Whether the numbers on the screen are of other inputs than those on the screen, or may be. */
 export function stale({ phase, shown, typed }) {
-  return ["computing", "offline", "long"].includes(phase) || shown?.typed !== typed;
+  return ["computing", ...UNANSWERED].includes(phase) || shown?.typed !== typed;
 }
 
 /** How it stands, and what the numbers are of: these inputs, a part of them, older ones, none yet. */

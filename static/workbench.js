@@ -46,11 +46,12 @@ function lightEachOther(form, drawing) {
 }
 
 /**
- * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js). `on.left()` tells
- * that another design is to come, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.say(text)`
- * and `on.tell(text)`, which all see, tell the page around it.
+ * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js), `history` that
+ * of a design which it follows. `on.left()` tells that another design is to come, `on.cleared(query, history)` that an
+ * empty one is, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.say(text)` and `on.tell(text)`, which all see,
+ * tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, lengths, on }) {
+export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
     ...named(true), ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]), ...named(false),
@@ -58,7 +59,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const materialOf = (path, given) => (typeof given === "string"
     ? catalogues[path].find(({ name }) => name === given) : given);
   const about = { model, calculator, catalogues, titles, materialOf };
-  const store = next.createStore(next.opened(about, typed, currentTheme(), claim));
+  const store = next.createStore(next.opened(about, typed, currentTheme(), claim, history));
   const asking = createAsking({ store, client, designs });
   const listening = new AbortController();
   const answered = asking.now(); // while the views are made
@@ -93,10 +94,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     queries: examples.map(({ input }) => query(calculator.id, model, stateOf(input))),
     on: {
       picked: ({ input }) => take(stateOf(input)),
-      cleared() {
-        take(stateOf({}));
-        form.focus(shownFields(model, store.state.typed)[0].path);
-      },
+      cleared: () => on.cleared(query(calculator.id, model, stateOf({})), store.state.history),
       labelled: (label, text) => {
         store.apply(next.labelled, label, text, Date.now());
         store.apply(next.addressed);
@@ -128,7 +126,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
-  const verdict = createVerdict({ calculator, titles });
+  const verdict = createVerdict({ calculator, titles, on: { again: () => asking.now() } });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
     calculator, titles, fieldAt: (path) => model.fields.get(path), askedAt: (path) => entryOf(model, path),
@@ -243,6 +241,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   return {
     /** When the first figures are drawn. */
     begun,
+    /** To the first box. */
+    begin: () => form.focus(shownFields(model, store.state.typed)[0].path),
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),

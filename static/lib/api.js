@@ -1,10 +1,11 @@
 /** The REST service as promises. The only module that calls `fetch`. No DOM. */
 
 const LINES = "application/x-ndjson";
+const KINDS = { 500: "failure", 502: "unavailable", 503: "unavailable", 504: "unavailable" }; // of answers that are not the service's own
 
 /** What the service (or the way to it) refused: RFC 9457, with the pointers of the wrong fields. */
 export class Problem extends Error {
-  constructor({ status = 0, kind = "", title = "", detail = "", errors = [], where = {} }) {
+  constructor({ status = 0, kind = "", title = "", detail = "", errors = [], where = {}, wait = 0 }) {
     super(detail || title);
     this.name = "Problem";
     this.status = status;
@@ -13,29 +14,32 @@ export class Problem extends Error {
     this.detail = detail;
     this.errors = errors;
     this.where = where;
+    this.wait = wait; // ms, before which the service asks not to be asked again
   }
 
-  /** Whether it may be gone when the same is asked again: no service, or one that is busy; what takes too long would again. */
+  /** Whether it may be gone when the same is asked again: no service, or one that is busy; what takes too long or fails would again. */
   get passing() {
-    return this.status === 0 || (this.status >= 500 && this.kind !== "too-long");
+    return this.status === 0 || this.kind === "unavailable";
   }
 }
 
-function problemFrom(body, status, title) {
+function problemFrom(body, status, title, wait) {
   return new Problem({
     status,
-    kind: String(body.type ?? "").split("/").pop(),
+    kind: body.type?.split("/").pop() ?? KINDS[status],
     title: body.title ?? title,
     detail: body.detail ?? "",
     errors: Array.isArray(body.errors) ? body.errors : [],
     where: body.where,
+    wait,
   });
 }
 
 async function problemOf(response) {
   const kind = response.headers.get("content-type") ?? "";
   const body = kind.includes("json") ? await response.json().catch(() => ({})) : {};
-  return problemFrom(body, response.status, response.statusText);
+  const seconds = Number(response.headers.get("retry-after"));
+  return problemFrom(body, response.status, response.statusText, Number.isFinite(seconds) ? 1000 * seconds : 0);
 }
 
 /** What a stream of lines ends with: the answer, or the problem thrown; `progressed(share)` is told on the way. */

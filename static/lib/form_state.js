@@ -89,20 +89,24 @@ export function stateFromInput(model, input) {
   return { texts, chosen };
 }
 
-/** The fields on the screen: all outside choices, those of the chosen options, and of wanted groups those that are. */
-export function shownFields(model, state) {
+const isSwitchedOn = (model, id, texts) => texts[`${id}.on`] === "on";
+
+/** Whether a group is on: its switch is, and that of the group that it needs. */
+export function isOn(model, id, texts) {
+  const { needs } = model.groups.find((group) => group.id === id);
+  return isSwitchedOn(model, id, texts) && (!needs || isOn(model, needs, texts));
+}
+
+/** The fields on the screen: all outside choices, those of the chosen options, and of wanted groups those that are `on`. */
+export function shownFields(model, state, on = isOn) {
   return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
     ? [item]
-    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter((field) => isWanted(field, state.texts));
+    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter(({ wanted, kind, when }) =>
+    !wanted || kind === "switch" || (on(model, wanted, state.texts) && (!when || when.slice(1).includes(state.texts[when[0]]))));
 }
 
-/** Whether a group of that id is switched on. */
-export const isOn = (id, texts) => texts[`${id}.on`] === "on";
-
-function isWanted({ wanted, kind, when }, texts) {
-  if (!wanted || kind === "switch") return true;
-  return isOn(wanted, texts) && (!when || when.slice(1).includes(texts[when[0]]));
-}
+/** The fields that a link says: those too that come back with a group which is off. */
+export const linkedFields = (model, state) => shownFields(model, state, isSwitchedOn);
 
 const TINY = 1e-9; // a lowest value so small means: more than nothing
 
@@ -173,6 +177,7 @@ export function readState(model, state) {
   for (const field of shownFields(model, state)) {
     const reading = readField(field, state.texts[field.path]);
     readings[field.path] = reading;
+    if (field.kind === "switch" && !isOn(model, field.wanted, state.texts)) continue;
     if (reading.value !== undefined) put(input, placeOf(field), reading.value);
     const value = reading.problem ? undefined : reading.value ?? field.default;
     if (value !== undefined) put(filled, placeOf(field), value);

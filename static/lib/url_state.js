@@ -5,7 +5,7 @@
  * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
  * kept as typed, so that a reload loses nothing.
  */
-import { readField, shownFields, textIn, textInLink, textOfLink } from "./form_state.js";
+import { linkedFields, readField, textIn, textInLink, textOfLink } from "./form_state.js";
 
 const VERSION = "2"; // since 2, a link says its verdict
 const VERSIONS = ["1", VERSION];
@@ -18,7 +18,7 @@ function canonical(field, text) {
 /** The parameters of a state. */
 export function encodeState(model, state) {
   const parameters = new URLSearchParams();
-  for (const field of shownFields(model, state)) {
+  for (const field of linkedFields(model, state)) {
     const text = canonical(field, state.texts[field.path]);
     if (text !== "" && text !== textInLink(field, field.default)) parameters.append(field.path, text);
   }
@@ -57,7 +57,7 @@ export function decodeState(model, parameters, calculator = parameters.get("calc
     const given = choice.options.find((o) => o.fields.some((field) => parameters.has(field.path)));
     chosen[choice.id] = (given ?? choice.options[0]).id;
   }
-  const shown = new Set(shownFields(model, { texts, chosen }).map(({ path }) => path));
+  const shown = new Set(linkedFields(model, { texts, chosen }).map(({ path }) => path));
   const version = parameters.get("v") ?? VERSION;
   const unknown = [
     ...(another ? [`calculator=${parameters.get("calculator")}`] : []),

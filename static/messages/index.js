@@ -41,6 +41,12 @@ export function said(kind, code, values = {}) {
   return Array.isArray(text) ? text : text && filled(text, values);
 }
 
+/** Title and symbol of a quantity of an answer by its name, or by section and name where sections differ. */
+export function quantityWords(name, section) {
+  const { quantity } = texts;
+  return quantity[`${section}.${name}`] ?? message(`quantity.${name}`);
+}
+
 /** Title and help of a field by its name, or by group and name where groups differ; null for one that this page does not know. */
 export function fieldWords(name, group) {
   const { own, service: { fields } } = texts;

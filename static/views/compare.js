@@ -2,7 +2,7 @@
 import { ASIDE, flattened, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
-import { message } from "../messages/index.js";
+import { message, quantityWords } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { following } from "../store.js";
@@ -37,12 +37,13 @@ function change(value, base) {
 }
 
 const isNumber = (value) => typeof value === "number";
+const NOTHING = { input: {}, answer: null }; // a design that is not complete
 const XYZ = ["x", "y", "z"];
 
-/** The numbers of a section, those of vectors each: `[[id, title, unit, value]]`. */
-function numbersOf(section, elsewhere) {
+/** The numbers of a section, those of vectors each: `[[name, title, unit, value]]`. */
+function numbersOf(id, section, elsewhere) {
   return flattened(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
-    const title = () => message(`quantity.${name}`)[0];
+    const title = () => quantityWords(name, id)[0];
     if (isNumber(value)) return [[name, title(), unitOf(name), value]];
     const parts = Array.isArray(value) && value.length <= XYZ.length ? value.map((one, i) => [XYZ[i], one])
       : value && !Array.isArray(value) && typeof value === "object" ? Object.entries(value) : [];
@@ -98,7 +99,7 @@ function decisiveRows(calculator, designs, base) {
 /** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */
 function resultRows({ sections, elsewhere, better = {} }, designs, base) {
   const rows = sections.flatMap((section) => {
-    const all = designs.map(({ answer }) => new Map(numbersOf(answer?.[section] ?? {}, elsewhere).map((one) => [one[0], one])));
+    const all = designs.map(({ answer }) => new Map(numbersOf(section, answer?.[section] ?? {}, elsewhere).map((one) => [one[0], one])));
     const ids = [...new Set(all.flatMap((one) => [...one.keys()]))];
     return ids.map((id) => {
       const [, title, unit] = all.find((one) => one.has(id)).get(id);
@@ -152,11 +153,11 @@ export function createCompare({ model, calculator, on }) {
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
     update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
       designs = kept ?? [];
-      if (designs.length === 0 || !own) {
+      if (designs.length === 0) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;
       }
-      const all = [own, ...designs];
+      const all = [own ?? NOTHING, ...designs];
       const base = 1; // the design kept first: what comes after is held against it
       fill(table, html`
         <table class="data">

@@ -1,4 +1,4 @@
-/** One box of the form: title, symbol, box, unit, and under it a line kept free for its message. */
+/** One box of the form: title, symbol, box, unit, and under it a line kept free for its message; its help is in the form's line. */
 import { element, fill, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
@@ -19,7 +19,7 @@ function titleOf(field) {
 
 /**
  * `on.typed(text)` follows the typing, `on.step(direction, factor)` the arrow keys, `on.suggest()`
- * the suggestion's button. Help and message share one line, so that nothing moves when one comes.
+ * the suggestion's button.
  */
 export function createField(field, { suggestion, sizable, on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
@@ -33,7 +33,7 @@ export function createField(field, { suggestion, sizable, on }) {
           title="${message("sizing.at", { field: field.title })}">◎</button>`}
         <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
       </span>
-      <p class="field-message" id="${id}-message" data-help="${field.help}"><span></span></p>
+      <p class="field-message" id="${id}-message"><span></span></p>
     </div>`);
   const input = root.querySelector(".box");
   const line = root.querySelector(".field-message span");

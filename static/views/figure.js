@@ -3,7 +3,7 @@ import { newestOnly } from "../lib/api.js";
 import { coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { problemText } from "../service_texts.js";
+import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
 import { tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
@@ -139,13 +139,13 @@ export function createFigure({ figure: about, client, titles, on }) {
     const Plotly = await loading;
     if (latest !== asked || !root.isConnected) return;
     complain(problem || !Plotly
-      ? message("figure.failed", { detail: problem ? problemText(problem, titles) : message("figure.noPlotly") }) : "");
+      ? message("figure.failed", { detail: problem ? (measure ? problemText : passingText)(problem, titles) : message("figure.noPlotly") }) : "");
     if (answer && Plotly) {
       await show(answer.all);
       drawnOf = asked.answer;
     }
     root.dataset.stale = "false";
-    if (problem?.passing && !measure) again = setTimeout(() => latest === asked && (drawing = draw()), AGAIN_MS);
+    if (problem?.passing && !measure) again = setTimeout(() => latest === asked && (drawing = draw()), Math.max(problem.wait, AGAIN_MS));
     return problem;
   }
 

@@ -76,9 +76,16 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     on.apply();
   });
 
+  const help = element(html`<div class="help-line" aria-hidden="true"><p class="help"></p></div>`);
+  const helpAt = (node) => {
+    const field = model.fields.get(node?.closest("[data-path]")?.dataset.path);
+    help.firstElementChild.textContent = field && field.kind !== "records" && field.kind !== "switch" ? field.help : "";
+  };
+  root.addEventListener("focusin", ({ target }) => helpAt(target));
   root.addEventListener("focusout", ({ target, relatedTarget }) => {
     const at = target.closest("[data-path]");
     if (at && !at.contains(relatedTarget)) on.left(at.dataset.path);
+    if (!root.contains(relatedTarget)) helpAt(null);
   });
 
   const { suggestions = {} } = calculator;
@@ -168,6 +175,8 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     root.append(part);
   }
 
+  root.append(help);
+
   function noteOf(field, reading, text, filled) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });
     if (reading?.worked) return `= ${formatQuantity(reading.value, field.unit, 12)}`;
@@ -199,7 +208,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
       const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
       if (names) view.setNames?.(names, texts[path]);
-      view.setText(texts[path]);
+      view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
       view.setRows?.(field.rows(filled));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);

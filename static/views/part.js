@@ -1,16 +1,15 @@
 /** A section of the answer that is off until wanted: its numbers, its drawing, its figure, what it leaves out. */
 import { flattened } from "../lib/checks.js";
-import { quantityParts, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { neglectedIn } from "../service_texts.js";
 import { following, stale } from "../store.js";
+import { createBounds } from "./bounds.js";
 import { createDrawingView } from "./drawing.js";
 import { createFigure } from "./figure.js";
+import { listMarkup } from "./parts.js";
 import { valuesMarkup } from "./results.js";
 
-const DIGITS = 5;
 const [HEIGHT, TALL] = [420, 720]; // of a figure, and of one whose panels stand under each other
 const NARROW = matchMedia("(width < 700px)");
 
@@ -28,16 +27,6 @@ function stacked({ data, layout }) {
   };
 }
 
-/** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
-function listMarkup(name, records, nameOf) {
-  const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, DIGITS).value);
-  const keys = [...new Set(records.flatMap(Object.keys))];
-  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
-    <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
-    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
-      ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
-}
-
 export function createView({ id, section, client, titles, figures, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
     <p class="left-out note"></p></div>`);
@@ -53,6 +42,8 @@ export function createView({ id, section, client, titles, figures, calculations,
   if (drawing) part("all").before(drawing.root);
   part("left-out").before(figure.root);
   figures.push(figure);
+  const bounds = logic.bounds && createBounds({ bounds: logic.bounds, client, titles });
+  if (bounds) part("left-out").before(bounds.root);
 
   const numbers = following(({ shown }) => [shown], ({ shown }) => {
     const answer = shown?.answer[section];
@@ -61,7 +52,7 @@ export function createView({ id, section, client, titles, figures, calculations,
     part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model }).join("; ") });
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [
-      valuesMarkup(answer, calculator.elsewhere, titles),
+      valuesMarkup(section, answer, calculator.elsewhere, titles),
       ...Object.keys(lists).filter((name) => values.has(name)).map((name) => listMarkup(name, values.get(name), lists[name])),
     ]}`);
   });
@@ -76,8 +67,10 @@ export function createView({ id, section, client, titles, figures, calculations,
       numbers(state);
       drawing?.update({ ...state, about: { ...state.about, calculator } });
       figure.update(state);
+      bounds?.update(state);
     },
     close() {
+      bounds?.close();
       drawing?.close();
       figure.close();
     },

@@ -1,9 +1,10 @@
 /** Small pieces that many views have: signs, symbols, tables, sheets. */
-import { formatNumber } from "../lib/format.js";
+import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
 import { shownUnit, shownValue } from "../lib/units.js";
 import { message } from "../messages/index.js";
 
+const LIST_DIGITS = 5;
 const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
 
 /** The sign of a level, so that its colour is never the only one; nothing where there is no level. */
@@ -65,4 +66,14 @@ export function createDialog({ id, title, content }) {
     </dialog>`);
   document.body.append(dialog);
   return dialog;
+}
+
+/** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
+export function listMarkup(name, records, nameOf) {
+  const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, LIST_DIGITS).value);
+  const keys = [...new Set(records.flatMap(Object.keys))];
+  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
+    <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
+    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
+      ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
 }

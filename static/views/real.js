@@ -70,8 +70,8 @@ export function createView({ id, client, titles, figures, logic, asking }) {
       root.dataset.state = phase;
       const older = typed !== state.typed && state.phase !== "computing" && answer;
       part(".state").textContent = older ? message("besides.older")
-        : { computing: message("state.computing"), refused: refusal?.text, offline: refusal?.text }[typed === state.typed ? phase : state.phase] ?? "";
-      part(".state").classList.toggle("bad", phase === "refused" || phase === "offline");
+        : { computing: message("state.computing"), refused: refusal?.text, failed: refusal?.text }[typed === state.typed ? phase : state.phase] ?? "";
+      part(".state").classList.toggle("bad", phase === "refused" || phase === "failed");
       numbers({ ...now, body: body ?? {} });
       // Its figure, which takes longest, comes behind the results.
       if (body && drawn.body !== body && state.phase !== "computing") drawn = { body, shown: { input: body, filled: body, answer: { real: true } } };

@@ -3,7 +3,7 @@ import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/form_state.js";
 import { LABELS } from "../lib/url_state.js";
-import { message, said } from "../messages/index.js";
+import { message, quantityWords, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
@@ -16,7 +16,7 @@ const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say,
 function valueText(field, value, catalogue) {
   if (typeof value === "string") return said("materials", value) ?? message("option")[value] ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
   if (field.kind === "flag") return message("option")[value];
-  if (field.kind === "names") return value.map((name) => message(`quantity.${name}`)[0]).join("; ");
+  if (field.kind === "names") return value.map((name) => quantityWords(name, field.section)[0]).join("; ");
   if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
   return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
 }

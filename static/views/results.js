@@ -4,11 +4,10 @@ import { quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/verdict.js";
-import { message, said } from "../messages/index.js";
+import { message, quantityWords, said } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following } from "../store.js";
 import { sign, symbolMarkup, tableMarkup } from "./parts.js";
-
 
 
 function isScalar(value) {
@@ -42,11 +41,11 @@ function asText(value, digits, unit = "", name = "") {
   return null;
 }
 
-function row([name, value], accuracy) {
+function row([name, value], accuracy, id) {
   const unit = unitOf(name);
   const text = asText(value, resultDigits(name, accuracy), unit, name);
   if (text === null) return null;
-  const [title, symbol = ""] = message(`quantity.${name}`);
+  const [title, symbol = ""] = quantityWords(name, id);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
     <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
 }
@@ -69,8 +68,8 @@ function warningsMarkup(warnings = [], titles) {
     html`<li>${sign(levelOf(warning.code))}<span>${warningText(warning, titles)}</span></li>`)}</ul>`;
 }
 
-/** Warnings and values of a section. */
-export function valuesMarkup(section, elsewhere, titles) {
+/** Warnings and values of a section, which has that `id`. */
+export function valuesMarkup(id, section, elsewhere, titles) {
   const entries = flattened(section).filter(([name]) => !ASIDE.includes(name) && !elsewhere.includes(name));
   const lists = entries.filter(([, value]) => Array.isArray(value));
   return html`
@@ -79,14 +78,14 @@ export function valuesMarkup(section, elsewhere, titles) {
       <thead class="unseen"><tr><th scope="col">${message("results.quantity")}</th>
         <th scope="col">${message("results.symbol")}</th><th scope="col">${message("results.value")}</th>
         <th scope="col">${message("results.unit")}</th></tr></thead>
-      <tbody>${entries.map((entry) => row(entry, section.accuracy))}</tbody>
+      <tbody>${entries.map((entry) => row(entry, section.accuracy, id))}</tbody>
     </table>
     ${lists.map((list) => records(list, elsewhere))}`;
 }
 
 function sectionMarkup(id, section, elsewhere, titles) {
   return html`<section class="card result" data-section="${id}"><h2>${message(`section.${id}`)}</h2>
-    ${section ? valuesMarkup(section, elsewhere, titles) : html`<p class="missing">${message("results.missing")}</p>`}</section>`;
+    ${section ? valuesMarkup(id, section, elsewhere, titles) : html`<p class="missing">${message("results.missing")}</p>`}</section>`;
 }
 
 /**

@@ -85,10 +85,10 @@ export function createView({ id, logic, asking }) {
       const words = {
         computing: progress === undefined ? message("study.running") : message("study.done", { percent: Math.round(100 * progress) }),
         incomplete: message("besides.needed", { fields: hinderedBesides(state, id) }),
-        stopped: message("besides.stopped"), refused: refusal?.text, offline: refusal?.text,
+        stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("study.idleYet"));
       line.textContent = [words, older && message("besides.older")].filter(Boolean).join(" ");
-      line.classList.toggle("bad", phase === "refused" || phase === "offline");
+      line.classList.toggle("bad", phase === "refused" || phase === "failed");
       root.querySelector(".outcome").dataset.stale = String(older || running);
       outcome({ answer, body: body ?? {} });
     },

@@ -6,7 +6,7 @@ import { checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueDigits,
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { following, standing } from "../store.js";
+import { following, standing, UNANSWERED } from "../store.js";
 import { barMarkup, keepRoom, sign } from "./parts.js";
 
 function cellMarkup({ label, value, unit, note, level }) {
@@ -23,9 +23,10 @@ function wordMarkup({ phase, numbers }, judged) {
   const known = judged && numbers === "fresh";
   const word = known ? wordOf(judged) : null;
   const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
-  const level = word ? levelOfWord(word) : { wrong: "bad", refused: "bad", offline: "bad", long: "bad" }[phase];
-  return html`<p class="word ${level ?? ""}">${sign(level)}${text}</p>
-    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}</p>`;
+  const level = word ? levelOfWord(word) : ["wrong", "refused", ...UNANSWERED].includes(phase) && "bad";
+  return html`<p class="word ${level || ""}">${sign(level)}${text}</p>
+    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}
+      ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
 
 function governingMarkup(judged, titles) {
@@ -46,7 +47,8 @@ function torqueMarkup({ numbers }, judged) {
     ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
 }
 
-export function createVerdict({ calculator, titles }) {
+/** `on.again()`: the service is to be asked once more. */
+export function createVerdict({ calculator, titles, on }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
       <div class="judged"></div><div class="governing"></div><div class="torque"></div>
@@ -56,6 +58,7 @@ export function createVerdict({ calculator, titles }) {
   root.querySelector(".jumps").addEventListener("click", ({ target }) => {
     document.querySelector(`.workbench .${target.dataset.jump}`)?.scrollIntoView();
   });
+  root.addEventListener("click", ({ target }) => target.closest(".again") && on.again());
   const part = (name) => root.querySelector(`.${name}`);
   return {
     root,

@@ -1,7 +1,7 @@
 /** Every result worked from its formula: a section each, folded, built when it is opened. */
 import { formatNumber, formatQuantity, quantityParts, resultDigits } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { message, said } from "../messages/index.js";
+import { message, quantityWords, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
 import { parse } from "../lib/formula/notation.js";
 import { shownAsIs } from "../lib/units.js";
@@ -43,9 +43,9 @@ function sourceText({ source, equation: number, after }) {
   return number ? message(after ? "worked.after" : "worked.equation", { source: words, number }) : words;
 }
 
-function stepMarkup(step, accuracy) {
+function stepMarkup(step, section, accuracy) {
   const { name, intermediate, source, erratum, note } = step;
-  const title = intermediate ? message(`worked.value.${name}`) : message(`quantity.${name}`)[0];
+  const title = intermediate ? message(`worked.value.${name}`) : quantityWords(name, section)[0];
   return html`
     <li class="step" data-name="${name}">
       <p class="step-head"><span class="step-title">${title}</span>
@@ -59,9 +59,9 @@ function stepMarkup(step, accuracy) {
 }
 
 /** Steps of a section, with as many digits as its accuracy allows. */
-export function groupMarkup({ steps }, accuracy) {
+export function groupMarkup({ section, steps }, accuracy) {
   const { relative_error: error, method, method_code: code } = accuracy;
-  return html`<ol class="steps">${steps.map((step) => stepMarkup(step, accuracy))}</ol>
+  return html`<ol class="steps">${steps.map((step) => stepMarkup(step, section, accuracy))}</ol>
     <p class="accuracy">${message("worked.accuracy", {
       error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: said("methods", code) ?? method,
     })}</p>`;

@@ -85,7 +85,7 @@ def each_calculator(page: Page, service: str, language: str, width: int) -> Iter
 
 @pytest.mark.parametrize("width", [390, 320])
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_every_tab_is_in_sight_on_a_phone(
+def test_every_tab_and_heading_is_in_sight_on_a_phone(
     page: Page, service: str, language: str, width: int
 ) -> None:
     for calculator in each_calculator(page, service, language, width):
@@ -95,6 +95,11 @@ def test_every_tab_is_in_sight_on_a_phone(
             " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
         )
         assert room == [0, 0], calculator
+        headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked-head h2")
+        cut = headings.evaluate_all(
+            "(all) => all.filter((h) => h.scrollWidth > h.clientWidth).map((h) => h.innerText)"
+        )
+        assert cut == [], calculator  # nor under the buttons beside it
 
 
 @pytest.mark.parametrize("width", [1400, 360])
@@ -122,18 +127,20 @@ def test_names_of_fields_break_between_words_only(
         assert broken == []
 
 
-def test_help_covers_no_other_field(page: Page, service: str) -> None:
-    page.goto(f"{service}/?calculator=crank-planetary&lang=uk")
-    settled(page)
-    for path in ("mechanism.ratio", "contact.eccentricity_mm", "mechanism.pins"):
-        before = page.locator(".form").bounding_box()
-        box(page, path).focus()
-        line = page.locator(f'[data-path="{path}"] .field-message span')
-        row = page.locator(f'[data-path="{path}"]')
-        expect(line).to_be_visible()
-        below = [
-            one.evaluate("(node) => node.getBoundingClientRect().bottom") for one in (line, row)
-        ]
-        assert below[0] <= below[1] + 0.5, path
-        after = page.locator(".form").bounding_box()
-        assert before and after and after["height"] == before["height"]
+def test_help_is_in_sight_covers_not_its_box_and_moves_nothing(page: Page, service: str) -> None:
+    page.goto(f"{service}/?calculator=crank-planetary&lang=uk&crank.on=on&bearings.on=on")
+    settled(page, "incomplete")
+    help_line = page.locator(".help")
+    for size in ((1280, 720), (360, 640)):
+        page.set_viewport_size({"width": size[0], "height": size[1]})
+        page.evaluate("() => document.activeElement.blur()")
+        expect(help_line).to_be_hidden()
+        height = page.locator(".form").evaluate("(form) => form.offsetHeight")
+        for path in ("contact.eccentricity_mm", "gear.kind", "crankshaft.satellite_mass_kg"):
+            row = page.locator(f'[data-path="{path}"]')
+            box(page, path).focus()
+            expect(help_line).to_have_text(row.locator("label").get_attribute("title") or "-")
+            assert page.locator(".form").evaluate("(form) => form.offsetHeight") == height
+            at, line = box(page, path).bounding_box(), help_line.bounding_box()
+            assert at and line and at["y"] + at["height"] <= line["y"], path
+            assert line["y"] + line["height"] <= size[1], path

@@ -222,6 +222,8 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     switch(page, "crank").check()
     expect(switch(page, "bearings")).to_be_checked()
     expect(box(page, "load.input_speed_rpm")).to_have_value("1500")
+    along = box(page, "crankshaft.satellite_positions_mm")
+    expect(along).to_have_attribute("placeholder", "12; 26")  # as along the pins
     expect(part(page, "crank").locator(".figures").first).to_contain_text("N")
     expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
     assert page.evaluate("() => watched.shift") < 0.02
@@ -231,8 +233,32 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     switch(page, "bearings").uncheck()
     expect(switch(page, "crank")).not_to_be_checked()
     expect(part(page, "crank")).to_be_hidden()
+    settled(page)
+    switch(page, "bearings").check()
+    expect(switch(page, "crank")).to_be_checked()
+    page.get_by_role("button", name="Undo").click()
+    expect(switch(page, "crank")).not_to_be_checked()
     page.get_by_role("button", name="Undo").click()
     expect(switch(page, "crank")).to_be_checked()
+    # Held at both ends, it lies between two supports.
+    bounds = part(page, "strength").locator(".bounds")
+    expect(bounds).to_be_hidden()
+    box(page, "pin.support").select_option("fixed")
+    box(page, "pin.span_mm").fill("30")
+    settled(page)
+    bounds.locator("summary").click()
+    stress = bounds.locator("tr", has_text="Largest bending stress").locator("td")
+    expect(stress).to_have_count(2)
+    free, fixed = (number(text) for text in stress.all_inner_texts())
+    shown = value(page, "strength", "peak_bending_stress_MPa")
+    assert fixed == pytest.approx(shown, rel=1e-4) and free > 1.2 * fixed
+    safety = bounds.locator("tr", has_text="Safety factor of fatigue").locator("td").nth(1)
+    assert number(safety.inner_text()) == pytest.approx(
+        value(page, "strength", "fatigue_safety_factor"), rel=1e-4
+    )
+    box(page, "pin.support").select_option("cantilever")
+    settled(page)
+    expect(bounds).to_be_hidden()
     box(page, "bearing.dynamic_rating_N").fill("5 kN")
     box(page, "bearing.static_rating_N").fill("5 kN")
     box(page, "crankshaft.bearings.0.dynamic_rating_N").fill("20000")
@@ -251,10 +277,17 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     text = text_of(printed(page))
     for words in ("Fatigue notch factor", "Largest reaction at A", "Bearings of the shaft"):
         assert words in text, words
+    page.set_viewport_size({"width": 320, "height": 800})
     page.goto(f"{address(page)}&lang=uk")
     settled(page)
     expect(box(page, "bearing.dynamic_rating_N")).to_have_value("5000")
+    titles = page.locator(".part .js-plotly-plot .xtitle, .part .js-plotly-plot .x2title")
     expect(page.locator(".part .js-plotly-plot .xtitle")).to_have_count(4)
+    beyond = titles.evaluate_all(
+        """(all) => all.filter((one) => one.getBoundingClientRect().right
+             > one.closest(".plot").getBoundingClientRect().right).map((one) => one.textContent)"""
+    )
+    assert beyond == []
     page.evaluate("() => document.querySelectorAll('details').forEach((d) => d.open = true)")
     assert foreign(page) == set()
 

@@ -192,7 +192,7 @@ def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) 
         "(top) => document.querySelector('[data-figure=force] .plot').layout?.yaxis.range[1] > top",
         arg=1000 * 6666.67 / 280,
     )
-    force = compare.get_by_role("row", name="Peak force N")
+    force = compare.get_by_role("row", name="Peak force, ideal N")
     cells = [leading_number(text) for text in force.get_by_role("cell").all_inner_texts()]
     assert cells[0] == pytest.approx(result(page, "peak_force_N"), rel=1e-4)
     torque = compare.get_by_role("row", name="Output torque").get_by_role("cell")

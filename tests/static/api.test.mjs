@@ -3,12 +3,12 @@ import { test } from "node:test";
 
 import { createClient, newestOnly, Problem } from "../../static/lib/api.js";
 
-const answering = (status, body, type = "application/json") => {
+const answering = (status, body, type = "application/json", headers = {}) => {
   const calls = [];
   const fetch = async (url, options) => {
     calls.push({ url, options });
     return new Response(typeof body === "string" ? body : JSON.stringify(body), {
-      status, headers: { "content-type": type },
+      status, headers: { "content-type": type, ...headers },
     });
   };
   return { calls, client: createClient({ base: "/api", fetch }) };
@@ -37,6 +37,10 @@ test("a problem keeps its status, words and pointers", async () => {
 test("what is no problem document, no JSON or no answer is a problem too", async () => {
   const gateway = answering(502, "<h1>Bad gateway</h1>", "text/html").client;
   await assert.rejects(gateway.get("/x"), (problem) => problem instanceof Problem && problem.status === 502);
+  const busy = answering(503, { type: "./problems/unavailable" }, "application/problem+json", { "retry-after": "7" }).client;
+  await assert.rejects(busy.get("/x"), ({ kind, passing, wait }) => kind === "unavailable" && passing && wait === 7000);
+  await assert.rejects(gateway.get("/x"), ({ kind, passing, wait }) => kind === "unavailable" && passing && wait === 0);
+  await assert.rejects(answering(500, "oh", "text/html").client.get("/x"), ({ kind, passing }) => kind === "failure" && !passing);
   const broken = answering(200, "{").client;
   await assert.rejects(broken.get("/x"), (problem) => problem instanceof Problem && problem.status === 0);
   const nobody = createClient({ fetch: async () => { throw new TypeError("failed to fetch"); } });

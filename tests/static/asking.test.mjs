@@ -76,6 +76,33 @@ test("a slow comparison does not come after a later one", async () => {
   assert.deepEqual(store.state.kept, []);
 });
 
+test("a busy service is asked again when it said, one that fails only when the user wants it", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  let asked = 0;
+  let problem = new Problem({ status: 503, kind: "unavailable", wait: 30000 });
+  const { store, asking } = working((body) => {
+    asked += 1;
+    if (problem) throw problem;
+    return answerTo(body);
+  });
+  await asking.now();
+  assert.equal(store.state.phase, "busy");
+  mock.timers.tick(29999);
+  await tick();
+  assert.equal(asked, 1);
+  problem = new Problem({ status: 500, kind: "failure" });
+  mock.timers.tick(1);
+  await tick();
+  assert.deepEqual([store.state.phase, asked], ["failed", 2]);
+  mock.timers.tick(60000);
+  await tick();
+  assert.equal(asked, 2);
+  problem = null;
+  await asking.now();
+  assert.equal(store.state.phase, "fresh");
+  mock.timers.reset();
+});
+
 test("fixes that take too long to find leave the answer as it is, and that is said", async () => {
   const long = new Problem({ status: 503, kind: "too-long", detail: "not within 10 s" });
   const fixes = [{ sets: {} }];
@@ -109,7 +136,7 @@ test("a live group that the service could not answer asks again by itself, unles
   };
   const beside = createBeside({ store, client, id: "real", logic });
   await beside.ask();
-  assert.deepEqual([store.state.besides.real.phase, asked], ["offline", 1]);
+  assert.deepEqual([store.state.besides.real.phase, asked], ["failed", 1]);
   gone = false;
   mock.timers.tick(5000);
   await tick();

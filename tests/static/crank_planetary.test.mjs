@@ -46,7 +46,8 @@ test("the cells say the numbers, and what has not been computed", () => {
 test("with real forces the pairs are those that are loaded", () => {
   const real = { loaded_pairs_min: 1, loaded_pairs_max: 3, peak_force_N: 9, peak_crank_angle_deg: 0, peak_pair: {}, accuracy: ACCURACY };
   const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
-  const [, pairs] = calculator.verdict(answer, { input: {} });
+  const [peak, pairs] = calculator.verdict(answer, { input: {} });
+  assert.deepEqual([peak.label, peak.value], ["Peak force with clearance and errors", "9"]);
   assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; 2–4 without clearance"]);
   assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
   const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };

@@ -87,7 +87,7 @@ test("the stated accuracy limits the digits", () => {
 
 test("what follows from the request alone keeps its digits beside numbers of a larger error", () => {
   const section = { relative_speed_rpm: 1514.117647, peak_load_N: 13099.5928, accuracy: { relative_error: 4e-3 } };
-  const shown = valuesMarkup(section, [], {}).toString().match(/(?<=class="value[^>]*>)[^<]+/g);
+  const shown = valuesMarkup("satellite_bearing", section, [], {}).toString().match(/(?<=class="value[^>]*>)[^<]+/g);
   assert.deepEqual(shown, [formatNumber(1514.12), formatNumber(13000)]);
   const steps = [speedStep(section, { load: { input_speed_rpm: 1430.25 }, mechanism: { ratio: 17.0625 } })];
   const worked = groupMarkup({ steps }, section.accuracy).toString();

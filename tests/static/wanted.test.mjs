@@ -89,7 +89,7 @@ test("an empty list follows the other boxes, in the input too, until it is typed
 
 test("a group that is off is not shown, asked for, listed or linked", () => {
   const state = stateFromInput(MODEL, INPUT);
-  assert.ok(!isOn("real", state.texts));
+  assert.ok(!isOn(MODEL, "real", state.texts));
   assert.deepEqual(shownFields(MODEL, state).filter(({ wanted }) => wanted).map(({ path }) => path), ["real.on"]);
   assert.equal(readState(MODEL, state).input.besides, undefined);
   assert.ok(!listedInputs(MODEL, state).some(({ id }) => id === "real"));
@@ -118,17 +118,26 @@ test("switched on, it starts from values, goes apart into the input, and into li
 });
 
 test("a group goes off with the one that it needs, and comes back with it where it was on", () => {
-  const wanted = [{ id: "ring" }, { id: "shaft", needs: "ring" }];
-  const about = { model: MODEL, calculator: { wanted, drawing: {} } };
+  const plain = { paths: GROUP.paths };
+  const wanted = [{ ...plain, id: "real", fields: {} }, { ...plain, id: "crank", needs: "real", fields: { stiffness_N_per_mm: {} } }];
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: fieldWords });
+  const about = { model, calculator: { wanted, drawing: {} } };
   const turned = (state, id, on) => next.switched(state, id, on, 0);
-  const on = ({ typed: { texts } }) => wanted.map(({ id }) => isOn(id, texts));
-  const both = turned(next.opened(about, stateFromInput(MODEL, INPUT), "light"), "shaft", true);
+  const on = (state) => wanted.map(({ id }) => next.wants(state, id));
+  const first = turned(next.opened(about, stateFromInput(model, INPUT), "light"), "crank", true);
+  const both = next.typedIn(first, "stiffness_N_per_mm", "7000", 0);
   assert.deepEqual(on(both), [true, true]);
-  const off = turned(both, "ring", false);
-  assert.deepEqual([on(off), on(turned(off, "ring", true)), on(next.steppedBack(off))], [[false, false], [true, true], [true, true]]);
-  const ring = turned(both, "shaft", false);
-  assert.deepEqual(on(turned(turned(ring, "ring", false), "ring", true)), [true, false]);
-  assert.ok(![...encodeState(MODEL, off.typed).keys()].includes("shaft.back"));
+  const off = turned(both, "real", false);
+  assert.deepEqual([on(off), on(turned(off, "real", true)), on(next.steppedBack(off))], [[false, false], [true, true], [true, true]]);
+  const ring = turned(both, "crank", false);
+  assert.deepEqual(on(turned(turned(ring, "real", false), "real", true)), [true, false]);
+  // Off, it is not asked for; a link brings it back with its values as the form does.
+  assert.deepEqual([both.reading.input.besides, off.reading.input.besides], [{ real: { on: "on" }, crank: { on: "on" }, stiffness_N_per_mm: 7000 }, undefined]);
+  const { state: linked, claim } = decodeState(model, encodeState(model, off.typed), "job");
+  assert.deepEqual(claim.unknown, []);
+  const again = next.opened(about, linked, "light");
+  assert.deepEqual([on(again), again.reading.input], [[false, false], off.reading.input]);
+  assert.deepEqual(turned(again, "real", true).reading.input, both.reading.input);
 });
 
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
@@ -378,4 +387,17 @@ test("a design document switches on the groups whose parts it has, and is asked 
     assert.deepEqual(wantedSections(inputOf({ [part]: document[part] })), [section]);
   }
   assert.deepEqual(wantedSections(inputOf({ mechanism: { pins: 6 } })), []);
+});
+
+test("satellites along the shaft are as far apart as along the pins until they are typed", () => {
+  const { fields } = WANTED.find(({ id }) => id === "crank");
+  const { follows } = fields["crankshaft.satellite_positions_mm"];
+  const { follows: bearings } = fields["crankshaft.bearing_positions_mm"];
+  const input = (pins, shaft) => ({
+    mechanism: { satellites: 2 }, contact: { contact_length_mm: 20 },
+    besides: { ...(pins && { pin: { satellite_positions_mm: pins } }), crankshaft: { satellite_positions_mm: shaft } },
+  });
+  assert.deepEqual(follows(input()), [20, 42]);
+  assert.deepEqual([[15, 45], [45, 15], [15]].map((pins) => follows(input(pins))), [[20, 50], [50, 20], [20, 42]]);
+  assert.deepEqual(bearings(input([15, 45], [50, 20])), [0, 70]);
 });

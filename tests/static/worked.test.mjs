@@ -9,7 +9,7 @@ import { parse } from "../../static/lib/formula/notation.js";
 import { definition, fromSI, quantity as q } from "../../static/lib/formula/evaluate.js";
 import { WANTED } from "../../static/calculators/crank-planetary/wanted.js";
 import { ASIDE, flattened } from "../../static/lib/checks.js";
-import { message } from "../../static/messages/index.js";
+import { message, quantityWords } from "../../static/messages/index.js";
 import { filled } from "./model.mjs";
 
 // What the service answers to its examples and some more; kept up by a test of the service.
@@ -95,6 +95,14 @@ test("notation: precedence, powers to the right, calls, what is wrong", () => {
   assert.throws(() => at("x+1"), RangeError);
 });
 
+test("the life of the pins' fatigue is its own where it has one, else that of the requirements", async () => {
+  const one = cases.find(({ answer }) => answer.pin_strength?.fatigue?.finite_strength_MPa);
+  const { requirements: { life_h }, besides } = one.input;
+  const apart = { ...one.input, requirements: { life_h: 100 * life_h }, besides: { ...besides, fatigue: { ...besides.fatigue, life_h } } };
+  const stepsFor = async (input) => (await stepsOf({ ...one, input })).find(({ section }) => section === "pin_strength").steps;
+  assert.deepEqual(await stepsFor(apart), await stepsFor(one.input));
+});
+
 test("formulas are written with symbols and with numbers and units", () => {
   const values = { F_i: q("F_i", [1.5, -2, 3, 4, 5], "N"), d: q("d", 10, "mm"), E: q("E*", 210, "GPa") };
   const written = (text, withNumbers) => plainText(parse(text), { values, withNumbers });
@@ -123,6 +131,14 @@ for (const [i, one] of cases.entries()) {
       assert.ok(message("quantity")[name], name);
       const records = Array.isArray(value) ? value.filter((each) => typeof each === "object" && !Array.isArray(each)) : [];
       for (const column of records.flatMap(Object.keys)) assert.ok(aside.includes(column) || message("quantity")[column], `${name} ${column}`);
+    }
+    const titled = new Map(); // numbers of one name are one number
+    for (const id of sections.filter((each) => one.answer[each])) {
+      for (const [name, value] of flattened(one.answer[id]).filter(([name, value]) => !aside.includes(name) && typeof value === "number")) {
+        const [title] = quantityWords(name, id);
+        assert.ok(Math.abs((titled.get(title) ?? value) - value) <= 1e-9 * Math.abs(value), `${id}: ${title}`);
+        titled.set(title, value);
+      }
     }
   });
 }

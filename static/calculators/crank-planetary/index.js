@@ -7,7 +7,7 @@
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
-import { message } from "../../messages/index.js";
+import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, ratioOf } from "./mechanism.js";
@@ -95,13 +95,14 @@ function pairsCell(section, real) {
   return { value: span(least, most), note: message("verdict.pairsMean", { all, mean: formatNumber(mean, 4) }) };
 }
 
-function peakCell(section, { contact }) {
+function peakCell(section, { contact }, id) {
   const factor = factorOf(contact);
   const at = message("verdict.peakAt", {
     angle: formatQuantity(section.peak_crank_angle_deg, "°", shownDigits(section.accuracy.relative_error, 5)),
     ...section.peak_pair,
   });
   return {
+    label: quantityWords("peak_force_N", id)[0],
     ...stated(section, section.peak_force_N, "N", 6),
     note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };
@@ -251,11 +252,14 @@ export default {
   /** What a field may be sized for besides the checks. */
   targets: [{ pointer: "/hertz/safety_factor", quantity: "safety_factor", value: 1.5 }],
 
-  verdict: (answer, { input = {} } = {}) => [
-    cell("peak", answer.load_sharing ?? answer.contact_force, (section) => peakCell(section, input)),
-    cell("pairs", answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
-    cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
-  ],
+  verdict(answer, { input = {} } = {}) {
+    const judged = answer.load_sharing ? "load_sharing" : "contact_force";
+    return [
+      cell("peak", answer[judged], (section) => peakCell(section, input, judged)),
+      cell("pairs", answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
+      cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
+    ];
+  },
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],

@@ -3,7 +3,7 @@
  * says. No DOM.
  */
 import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityWords } from "../../messages/index.js";
 import { eccentricityOf } from "./mechanism.js";
 import { partsOf } from "./wanted.js";
 
@@ -136,7 +136,7 @@ export function cells({ over_turn: turn, ideal }) {
   const { satellite, pin } = turn.peak_pair;
   return [
     {
-      label: message("quantity.peak_force_N")[0],
+      label: quantityWords("peak_force_N", "load_sharing")[0],
       value: formatQuantity(turn.peak_force_N, "N", 5),
       note: message("verdict.peakAt", { angle: formatQuantity(turn.peak_crank_angle_deg, "°", 4), satellite, pin }),
     },

@@ -10,7 +10,25 @@ import { beamOf, complianceSteps, once, sharingOf, sharings } from "./pin_beam.j
 import { largestOf } from "./turn.js";
 import { figureBody, sleeved } from "./wanted.js";
 
-export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: figureBody("fatigue") };
+const strengthBody = figureBody("fatigue");
+
+export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: strengthBody };
+
+/** The same pin in the supports between which the truth of a cage lies, asked for where it is held at both ends. */
+export const bounds = {
+  path: "/pin-strength",
+  list: "support_bounds",
+  of: ({ pin_strength: strength }, { besides }) => strength && besides?.pin?.span_mm !== undefined,
+  body(input, answer, requests) {
+    const { fatigue, ...body } = strengthBody(input, answer, requests);
+    const life = fatigue && { fatigue: { life_h: input.requirements.life_h, ...fatigue } };
+    return { ...body, ...life, include: ["support_bounds", "deflection"] };
+  },
+  shown: [
+    "peak_bending_stress_MPa", "peak_equivalent_stress_MPa", "static_safety_factor", "fatigue_safety_factor", "deflection_mm", "slope_mrad",
+  ],
+  nameOf: ({ support }) => message("option")[support],
+};
 
 /** Diameter of the steel pin: that inside its sleeve where it has one. */
 export const diameterOf = (input) => (sleeved(input) ? input.besides.pin.diameter_mm : 2 * input.contact.pin_radius_mm);
@@ -44,11 +62,11 @@ export const drawing = { create: pinDrawing, section: "pin_strength" };
 const KPSI = 6.894757293168361;
 
 /** The strength for the cycles of the life, where these are so few that it is above the endurance limit. */
-function finiteSteps(fatigue, { load, mechanism, requirements }, R_m) {
+function finiteSteps(fatigue, { load, mechanism, requirements, besides }, R_m) {
   if (fatigue.finite_strength_MPa === undefined) return [];
   const cycles = intermediate("lifeCycles", "N_L", "", {
     formula: "max(1000;n_1*(1+1/u)*L/(2*π))",
-    values: { n_1: q("n_1", load.input_speed_rpm, "rpm"), u: q("u", mechanism.ratio), L: q("L", requirements.life_h, "h") },
+    values: { n_1: q("n_1", load.input_speed_rpm, "rpm"), u: q("u", mechanism.ratio), L: q("L", besides.fatigue.life_h ?? requirements.life_h, "h") },
     note: "turnsOverLife",
   });
   const fraction = intermediate("strengthFraction", "f", "", {

@@ -1,7 +1,7 @@
 /** What tolerances do to the pieces: what is asked of the service and what its answer says. No DOM. */
 import { Problem } from "../../lib/api.js";
 import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
-import { fieldWords, message } from "../../messages/index.js";
+import { fieldWords, message, quantityWords } from "../../messages/index.js";
 import { designOf, range } from "./real.js";
 
 const LOWER = "stiffness_min_Nm_per_arcmin"; // of which less is worse: all else is worse above
@@ -43,7 +43,7 @@ export async function ask({ client, body, signal, progressed }) {
   }
 }
 
-export const titleOf = (name) => message(`quantity.${name}`)[0];
+export const titleOf = (name) => quantityWords(name, "load_sharing")[0];
 
 const share = (value, digits = 3) => `${formatNumber(100 * value, digits)}\u00a0%`;
 const digitsOf = ({ value, low, high }) => Math.max(3, shownDigits((high - low) / 2 / Math.abs(value), 4) + 2);

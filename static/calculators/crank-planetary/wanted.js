@@ -62,7 +62,7 @@ const STUDY = {
   "tolerances.eccentricity_mm": {},
   "tolerances.crank_phase_deg": {},
   "tolerances.disc_phase_deg": {},
-  quantities: { words: ["quantities", "study"] },
+  quantities: { words: ["quantities", "study"], section: "load_sharing" },
   samples: {},
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
   percentiles: rare,
@@ -81,6 +81,7 @@ const STRENGTH = {
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
+  "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
   "pin.rotates": rare,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
@@ -113,8 +114,8 @@ const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
 });
 const CRANK = {
-  "crankshaft.satellite_positions_mm": { required: true, follows: (input) => shaft(input).satellites },
-  "crankshaft.bearing_positions_mm": { required: true, follows: (input) => shaft(input).bearings },
+  "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, words: ["satellites", "crank"] },
+  "crankshaft.bearing_positions_mm": { required: true, follows: besideSatellites },
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
@@ -144,11 +145,17 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
   };
 }
 
+/** Satellites along the shaft: as far apart as along the pins, where these are given. */
+function onShaft({ mechanism, contact, besides }) {
+  const own = planes({ mechanism, contact }, contact?.contact_length_mm / 2);
+  const along = besides?.pin?.satellite_positions_mm;
+  return along?.length === own.length ? along.map((z) => tidy(own[0] + z - Math.min(...along))) : own;
+}
+
 /** Bearings a satellite's width away from the satellites. */
-function shaft({ mechanism, contact }) {
+function besideSatellites({ contact, besides }) {
   const width = contact?.contact_length_mm;
-  const satellites = planes({ mechanism, contact }, width / 2);
-  return { satellites, bearings: [0, tidy(satellites.at(-1) + width)] };
+  return [0, tidy(Math.max(...besides?.crankshaft?.satellite_positions_mm ?? []) + width)];
 }
 
 /** Tolerances to start from when they are switched on: the classes of the fit where there is one. */
@@ -261,7 +268,7 @@ export function inputOf({ pin, fatigue = {}, friction, gear, bearing, crankshaft
     besides: {
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(friction && { losses: on, friction }),
-      ...(bearing && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...((bearing || crankshaft) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },
