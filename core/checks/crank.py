@@ -79,12 +79,13 @@ def _static(design: CrankDesign) -> Check:
         return _rating(code, limit, "bearing.static_rating")
     worst = int(np.argmin(found.static_safety_factor))
     value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
+    share = design.static_share
     return judged(
         code,
         value,
         limit,
         reserve=design.reserve(
-            value / limit, lambda factors: design.moved_loads(factors).max(axis=1)
+            value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
         error=4 * error,
         rough=design.as_made,

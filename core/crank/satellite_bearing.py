@@ -108,6 +108,7 @@ def satellite_bearings(
     peak_torque: Number | None = None,
     torque_direction: Direction = "driving",
     pair_stiffness: tuple[float, ...] | None = None,
+    static_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> SatelliteBearings:
     """Load and life of the satellites' bearings under the forces of the pins.
@@ -151,6 +152,8 @@ def satellite_bearings(
     pair_stiffness : tuple of float, K, optional
         Stiffness of the pairs of each satellite against each other, see
         `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    static_stiffness : tuple of float, K, optional
+        The same under the peak torque; `pair_stiffness` where not given.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`; of one design.
 
@@ -196,16 +199,22 @@ def satellite_bearings(
     ratio = mechanism.ratio
     rho = mesh.radial_force_ratio
     if made is None:
-        loads = _ideal_loads(
-            mechanism=mechanism,
-            force_exponent=force_exponent,
-            across=output_torque / (eccentricity * ratio),
-            arm=eccentricity * ratio / pin_circle_radius,
-            mesh=mesh,
-            exponent=EXPONENTS[kind],
-            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
-        )
-        static = np.asarray(static_torque / output_torque)[..., None] * loads.most
+
+        def shared(stiffness: tuple[float, ...] | None) -> _Loads:
+            return _ideal_loads(
+                mechanism=mechanism,
+                force_exponent=force_exponent,
+                across=output_torque / (eccentricity * ratio),
+                arm=eccentricity * ratio / pin_circle_radius,
+                mesh=mesh,
+                exponent=EXPONENTS[kind],
+                stiffnesses=(None,) if stiffness is None else (None, stiffness),
+            )
+
+        loads = again = shared(pair_stiffness)
+        if static_rating is not None and static_stiffness not in (None, pair_stiffness):
+            again = shared(static_stiffness)
+        static = np.asarray(static_torque / output_torque)[..., None] * again.most
     else:
         ways = WAYS[torque_direction]
 
