@@ -307,7 +307,12 @@ MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
     ),
     "eccentricity": (
         replace(WHOLE, eccentricity=None),
-        ("bearing_life", "pressure_angle", "gear_room"),
+        ("bearing_life", "pressure_angle"),
+        ("eccentricity",),
+    ),
+    "eccentricity of a cycloid disc": (
+        replace(WHOLE, eccentricity=None, gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084)),
+        ("gear_room",),
         ("eccentricity",),
     ),
     "rating": (
@@ -358,10 +363,22 @@ def test_ring() -> None:
 
 
 def test_holes_within_the_teeth() -> None:
-    """e*u = 40 mm, R + r_out = 60 mm: this design has no room for its teeth."""
+    """20 teeth of 3.5 mm, R + r_out = 60 mm: this design has no room for its teeth."""
     found = CRANK["gear_room"](WHOLE)
-    says(found, status="fail", value=-0.020, limit=0.0, impossible=True)
+    says(found, status="fail", value=-0.025, limit=0.0, impossible=True)
     assert crank_checks(WHOLE).verdict == "fail"
+    # 40 teeth of a difference of two
+    pair = part(replace(WHOLE, eccentricity=4e-3, hole_radius=0.012), "gear", teeth_difference=2)
+    # and teeth whose profile is shifted outwards by more than usual
+    shifted = replace(WHOLE, root_radius=0.0605)
+    for design, circle, width in (
+        (pair, 0.0579, 1e-4), (pair, 0.0581, -1e-4), (shifted, 0.050, 5e-4)
+    ):  # fmt: skip
+        found = CRANK["gear_room"](replace(design, pin_circle_radius=circle))
+        assert found.status == ("pass" if width > 0 else "fail")
+        assert found.value == pytest.approx(width, abs=1e-12)
+    within = replace(WHOLE, root_radius=0.030)
+    says(CRANK["gear_room"](within), status="fail", value=-0.025, limit=0.0, impossible=True)
     for radius, width in ((0.084, 0.022), (0.062, 0.0), (0.061, -0.001)):
         ring = Ring(kind="cycloid", ring_pin_circle_radius=radius)
         found = CRANK["gear_room"](replace(WHOLE, gear=ring))
