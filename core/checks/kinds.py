@@ -377,7 +377,8 @@ CHECKS = {
     "system_life": Kind(
         "Life of all satellites' bearings together", "bearing", "h", "(Σ L_j^−β)^(−1/β) ≥ L",
         "Otherwise one of the bearings fails before the life that is asked.",
-        (*_BEARING, "bearing.dynamic_rating", "bearing.weibull_slope", "requirements.life"),
+        (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent",
+         "bearing.weibull_slope", "requirements.life"),
         "iso_281_life", keep="above",
     ),
     "crank_bearing_life": Kind(

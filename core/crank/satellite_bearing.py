@@ -68,7 +68,8 @@ class SatelliteBearings:
     static_safety_factor : array, shape (..., K) or None
         Static rating over the largest load, where that rating is known.
     system_life : array, shape (...) or None
-        Basic life of all of them together, s, where the slope of the distribution is given.
+        Life of all of them together at that reliability, s, where the slope of the distribution is
+        given.
     accuracy : Accuracy
         Of all numbers; where there are lives, the error of the loads times their exponent.
     notices : tuple of Notice
@@ -233,7 +234,7 @@ def satellite_bearings(
         basic = turning * rating_life(load=equivalent, rating=rating, kind=kind)
         life = factor * basic
         if weibull_slope is not None:
-            together = system_life(lives=basic, weibull_slope=weibull_slope)
+            together = system_life(lives=life, weibull_slope=weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         safety = np.asarray(static_rating, dtype=np.float64)[..., None] / static

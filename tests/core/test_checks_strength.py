@@ -292,6 +292,9 @@ def test_bearings() -> None:
     together = part(rigid(life=0.3 * life), "bearing", weibull_slope=10 / 9)
     found = CRANK["system_life"](together)
     assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
+    surer = CRANK["system_life"](part(together, "bearing", reliability_percent=99.0))
+    assert surer.value == pytest.approx(0.25 * life / 2**0.9, rel=1e-6)
+    assert surer.status == "fail"
     assert CRANK["system_life"](rigid()).missing == ("bearing.weibull_slope",)
     alone = replace(together, satellites=1)
     assert CRANK["system_life"](alone).reason == "one_only"
