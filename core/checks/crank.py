@@ -127,9 +127,9 @@ def _pressure_angle(design: CrankDesign) -> Check:
 
 def _gear_room(design: CrankDesign) -> Check:
     """The holes within the teeth, as far as the ring says where these are: the roots of involute
-    teeth lie within the satellite's reference circle, ``m*z2/2``, unless their profile is shifted by
-    more than 1.25 modules, which a root radius tells; a cycloid disc lies within the circle of the
-    ring's pins less e.
+    teeth lie within the satellite's reference circle, ``m*z2/2``, unless their profile is shifted
+    by more than 1.25 modules, which a root radius tells; a cycloid disc lies within the circle of
+    the ring's pins less e.
     """
     code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
     assert gear is not None and design.hole_radius is not None

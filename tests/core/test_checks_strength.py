@@ -13,6 +13,7 @@ import pytest
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.sections import Ring, RollingBearing
+from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.fixes.crank import crank_fixes
 from core.materials import MATERIALS, ElasticMaterial
@@ -533,7 +534,16 @@ def test_pins_come_in_standard_sizes() -> None:
     sleeved = part(design, "pin", diameter=0.012)
     fixes = {each.variable: each for each in crank_fixes(design=sleeved, codes=["pin_static"])}
     assert "pin_radius" not in fixes  # that of the sleeve
-    assert not fixes["pin.diameter"].standard or fixes["pin.diameter"].after in (0.016, 0.020)
+    assert "pin.diameter" not in fixes  # it would be thicker than the sleeve
+    wide = replace(sleeved, pin_radius=0.011, hole_radius=0.013)
+    fixes = {each.variable: each for each in crank_fixes(design=wide, codes=["pin_static"])}
+    assert fixes["pin.diameter"].standard and fixes["pin.diameter"].after == 0.020
+
+
+def test_no_pin_is_thicker_than_what_touches_the_hole() -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        part(WHOLE, "pin", diameter=0.01601)
+    assert (refusal.value.parameter, refusal.value.code) == ("pin.diameter", "too_thick")
 
 
 def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:
