@@ -47,6 +47,7 @@ REFUSALS = {
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",
     "too_short_range": "must be larger: no driving phase is that short",
+    "too_thick": "must be at most twice {field}: thicker, the pin itself would touch the hole",
 }
 """What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
 

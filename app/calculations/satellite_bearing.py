@@ -189,8 +189,8 @@ class SatelliteBearingResponse(ResponseModel):
     )
     satellites: list[SatelliteBearingOut]
     system_life_h: Maybe[float] = result(
-        "Time that 90 % of such reducers reach without a failure of any of these bearings; where "
-        "the slope of the distribution is given.",
+        "Time that such reducers reach at the reliability asked without a failure of any of these "
+        "bearings; where the slope of the distribution is given.",
         symbol="L_s",
         default=None,
     )

@@ -79,12 +79,13 @@ def _static(design: CrankDesign) -> Check:
         return _rating(code, limit, "bearing.static_rating")
     worst = int(np.argmin(found.static_safety_factor))
     value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
+    share = design.static_share
     return judged(
         code,
         value,
         limit,
         reserve=design.reserve(
-            value / limit, lambda factors: design.moved_loads(factors).max(axis=1)
+            value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
         error=4 * error,
         rough=design.as_made,
@@ -125,18 +126,22 @@ def _pressure_angle(design: CrankDesign) -> Check:
 
 
 def _gear_room(design: CrankDesign) -> Check:
-    """The holes within the teeth, as far as the ring says where these are: involute teeth of so
-    small a difference lie about the operating pitch circle of the satellite, ``e*u``; a cycloid
-    disc lies within the circle of the ring's pins less e.
+    """The holes within the teeth, as far as the ring says where these are: the roots of involute
+    teeth lie within the satellite's reference circle, ``m*z2/2``, unless their profile is shifted
+    by more than 1.25 modules, which a root radius tells; a cycloid disc lies within the circle of
+    the ring's pins less e.
     """
     code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
     assert gear is not None and design.hole_radius is not None
     if gear.kind not in ("involute", "cycloid"):
         return Check(code=code, status="not_applicable", reason="no_teeth")
-    if eccentricity is None:
+    if gear.module is not None and gear.teeth_difference is not None:
+        reference = gear.module * gear.teeth_difference * design.mechanism.ratio / 2
+        room = max(reference, design.root_radius or 0.0)
+    elif eccentricity is None:
         return no_eccentricity(code)
-    room = eccentricity * design.mechanism.ratio
-    if gear.ring_pin_circle_radius is not None:
+    else:
+        assert gear.ring_pin_circle_radius is not None
         room = gear.ring_pin_circle_radius - eccentricity
     assert design.pin_circle_radius is not None
     width = room - design.pin_circle_radius - design.hole_radius

@@ -72,6 +72,7 @@ class CrankDesign(DesignLosses):
                 ring_factor=bearing.ring_factor,
                 weibull_slope=bearing.weibull_slope,
                 peak_torque=self.static_torque,
+                static_stiffness=self.static_stiffness,
             ),
         )
 

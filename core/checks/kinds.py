@@ -357,9 +357,10 @@ CHECKS = {
         (*_RING, "eccentricity"), "steep",
     ),
     "gear_room": Kind(
-        "Holes within the teeth", "gear", "mm", "e·u − R − r_out > 0, R_p − e − R − r_out > 0",
+        "Holes within the teeth", "gear", "mm", "m·z₂/2 − R − r_out > 0, R_p − e − R − r_out > 0",
         "Otherwise the holes lie in the teeth of the satellite, or beyond.",
-        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius"), keep="above",
+        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius", "root_radius"),
+        keep="above",
     ),
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",
@@ -376,7 +377,8 @@ CHECKS = {
     "system_life": Kind(
         "Life of all satellites' bearings together", "bearing", "h", "(Σ L_j^−β)^(−1/β) ≥ L",
         "Otherwise one of the bearings fails before the life that is asked.",
-        (*_BEARING, "bearing.dynamic_rating", "bearing.weibull_slope", "requirements.life"),
+        (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent",
+         "bearing.weibull_slope", "requirements.life"),
         "iso_281_life", keep="above",
     ),
     "crank_bearing_life": Kind(

@@ -35,10 +35,7 @@ def _static(design: CrankDesign) -> Check:
     if not isinstance(found, PinStrength):
         return _unknown(design, code)
     assert design.pin is not None
-    stress, tensile = (
-        found.peak_equivalent_stress * design.static_share,
-        design.pin.tensile_strength,
-    )
+    stress, tensile = found.static_stress, design.pin.tensile_strength
     strength = design.pin.material.yield_strength
     if strength is None and tensile is not None and tensile > HARDENED:
         strength = tensile
@@ -49,7 +46,9 @@ def _static(design: CrankDesign) -> Check:
         )
     limit = strength / design.bending_safety
     error = 4 * found.accuracy.relative_error
-    reserve = design.pin_reserve(limit / stress, lambda pins: pins.peak_equivalent_stress)
+    reserve = design.pin_reserve(
+        limit / stress, lambda pins: pins.static_stress, share=design.static_share
+    )
     return judged(code, stress, limit, reserve=reserve, error=error, rough=design.as_made)
 
 

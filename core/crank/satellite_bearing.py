@@ -68,7 +68,8 @@ class SatelliteBearings:
     static_safety_factor : array, shape (..., K) or None
         Static rating over the largest load, where that rating is known.
     system_life : array, shape (...) or None
-        Basic life of all of them together, s, where the slope of the distribution is given.
+        Life of all of them together at that reliability, s, where the slope of the distribution is
+        given.
     accuracy : Accuracy
         Of all numbers; where there are lives, the error of the loads times their exponent.
     notices : tuple of Notice
@@ -108,6 +109,7 @@ def satellite_bearings(
     peak_torque: Number | None = None,
     torque_direction: Direction = "driving",
     pair_stiffness: tuple[float, ...] | None = None,
+    static_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> SatelliteBearings:
     """Load and life of the satellites' bearings under the forces of the pins.
@@ -151,6 +153,8 @@ def satellite_bearings(
     pair_stiffness : tuple of float, K, optional
         Stiffness of the pairs of each satellite against each other, see
         `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    static_stiffness : tuple of float, K, optional
+        The same under the peak torque; `pair_stiffness` where not given.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`; of one design.
 
@@ -196,16 +200,22 @@ def satellite_bearings(
     ratio = mechanism.ratio
     rho = mesh.radial_force_ratio
     if made is None:
-        loads = _ideal_loads(
-            mechanism=mechanism,
-            force_exponent=force_exponent,
-            across=output_torque / (eccentricity * ratio),
-            arm=eccentricity * ratio / pin_circle_radius,
-            mesh=mesh,
-            exponent=EXPONENTS[kind],
-            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
-        )
-        static = np.asarray(static_torque / output_torque)[..., None] * loads.most
+
+        def shared(stiffness: tuple[float, ...] | None) -> _Loads:
+            return _ideal_loads(
+                mechanism=mechanism,
+                force_exponent=force_exponent,
+                across=output_torque / (eccentricity * ratio),
+                arm=eccentricity * ratio / pin_circle_radius,
+                mesh=mesh,
+                exponent=EXPONENTS[kind],
+                stiffnesses=(None,) if stiffness is None else (None, stiffness),
+            )
+
+        loads = again = shared(pair_stiffness)
+        if static_rating is not None and static_stiffness not in (None, pair_stiffness):
+            again = shared(static_stiffness)
+        static = np.asarray(static_torque / output_torque)[..., None] * again.most
     else:
         ways = WAYS[torque_direction]
 
@@ -224,7 +234,7 @@ def satellite_bearings(
         basic = turning * rating_life(load=equivalent, rating=rating, kind=kind)
         life = factor * basic
         if weibull_slope is not None:
-            together = system_life(lives=basic, weibull_slope=weibull_slope)
+            together = system_life(lives=life, weibull_slope=weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         safety = np.asarray(static_rating, dtype=np.float64)[..., None] / static

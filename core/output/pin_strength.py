@@ -97,8 +97,10 @@ class PinStrength:
         Largest shear stress, 4/3 of its mean, Pa.
     peak_equivalent_stress : float
         Largest equivalent stress (Mises) of any section, Pa.
+    static_stress : float
+        The same under the peak torque, Pa.
     static_safety_factor : float or None
-        Yield strength over that stress under the peak torque, where it is known.
+        Yield strength over the latter, where it is known.
     fatigue : PinFatigue or None
         The worst stress cycle, where it was asked.
     deflection : PinDeflection or None
@@ -125,6 +127,7 @@ class PinStrength:
     peak_shear_force: float
     peak_shear_stress: float
     peak_equivalent_stress: float
+    static_stress: float
     static_safety_factor: float | None
     fatigue: PinFatigue | None
     deflection: PinDeflection | None
@@ -205,6 +208,7 @@ class PinStresses:
         bent = max(found, key=lambda each: each.bent)
         worst = max(found, key=lambda each: each.equivalent)
         most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
+        static = self.static * most
         cycle, seen = None, worst.place
         notices: list[Notice] = []
         if fatigue is not None:
@@ -229,7 +233,8 @@ class PinStresses:
             peak_shear_force=mean_shear * pin.area,
             peak_shear_stress=4 / 3 * mean_shear,
             peak_equivalent_stress=most,
-            static_safety_factor=None if strength is None else strength / (self.static * most),
+            static_stress=static,
+            static_safety_factor=None if strength is None else strength / static,
             fatigue=cycle,
             deflection=_deflection(found) if deflection else None,
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
@@ -256,6 +261,7 @@ def pin_stresses(
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
     pair_stiffness: tuple[float, ...] | None = None,
+    static_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> PinStresses:
     """Stresses of the pins over the turn.
@@ -296,6 +302,8 @@ def pin_stresses(
     pair_stiffness : tuple of float, K, optional
         Stiffness of the pairs of each satellite against each other, see
         `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
+    static_stiffness : tuple of float, K, optional
+        The same under the peak torque; `pair_stiffness` where not given.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
@@ -332,31 +340,38 @@ def pin_stresses(
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions))
     ways = WAYS[torque_direction]
-    static = 1.0
+    static, again = 1.0, list[PinLoads]()
     if made is None:
         peak = force_peak(mechanism, force_exponent)
-        cases = _ideal_cases(
-            mechanism=mechanism,
-            force_exponent=force_exponent,
-            reference=torque / pin_circle_radius,
-            ways=ways,
-            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
-        )
+
+        def loads(torque: float, stiffness: tuple[float, ...] | None) -> list[PinLoads]:
+            return _ideal_cases(
+                mechanism=mechanism,
+                force_exponent=force_exponent,
+                reference=torque / pin_circle_radius,
+                ways=ways,
+                stiffnesses=(None,) if stiffness is None else (None, stiffness),
+            )
+
+        cases = loads(torque, pair_stiffness)
         error = 8 * peak.accuracy.relative_error + ENOUGH
         error += ROUNDING * (64 + 16 * force_exponent)
         method, evaluations = "locus_support", cases[0].turn.forces[0].size
         static = static_torque / torque
+        if static_stiffness not in (None, pair_stiffness):
+            again = loads(static_torque, static_stiffness)
     else:
         turns = [made(way * torque) for way in ways]
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
+        if static_torque != torque:
+            again = _made_cases([made(way * static_torque) for way in ways])
     found: list[_Stresses] = []
     for case in reversed(cases):  # the uneven ones first, within which others mostly stay
         most = max((each.equivalent for each in found), default=0.0)
         found.insert(0, _stresses(pin, case, most))
-    if made is not None and static_torque != torque:
-        again = _made_cases([made(way * static_torque) for way in ways])
+    if again:
         static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
     error += _of_two_supports(beam, satellite_positions)

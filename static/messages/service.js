@@ -37,6 +37,7 @@ export default {
     "too_many_phases": "must be smaller: there would be more than {limit} driving phases",
     "too_short": "must have at least {limit} entries",
     "too_short_range": "must be larger: no driving phase is that short",
+    "too_thick": "must be at most twice {field}: thicker, the pin itself would touch the hole",
     "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the pin: Hertz's law of contact does not reach so far",
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
     "lost_in_space": "The output would turn by more than the eccentricity allows: the contacts are too soft, the clearance too large or the position a dead centre",

@@ -59,6 +59,7 @@ PHYSICAL = {*IMPOSSIBLE} | {
     "to_be_drawn",
     "too_few",
     "too_near",
+    "too_thick",
     "too_many_pairs",
     "too_many_phases",
     "too_short_range",

@@ -22,6 +22,7 @@ from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.contact_law import LinearLaw
+from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
 from tests.oracles.checks import HOLE, MODULUS, PIN, REF, says
 
@@ -94,6 +95,21 @@ def test_bending_pins_make_the_reserve_less_exact(limit: float, near: float) -> 
     assert found.torque_reserve is not None
     there = replace(design, output_torque=30.0 * found.torque_reserve)
     assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=near)
+
+
+def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -> None:
+    """With clearance these are not in the ratio of the torques: more pairs carry."""
+    pin = DesignPin("cantilever", 0.006, (0.01,), replace(PIN, yield_strength=800e6))
+    design = replace(A, pin=pin, peak_torque=90.0)
+    found = CRANK["pin_static"](design).value
+    there = CRANK["pin_static"](replace(design, output_torque=90.0)).value
+    plain = CRANK["pin_static"](replace(design, peak_torque=None)).value
+    assert found is not None and there is not None and plain is not None
+    assert found == pytest.approx(there, rel=1e-12)
+    assert found < 0.95 * 3 * plain
+    strength = design.pin_strength
+    assert isinstance(strength, PinStrength)
+    assert strength.static_safety_factor == pytest.approx(800e6 / found, rel=1e-14)
 
 
 def test_the_reserve_is_not_the_square_of_the_pressures() -> None:

@@ -13,6 +13,7 @@ import pytest
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.sections import Ring, RollingBearing
+from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.fixes.crank import crank_fixes
 from core.materials import MATERIALS, ElasticMaterial
@@ -292,6 +293,9 @@ def test_bearings() -> None:
     together = part(rigid(life=0.3 * life), "bearing", weibull_slope=10 / 9)
     found = CRANK["system_life"](together)
     assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
+    surer = CRANK["system_life"](part(together, "bearing", reliability_percent=99.0))
+    assert surer.value == pytest.approx(0.25 * life / 2**0.9, rel=1e-6)
+    assert surer.status == "fail"
     assert CRANK["system_life"](rigid()).missing == ("bearing.weibull_slope",)
     alone = replace(together, satellites=1)
     assert CRANK["system_life"](alone).reason == "one_only"
@@ -307,7 +311,12 @@ MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
     ),
     "eccentricity": (
         replace(WHOLE, eccentricity=None),
-        ("bearing_life", "pressure_angle", "gear_room"),
+        ("bearing_life", "pressure_angle"),
+        ("eccentricity",),
+    ),
+    "eccentricity of a cycloid disc": (
+        replace(WHOLE, eccentricity=None, gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084)),
+        ("gear_room",),
         ("eccentricity",),
     ),
     "rating": (
@@ -358,10 +367,22 @@ def test_ring() -> None:
 
 
 def test_holes_within_the_teeth() -> None:
-    """e*u = 40 mm, R + r_out = 60 mm: this design has no room for its teeth."""
+    """20 teeth of 3.5 mm, R + r_out = 60 mm: this design has no room for its teeth."""
     found = CRANK["gear_room"](WHOLE)
-    says(found, status="fail", value=-0.020, limit=0.0, impossible=True)
+    says(found, status="fail", value=-0.025, limit=0.0, impossible=True)
     assert crank_checks(WHOLE).verdict == "fail"
+    # 40 teeth of a difference of two
+    pair = part(replace(WHOLE, eccentricity=4e-3, hole_radius=0.012), "gear", teeth_difference=2)
+    # and teeth whose profile is shifted outwards by more than usual
+    shifted = replace(WHOLE, root_radius=0.0605)
+    for design, circle, width in (
+        (pair, 0.0579, 1e-4), (pair, 0.0581, -1e-4), (shifted, 0.050, 5e-4)
+    ):  # fmt: skip
+        found = CRANK["gear_room"](replace(design, pin_circle_radius=circle))
+        assert found.status == ("pass" if width > 0 else "fail")
+        assert found.value == pytest.approx(width, abs=1e-12)
+    within = replace(WHOLE, root_radius=0.030)
+    says(CRANK["gear_room"](within), status="fail", value=-0.025, limit=0.0, impossible=True)
     for radius, width in ((0.084, 0.022), (0.062, 0.0), (0.061, -0.001)):
         ring = Ring(kind="cycloid", ring_pin_circle_radius=radius)
         found = CRANK["gear_room"](replace(WHOLE, gear=ring))
@@ -513,7 +534,16 @@ def test_pins_come_in_standard_sizes() -> None:
     sleeved = part(design, "pin", diameter=0.012)
     fixes = {each.variable: each for each in crank_fixes(design=sleeved, codes=["pin_static"])}
     assert "pin_radius" not in fixes  # that of the sleeve
-    assert not fixes["pin.diameter"].standard or fixes["pin.diameter"].after in (0.016, 0.020)
+    assert "pin.diameter" not in fixes  # it would be thicker than the sleeve
+    wide = replace(sleeved, pin_radius=0.011, hole_radius=0.013)
+    fixes = {each.variable: each for each in crank_fixes(design=wide, codes=["pin_static"])}
+    assert fixes["pin.diameter"].standard and fixes["pin.diameter"].after == 0.020
+
+
+def test_no_pin_is_thicker_than_what_touches_the_hole() -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        part(WHOLE, "pin", diameter=0.01601)
+    assert (refusal.value.parameter, refusal.value.code) == ("pin.diameter", "too_thick")
 
 
 def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:

@@ -133,6 +133,22 @@ def test_where_the_conformal_pressure_governs_on_a_sloping_pin() -> None:
     assert there.utilisation == pytest.approx(1, abs=CLOSE)
 
 
+@pytest.mark.parametrize("support", SUPPORTS)
+def test_static_strength_is_that_of_a_design_under_the_peak_torque(support: str) -> None:
+    """The satellites share the peak torque as they would if it were there all the time."""
+    moved = set()
+    for design in (replace(drawn(support, seed), peak_torque=None) for seed in range(8)):
+        assert design.output_torque is not None
+        peak = replace(design, peak_torque=10 * design.output_torque)
+        for code, power in (("pin_static", 1), ("bearing_static", -1)):
+            values = [CRANK[code](each).value for each in (design, peak, under(design, 10.0))]
+            plain, found, there = (each or 0.0 for each in values)
+            assert found == pytest.approx(there, rel=1e-12)
+            if plain and abs(found / (10**power * plain) - 1) > 1e-3:  # there is no dead centre
+                moved.add(code)
+    assert moved >= ({"pin_static", "bearing_static"} if support == "fixed" else {"bearing_static"})
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("support", SUPPORTS)
 def test_under_the_reserves_of_many_designs(support: str) -> None:

@@ -21,6 +21,9 @@ Body = Literal["pin", "hole"]
 DRAWN = 1e-3
 """Part of a distance that is lost where it is rounded on a drawing."""
 
+SAME = 1e-12
+"""Difference of diameters that is rounding, as a part of them."""
+
 TYPED = 1e-9
 """Part of a torque that is lost where its limit is written down."""
 
@@ -117,8 +120,8 @@ class GivenDesign:
     Raises
     ------
     InvalidInput
-        If the peak torque is below the working one, satellites reach into each other, or their
-        places on pins and crankshaft differ.
+        If the peak torque is below the working one, satellites reach into each other, their places
+        on pins and crankshaft differ, or a pin is thicker than what touches the hole.
     """
 
     pins: int
@@ -177,6 +180,7 @@ class GivenDesign:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_places()
+        self._check_thickness()
 
     def _check_places(self) -> None:
         """Satellites do not reach into each other, and are as far apart on the pins as on the
@@ -199,6 +203,12 @@ class GivenDesign:
             if abs(here - way * there) > DRAWN * abs(there):
                 name = f"crankshaft.satellite_positions[{index}]"
                 raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
+
+    def _check_thickness(self) -> None:
+        """No pin is thicker than what touches the hole."""
+        pin, radius = self.pin, self.pin_radius
+        if pin is not None and radius is not None and pin.diameter > 2 * radius * (1 + SAME):
+            raise InvalidInput("pin.diameter", pin.diameter, "too_thick", field="pin_radius")
 
     def _check_peak(self) -> None:
         if self.output_torque is None or self.peak_torque is None:
@@ -298,7 +308,7 @@ class GivenDesign:
         """Whether what touches the hole is not the pin, but a sleeve of it."""
         if self.pin is None or self.pin_radius is None:
             return False
-        return not math.isclose(self.pin.diameter, 2 * self.pin_radius, rel_tol=1e-12)
+        return not math.isclose(self.pin.diameter, 2 * self.pin_radius, rel_tol=SAME)
 
     @property
     def static_torque(self) -> float:

@@ -55,6 +55,17 @@ class DesignPins(DesignForces):
         """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
         where all are alike.
         """
+        return self._stiffness(self.dynamic_factor)
+
+    @cached_property
+    def static_stiffness(self) -> tuple[float, ...] | None:
+        """The same under the torque of static strength."""
+        if self.pair_stiffness is None or self.static_share == 1:
+            return self.pair_stiffness
+        return self._stiffness(self.dynamic_factor * self.static_share)
+
+    def _stiffness(self, factor: float) -> tuple[float, ...] | None:
+        """The same under so many times the torque."""
         pin, force = self.pin, self.force
         if pin is None or not self.touching or self.as_made or not isinstance(force, ContactForce):
             return None
@@ -73,7 +84,7 @@ class DesignPins(DesignForces):
         )
         found = beam.pair_stiffness(
             positions=pin.satellite_positions,
-            contact_compliance=float(self._compliance(force.peak_force * self.dynamic_factor)),
+            contact_compliance=float(self._compliance(force.peak_force * factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
 
@@ -151,6 +162,7 @@ class DesignPins(DesignForces):
         return self._forced | {
             "application_factor": self.dynamic_factor,
             "peak_torque": self.static_torque,
+            "static_stiffness": self.static_stiffness,
             "diameter": pin.diameter,
             "contact_length": self.pin_length,
             "satellite_positions": pin.satellite_positions,
@@ -171,7 +183,12 @@ class DesignPins(DesignForces):
         return known(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
 
     def pin_reserve(
-        self, growth: float, value: Callable[[PinStrength], float], *, near: float = 1.0
+        self,
+        growth: float,
+        value: Callable[[PinStrength], float],
+        *,
+        near: float = 1.0,
+        share: float = 1.0,
     ) -> float:
         """Factor on the torque under which a value of the pins is so many times as large.
 
@@ -183,12 +200,14 @@ class DesignPins(DesignForces):
             What grows with the torque.
         near : float
             From which part of the stress by equal sharing that by stiffness may count.
+        share : float
+            Torque under which it is over the one with the factor.
 
         Returns
         -------
         float
         """
-        if not 0 < growth < math.inf or not self._pins_move(growth, near):
+        if not 0 < growth < math.inf or not self._pins_move((share, growth * share), near):
             return growth
 
         def under(factor: float) -> float:
@@ -200,14 +219,14 @@ class DesignPins(DesignForces):
 
         return self.reserve(growth, lambda factors: np.array([*map(under, factors.tolist())]))
 
-    def _pins_move(self, factor: float, near: float) -> bool:
+    def _pins_move(self, factors: tuple[float, ...], near: float) -> bool:
         """Whether stiffness sharing, as it is under so many times the torque, may load pins more
         than equal sharing, which does not move: by the force that each satellite may take more.
         """
         if self.sharing is None or not isinstance(self._pin_stresses, PinStresses):
             return False
-        stiff = self.sharing.under(np.array([factor]))[0]
-        more = 1 + self.satellites * (stiff.max() / stiff.min() - 1)
+        stiff = self.sharing.under(np.array(factors))
+        more = 1 + self.satellites * float((stiff.max(axis=1) / stiff.min(axis=1) - 1).max())
         one, other = self._pin_stresses.cases
         arms = np.abs(self._pin_stresses.pin.slopes)  # what cancels, cancels less with other shares
         return bool(

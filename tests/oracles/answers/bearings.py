@@ -90,9 +90,9 @@ def numbers(body: Body, answer: Any) -> Numbers:
         if "dynamic_rating_N" in bearing:
             million = 1_000_000 / (60 * relative)
             life = million * (typed(bearing["dynamic_rating_N"]) / equivalent) ** p
-            lives.append(life)
             own_numbers["basic_life_h"] = life
             own_numbers["life_h"] = life * typed(LIFE_FACTORS[bearing["reliability_percent"]])
+            lives.append(own_numbers["life_h"])
             own_numbers["static_safety_factor"] = typed(bearing["static_rating_N"]) / (
                 static * across * most
             )
