@@ -98,7 +98,7 @@ test("without the service the numbers count as older, and the reason is said", (
   const stopped = (status, kind) => next.failed(next.asked(answeredWith(opened())), new Problem({ status, kind, title: "x" }));
   const [busy, failed] = [stopped(503, "unavailable"), stopped(500, "failure")];
   assert.deepEqual([busy, failed].map(next.standing), [{ phase: "busy", numbers: "older" }, { phase: "failed", numbers: "older" }]);
-  assert.match(busy.line[1], /^The service is busy\. .*asks again by itself/);
+  assert.match(busy.line[1], /^The service is busy, .*asks again by itself/);
   assert.match(failed.line[1], /^The service failed: this is no error of the input\.$/);
 });
 
