@@ -201,8 +201,8 @@ def test_the_place_of_the_pressure_of_pins_made_unlike() -> None:
         WHOLE.pin, satellite_positions=(0.05, 0.015), diameter=0.03, support="supported", span=0.1
     )  # type: ignore[type-var]
     design = replace(
-        WHOLE, pins=4, deviations=UNLIKE.deviations, law=UNLIKE.law, pin_radius=0.015, hole_radius=0.01701,
-        pin=between, crankshaft=None,
+        WHOLE, pins=4, deviations=UNLIKE.deviations, law=UNLIKE.law, pin_radius=0.015,
+        hole_radius=0.01701, pin=between, crankshaft=None,
     )  # fmt: skip
     largest = design.judged_forces.place  # type: ignore[union-attr]
     assert (largest["satellite"], largest["pin"]) == (1, 4) and "crank_angle" in largest
