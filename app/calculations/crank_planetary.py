@@ -540,6 +540,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     notices = (() if fit is None else fit.notices) + (
         () if body.contact is None else body.contact.material_notices()
     )
+    if "pin_strength" not in asked:  # which tells it itself
+        notices += body.design.size_notices
     if notices:
         sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)

@@ -92,8 +92,15 @@ function decisiveRows(calculator, designs, base) {
         return { text: check ? `${titleOf(check)}${check.utilisation === undefined ? "" : `, ${percent(check.utilisation)}`}` : "–" };
       }),
     },
-    numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
+    torqueRow(all, base),
   ];
+}
+
+/** The largest torques; which of them are estimates. */
+function torqueRow(all, base) {
+  const row = numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1);
+  const cells = row.cells.map((cell, i) => ({ ...cell, text: `${all[i]?.largest_torque_estimated ? "≈\u00a0" : ""}${cell.text}` }));
+  return { ...row, cells };
 }
 
 /** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */

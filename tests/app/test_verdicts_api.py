@@ -596,6 +596,21 @@ async def test_fixes_are_rounded_in_the_unit_of_their_field(api):
     assert {"/load/input_speed_rpm", "/friction/wear_rate_mm3_per_Nm"} <= {*fixed}
 
 
+@pytest.mark.parametrize("include", [["checks"], ["pin_strength"], ["cyclogram"]])
+async def test_a_pin_beyond_the_sizes_of_its_strengths_is_told_once(api, include):
+    """EN 10025-2 has S355's 345 MPa up to 40 mm."""
+    sizes = {"contact__pin_radius_mm": 20.0, "contact__hole_radius_mm": 22.0}
+    sizes["pin__satellite_positions_mm"] = [20.0, 50.0]
+    for thicker in (0.0, 0.1):
+        sizes["contact__pin_radius_mm"] += thicker
+        sizes["contact__hole_radius_mm"] += thicker
+        body = design(**sizes, pin__material="steel_s355", load__pin_circle_radius_mm=90.0)
+        answer, _ = await asked(api, "crank-planetary", body | {"include": include})
+        warnings = answer.get("warnings", []) + answer.get("pin_strength", {}).get("warnings", [])
+        limits = [w["params"] for w in warnings if w["code"] == "strength_beyond_size"]
+        assert limits == ([{"limit": 40.0}] if thicker else [])
+
+
 async def test_a_pin_is_fixed_to_a_standard_size(api):
     body = design(load__output_torque_Nm=1500.0) | {"include": ["fixes"]}
     answer, _ = await asked(api, "crank-planetary", body)

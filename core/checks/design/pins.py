@@ -264,7 +264,12 @@ class DesignPins(DesignForces):
                 locus=locus,
             )
         notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
-        valid = pin.valid_diameter
-        if valid is not None and pin.diameter > valid:
-            notices += (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
-        return replace(found, notices=notices + found.notices)
+        return replace(found, notices=notices + self.size_notices + found.notices)
+
+    @property
+    def size_notices(self) -> tuple[Notice, ...]:
+        """Whether the pin is thicker than its material's strengths hold for."""
+        valid = None if self.pin is None else self.pin.valid_diameter
+        if self.pin is None or valid is None or self.pin.diameter <= valid:
+            return ()
+        return (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
