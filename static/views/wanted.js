@@ -15,16 +15,15 @@ export function createWanted({ calculator, ...parts }) {
   let closed = false;
 
   async function open(group) {
-    try {
-      const [[logic, { createView }], { createBeside }] = await Promise.all([group.load(), group.section ? {} : import("../besides.js")]);
-      if (closed) return;
-      group.asking = createBeside?.({ ...parts, id: group.id, logic });
-      group.view = createView({ ...parts, ...group, logic });
-      group.place.append(group.view.root);
-      parts.store.apply(besided, group.id, { steps: logic.steps });
-    } catch {
-      group.loading = null; // the next change tries again
-    }
+    const loading = [group.load(), group.section ? {} : import("../besides.js")];
+    const loaded = await Promise.all(loading).catch(() => null);
+    if (!loaded) group.loading = null; // the next change tries again
+    if (!loaded || closed) return;
+    const [[logic, { createView }], { createBeside }] = loaded;
+    group.asking = createBeside?.({ ...parts, id: group.id, logic });
+    group.view = createView({ ...parts, ...group, logic });
+    group.place.append(group.view.root);
+    parts.store.apply(besided, group.id, { steps: logic.steps });
   }
 
   function update(state) {
