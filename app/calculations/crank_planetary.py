@@ -541,7 +541,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         () if body.contact is None else body.contact.material_notices()
     )
     if "pin_strength" not in asked:  # which tells it itself
-        notices += body.design.size_notices
+        notices += run(body, lambda: body.design.size_notices)[0]
     if notices:
         sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)
