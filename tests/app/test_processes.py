@@ -73,7 +73,7 @@ async def test_health_is_answered_while_a_long_calculation_runs():
 
 @pytest.mark.parametrize("late", [False, True])
 async def test_what_takes_too_long_is_stopped_and_refused(monkeypatch, late):
-    monkeypatch.setattr("app.compiled.came_late", lambda seconds: late and seconds == 0.6)
+    monkeypatch.setattr("app.compiled.came_late", lambda seconds: late and seconds == 0.9)
     app = create_app(Settings(max_seconds=0.9, processes=1))
     async with client(app) as api:
         asked = asyncio.create_task(api.post("contact-force", json=SLOW))
