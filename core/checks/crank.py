@@ -126,10 +126,10 @@ def _pressure_angle(design: CrankDesign) -> Check:
 
 
 def _gear_room(design: CrankDesign) -> Check:
-    """The holes within the teeth, as far as the ring says where these are: the roots of involute
-    teeth lie within the satellite's reference circle, ``m*z2/2``, unless their profile is shifted
-    by more than 1.25 modules, which a root radius tells; a cycloid disc lies within the circle of
-    the ring's pins less e.
+    """The holes within the teeth, as far as these are known: by the root radius of involute teeth,
+    or else by the satellite's reference circle, ``m*z2/2``, within which the roots lie unless their
+    profile is shifted by more than 1.25 modules, how far is not known; a cycloid disc lies within
+    the circle of the ring's pins less e.
     """
     code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
     assert gear is not None and design.hole_radius is not None
@@ -137,7 +137,7 @@ def _gear_room(design: CrankDesign) -> Check:
         return Check(code=code, status="not_applicable", reason="no_teeth")
     if gear.module is not None and gear.teeth_difference is not None:
         reference = gear.module * gear.teeth_difference * design.mechanism.ratio / 2
-        room = max(reference, design.root_radius or 0.0)
+        room = reference if design.root_radius is None else design.root_radius
     elif eccentricity is None:
         return no_eccentricity(code)
     else:
