@@ -9,10 +9,10 @@ from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import Receive, Scope, Send
 
 from app import VERSION
-from app.endpoint import COMPRESS_BYTES, RESPONSES
+from app.endpoint import COMPRESS_BYTES
 from app.examples import EXAMPLES
 from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
-from app.problems import KINDS
+from app.problems import KINDS, RESPONSES
 from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
@@ -252,7 +252,7 @@ async def problem_kind(kind: str) -> ProblemKind:
     """What a kind of problem is: the address that is the `type` of such a problem."""
     if kind not in KINDS:
         raise HTTPException(404)
-    return ProblemKind(type=f"{root_path()}/problems/{kind}", description=KINDS[kind])
+    return ProblemKind(type=f"{root_path()}/problems/{kind}", description=KINDS[kind][1])
 
 
 @router.get("/calculations", operation_id="calculations", response_model_exclude_none=True)

@@ -17,7 +17,6 @@ from app.endpoint import (
     COMPRESS_LEVEL,
     JSON,
     LINES,
-    RESPONSES,
     by_lines,
     encoded,
     read_body,
@@ -29,14 +28,14 @@ from app.jobs import Job, Jobs, Stopped, TooLong
 from app.model import Calculation, Maybe, RequestModel, ResponseModel
 from app.problems import (
     MAX_NAME,
+    RESPONSES,
     Problem,
     ProblemOut,
     impossible,
     problem_of,
-    too_large,
+    refusal,
     too_long,
     wrong_fields,
-    wrong_json,
 )
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
@@ -182,7 +181,7 @@ def split(tell: Tell, content: bytes, settings: Settings) -> None:
     except ValidationError as error:
         raise wrong_fields(error) from None
     except ValueError as error:
-        raise wrong_json(str(error)) from None
+        raise refusal("", "json_invalid", error=str(error)) from None
     try:
         body.refuse_beyond(settings)
     except InvalidInput as error:
@@ -243,13 +242,13 @@ def _line(
 ) -> tuple[bytes, int]:
     try:
         if len(request) > settings.max_body_bytes:
-            raise too_large(settings.max_body_bytes)
+            raise Problem("too-large", f"The body exceeds {settings.max_body_bytes} bytes")
         body = read_body(calculation, request, settings)
         return b'{"result":' + encoded(calculation.solve(body)) + b"}", 0
     except ImpossibleMechanism as error:
         problem = impossible(error)
-    except Problem as refusal:
-        problem = refusal.naming_at_most(errors)
+    except Problem as refused:
+        problem = refused.naming_at_most(errors)
     return _problem(problem), len(problem.errors)
 
 

@@ -9,9 +9,8 @@ import math
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
-from dataclasses import dataclass
 from functools import cache
-from typing import Any, get_args, get_type_hints
+from typing import Any, ClassVar, get_args, get_type_hints
 
 import numpy as np
 import orjson
@@ -24,12 +23,11 @@ from starlette.types import Receive, Scope, Send
 
 from app.model import Calculation, RequestModel
 from app.problems import (
-    MEDIA_TYPE,
     REFUSED,
-    not_json,
+    RESPONSES,
+    Problem,
     problem_of,
     refusal,
-    too_large,
     unavailable,
     wrong_fields,
 )
@@ -80,23 +78,6 @@ PART_BYTES = 1 << 18
 
 MOST_WAITING_BYTES = 1 << 27
 """Most bytes of large answers that wait in a worker for clients to take them."""
-
-RESPONSES: dict[int | str, dict[str, Any]] = {
-    status: {
-        "description": text,
-        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
-    }
-    for status, text in (
-        (413, "The request is too large"),
-        (415, "The request is not sent as JSON"),
-        (422, "The input is wrong, or the mechanism cannot work"),
-        (
-            503,
-            "Too much is asked now: `Retry-After` says when to ask again; or it takes too long",
-        ),
-    )
-}
-"""Refusals of every calculation, as its description shows them."""
 
 STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
     200: {"content": {LINES: {"schema": {"type": "string"}}}}
@@ -278,12 +259,12 @@ async def received(record: Record, limit: int) -> bytes:
     headers = record.headers
     media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
     if media_type != b"application/json" and not media_type.endswith(b"+json"):
-        raise not_json(f"Send {JSON}")
+        raise Problem("unsupported-media-type", f"Send {JSON}")
     if headers.get(b"content-encoding", b"identity") != b"identity":
-        raise not_json("Send the body as it is, without a content encoding")
+        raise Problem("unsupported-media-type", "Send the body without a content encoding")
     announced = headers.get(b"content-length", b"")
     if announced.isdigit() and int(announced) > limit:
-        raise too_large(limit)
+        raise Problem("too-large", f"The body exceeds {limit} bytes")
     parts, size = [], 0
     while True:
         message = await record.receive()
@@ -293,7 +274,7 @@ async def received(record: Record, limit: int) -> bytes:
         parts.append(part)
         size += len(part)
         if size > limit:
-            raise too_large(limit)
+            raise Problem("too-large", f"The body exceeds {limit} bytes")
         if not message.get("more_body"):
             record.received = time.perf_counter()
             return b"".join(parts)
@@ -363,20 +344,12 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
             yield from _nulls(value, name)
 
 
-@dataclass(slots=True)
-class Sending:
-    """What is being sent."""
-
-    waiting_bytes: int = 0
-
-
-sending = Sending()
-
-
 class Answer(Response):
     """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
     it, and refused where too much waits for clients already.
     """
+
+    waiting_bytes: ClassVar[int] = 0
 
     def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
         self.status_code, self.background, self.body = 200, None, content
@@ -390,9 +363,9 @@ class Answer(Response):
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
         size = len(self.body)
-        if size > PART_BYTES and 0 < sending.waiting_bytes > MOST_WAITING_BYTES - size:
+        if size > PART_BYTES and 0 < Answer.waiting_bytes > MOST_WAITING_BYTES - size:
             raise unavailable("Too many answers wait for clients to take them")
-        sending.waiting_bytes += size
+        Answer.waiting_bytes += size
         try:
             start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
             await send(start)
@@ -400,7 +373,7 @@ class Answer(Response):
                 part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
                 await send({"type": "http.response.body", "body": part, "more_body": more})
         finally:
-            sending.waiting_bytes -= size
+            Answer.waiting_bytes -= size
 
 
 def takes_gzip(headers: dict[bytes, bytes]) -> bool:

@@ -24,7 +24,6 @@ from app import VERSION, about, batch, compiled, observability
 from app.about import API
 from app.endpoint import (
     JSON,
-    RESPONSES,
     STREAMED,
     CalculationRoute,
     FigureOut,
@@ -34,7 +33,7 @@ from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import Requests
 from app.model import Calculation
-from app.problems import REFUSED, refused, unavailable
+from app.problems import REFUSED, RESPONSES, refused, unavailable
 from app.registry import CALCULATIONS
 from app.settings import Settings, current
 

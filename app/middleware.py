@@ -10,7 +10,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import VERSION, observability
-from app.problems import failure, unavailable
+from app.problems import Problem, unavailable
 from app.record import Record, at_hand
 from app.settings import Settings
 
@@ -85,7 +85,8 @@ class Requests:
         except Exception as error:
             failed = error
             if not record.status:
-                await failure(record.request_id).response()(scope, receive, with_headers)
+                detail = f"Not by the input; the service's log names request {record.request_id}"
+                await Problem("failure", detail).response()(scope, receive, with_headers)
         finally:
             route = path if "endpoint" in scope else "unknown"
             observability.end(record, method, route, failed)

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
 from functools import lru_cache
-from http import HTTPStatus
 from typing import Annotated, Any, Self, cast
 
 import orjson
@@ -85,24 +84,57 @@ TEXTS = (
 words for each code."""
 
 KINDS = {
-    "bad-request": "What was sent is no HTTP request.",
-    "failure": "An error of the service, not of the input. Its log names the request by its id.",
-    "headers-too-large": "The request line and the headers are longer than the service takes.",
-    "impossible-mechanism": "The input is well-formed, but such a mechanism cannot exist or cannot "
-    "work; `errors` says why by its code, `where` at which position.",
-    "invalid-input": "Fields are missing, unknown, or out of their range; `errors` points to them "
-    "and says by a code what is wrong.",
-    "method-not-allowed": "The path is there, but not for this method; `Allow` names those it has.",
-    "not-found": "There is nothing at this path; the API's description lists all.",
-    "request-timeout": "The request did not arrive whole in the time that the service waits.",
-    "too-large": "The body has more bytes than the service takes.",
-    "too-long": "The calculation takes longer than the service allows, and would again: ask for "
-    "less at once.",
-    "unavailable": "Too much is asked at once, or the service starts, stops, or prepares the load "
-    "sharing after an installation; `Retry-After` says when to ask again.",
-    "unsupported-media-type": "The body is not sent as plain `application/json`.",
+    "bad-request": (400, "What was sent is no HTTP request."),
+    "failure": (
+        500,
+        "An error of the service, not of the input. Its log names the request by its id.",
+    ),
+    "headers-too-large": (
+        431,
+        "The request line and the headers are longer than the service takes.",
+    ),
+    "impossible-mechanism": (
+        422,
+        "The input is well-formed, but such a mechanism cannot exist or cannot work; `errors` says "
+        "why by its code, `where` at which position.",
+    ),
+    "invalid-input": (
+        422,
+        "Fields are missing, unknown, or out of their range; `errors` points to them and says by a "
+        "code what is wrong.",
+    ),
+    "method-not-allowed": (
+        405,
+        "The path is there, but not for this method; `Allow` names those it has.",
+    ),
+    "not-found": (404, "There is nothing at this path; the API's description lists all."),
+    "request-timeout": (
+        408,
+        "The request did not arrive whole in the time that the service waits.",
+    ),
+    "too-large": (413, "The body has more bytes than the service takes."),
+    "too-long": (
+        503,
+        "The calculation takes longer than the service allows, and would again: ask for less at "
+        "once.",
+    ),
+    "unavailable": (
+        503,
+        "Too much is asked at once, or the service starts, stops, or prepares the load sharing "
+        "after an installation; `Retry-After` says when to ask again.",
+    ),
+    "unsupported-media-type": (415, "The body is not sent as plain `application/json`."),
 }
-"""What each kind of problem is, as the address in its `type` says."""
+"""Kinds of problems, as the address in their `type` says: their HTTP status, and what they are."""
+
+RESPONSES: dict[int | str, dict[str, Any]] = {
+    status: {
+        "description": " ".join(meaning for each, meaning in KINDS.values() if each == status),
+        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
+    }
+    for status in (413, 415, 422, 503)
+}
+"""Refusals of every calculation, as its description shows them."""
 
 _PARAMS = {
     "greater_than": "gt",
@@ -153,12 +185,10 @@ class Problem(Exception):
 
     Attributes
     ----------
-    status : int
-        HTTP status.
     kind : str
-        Last part of the problem's type.
-    title, detail : str
-        Its kind and this occurrence, for people.
+        Last part of the problem's type, a key of `KINDS`.
+    detail : str
+        This occurrence, for people.
     errors : list of FieldProblem
         The fields it is about.
     more : int
@@ -169,14 +199,22 @@ class Problem(Exception):
         Headers of the answer.
     """
 
-    status: int
     kind: str
-    title: str
     detail: str
     errors: list[FieldProblem] = field(default_factory=list)
     more: int = 0
     where: dict[str, float] = field(default_factory=dict)
     headers: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def status(self) -> int:
+        """HTTP status."""
+        return KINDS[self.kind][0]
+
+    @property
+    def title(self) -> str:
+        """Its kind, for people."""
+        return self.kind.replace("-", " ").capitalize()
 
     def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
         """How it is handed to another process."""
@@ -228,10 +266,9 @@ class ProblemOut(BaseModel):
 
 def invalid_input(errors: list[FieldProblem], more: int = 0) -> Problem:
     """Problem of a request whose fields are wrong: the first of them, and how many besides."""
-    problem = Problem(
-        422, "invalid-input", "The input is wrong", _sentence(errors, more), errors, more
+    return Problem("invalid-input", _sentence(errors, more), errors, more).naming_at_most(
+        MAX_ERRORS
     )
-    return problem.naming_at_most(MAX_ERRORS)
 
 
 def refusal(pointer: str, code: str, **params: Any) -> Problem:
@@ -254,16 +291,6 @@ def _count(wrong: int) -> str:
     return "1 field is wrong" if wrong == 1 else f"{wrong} fields are wrong"
 
 
-def not_json(detail: str) -> Problem:
-    """Problem of a body that is not sent as JSON."""
-    return Problem(415, "unsupported-media-type", "Not sent as JSON", detail)
-
-
-def too_large(limit: int) -> Problem:
-    """Problem of a body above the limit."""
-    return Problem(413, "too-large", "Too large", f"The body exceeds {limit} bytes")
-
-
 def too_long(limit_s: float) -> Problem:
     """Problem of a calculation that is not done in time; it would not be another time, unless the
     load sharing is yet being prepared.
@@ -271,41 +298,25 @@ def too_long(limit_s: float) -> Problem:
     detail = f"It was not done within {limit_s:g} s"
     if compiled.came_late(limit_s):
         return not_prepared(detail)
-    return Problem(503, "too-long", "Takes too long", detail)
+    return Problem("too-long", detail)
 
 
 def http_problem(error: HTTPException) -> Problem:
     """Problem of an HTTP error: no such path, wrong method."""
-    title = HTTPStatus(error.status_code).phrase
-    detail = "No such path, see /api/v1/openapi.json" if error.status_code == 404 else error.detail
-    return Problem(
-        error.status_code,
-        title.lower().replace(" ", "-"),
-        title,
-        str(detail),
-        headers=dict(error.headers or {}),
-    )
+    kind = next(kind for kind, (status, _) in KINDS.items() if status == error.status_code)
+    detail = "No such path, see /api/v1/openapi.json" if kind == "not-found" else error.detail
+    return Problem(kind, str(detail), headers=dict(error.headers or {}))
 
 
 def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     """Problem of a service that cannot answer now but may soon."""
     headers = {"retry-after": str(retry_after_s)}
-    return Problem(503, "unavailable", "Not available now", detail, headers=headers)
+    return Problem("unavailable", detail, headers=headers)
 
 
 def not_prepared(detail: str) -> Problem:
     """Problem of what has to wait for the compiled loops of the load sharing."""
     return unavailable(f"{detail}: the load sharing is prepared, once after an installation", 10)
-
-
-def failure(request_id: str) -> Problem:
-    """Problem of an error of our own; what it was is for the log only, under the request's id."""
-    return Problem(
-        500,
-        "failure",
-        "The service failed",
-        f"This is an error of the service, not of the input; its log names request {request_id}",
-    )
 
 
 def pointer(path: Iterable[str | int]) -> str:
@@ -318,11 +329,6 @@ def _token(part: str | int) -> str:
     name = str(part)
     cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
     return "/" + cut.replace("~", "~0").replace("/", "~1")
-
-
-def wrong_json(why: str) -> Problem:
-    """Problem of a body that is no JSON."""
-    return refusal("", "json_invalid", error=why)
 
 
 def wrong_fields(error: ValidationError) -> Problem:
@@ -364,9 +370,7 @@ def impossible(error: ImpossibleMechanism) -> Problem:
     params = api_params(error.params)
     what = IMPOSSIBLE[error.code].format(**error.where | params)
     return Problem(
-        422,
         "impossible-mechanism",
-        "The mechanism cannot work",
         f"{what} at {at}" if at else what,
         errors=[wrong("", error.code, **error.where | where | params)],
         where=where,

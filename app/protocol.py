@@ -109,7 +109,7 @@ class PatientProtocol(HttpToolsProtocol):
 
     def send_400_response(self, msg: str) -> None:
         """Refuse what is no HTTP."""
-        self._give_up(Problem(400, "bad-request", "Bad request", msg.rstrip(".")))
+        self._give_up(Problem("bad-request", msg.rstrip(".")))
 
     def _await_request(self) -> None:
         self.request_timer = self.loop.call_later(
@@ -149,10 +149,8 @@ class Full:
         await response(scope, receive, send)
 
 
-TOO_SLOW = Problem(408, "request-timeout", "Request timeout", "The request did not arrive in time")
-HEAD_TOO_LARGE = Problem(
-    431, "headers-too-large", "Headers too large", f"The headers exceed {MAX_HEAD_BYTES} bytes"
-)
+TOO_SLOW = Problem("request-timeout", "The request did not arrive in time")
+HEAD_TOO_LARGE = Problem("headers-too-large", f"The headers exceed {MAX_HEAD_BYTES} bytes")
 FULL = unavailable("Too many connections are open")
 
 
