@@ -243,8 +243,8 @@ export function createFigure({ figure: about, client, titles, on }) {
       else if (!tabled || !figure.tables) drawing = draw();
     }),
     /** Say in the figure's place why there is none. */
-    following(({ shown, refusal }) => [shown, refusal], ({ shown, refusal }) => {
-      if (!refusal || shown?.answer[figure.section]) return;
+    following(({ shown, refusal, phase }) => [shown, refusal, phase], ({ shown, refusal, phase }) => {
+      if (shown?.answer[figure.section] || (!refusal && (shown || phase !== "incomplete"))) return;
       newest.cancel();
       root.dataset.stale = "false";
       take(null);

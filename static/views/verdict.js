@@ -51,15 +51,19 @@ function torqueMarkup({ numbers }, judged) {
 export function createVerdict({ calculator, titles, on }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
-      <div class="judged"></div><div class="governing"></div><div class="torque"></div>
+      <div class="judged" tabindex="-1"></div><div class="governing"></div><div class="torque"></div>
       <nav class="jumps" aria-label="${message("jumps.label")}">${["answer", "inputs", "shown", "rest"].map((id) => html`
         <button type="button" class="link" data-jump="${id}">${message(`jumps.${id}`)}</button>`)}</nav>
     </section>`);
   root.querySelector(".jumps").addEventListener("click", ({ target }) => {
     document.querySelector(`.workbench .${target.dataset.jump}`)?.scrollIntoView();
   });
-  root.addEventListener("click", ({ target }) => target.closest(".again") && on.again());
   const part = (name) => root.querySelector(`.${name}`);
+  root.addEventListener("click", ({ target }) => {
+    if (!target.closest(".again")) return;
+    part("judged").focus(); // the button goes
+    on.again();
+  });
   return {
     root,
     update: following(({ shown, typed, phase }) => [shown, typed, phase], (state) => {

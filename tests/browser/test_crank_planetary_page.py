@@ -288,6 +288,7 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     for figures in page.locator(".summary .figures").all():
         expect(figures).to_have_text("–")
     expect(page.locator(".plain-words li, .drawing svg, .check, .js-line")).to_have_count(0)
+    expect(page.locator(".figure-message:visible")).to_have_count(3)
     expect(page.locator(".compare-table").get_by_role("button", name="Open")).to_be_visible()
     expect(page.locator(".field.wrong")).to_have_count(0)
     expect(page.locator(".say")).to_contain_text("Still needed")
@@ -673,8 +674,9 @@ def test_without_the_service_everything_typed_stays(page: Page, service: str, wa
     settled(page, "failed")
     expect(page.locator(".word")).to_have_text("✕Error of the service")
     page.unroute("**/api/v1/crank-planetary")
-    page.get_by_role("button", name="Try again").click()
+    page.get_by_role("button", name="Try again").press("Enter")
     settled(page)
+    expect(page.locator(".verdict .judged")).to_be_focused()
 
     page.route("**/api/v1/*/chart*", lambda route: route.abort())  # gone with the first figures
     page.route("**/api/v1/crank-planetary", lambda route: route.abort())
