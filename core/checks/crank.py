@@ -125,27 +125,46 @@ def _pressure_angle(design: CrankDesign) -> Check:
     return judged(code, float(mesh.operating_pressure_angle), STEEP, warning="steep_mesh")
 
 
-def _gear_room(design: CrankDesign) -> Check:
-    """The holes within the teeth, as far as these are known: by the root radius of involute teeth,
-    or else by the satellite's reference circle, ``m*z2/2``, within which the roots lie unless their
-    profile is shifted by more than 1.25 modules, how far is not known; a cycloid disc lies within
-    the circle of the ring's pins less e.
+def within_roots(*, design: CrankDesign, code: str, least: float | None = None) -> Check:
+    """The wall between the holes and the roots of the satellite's teeth: it passes by the least
+    radius of these, fails by the largest, and is not known between.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    code : str
+        Which check.
+    least : float, optional
+        Least width that is asked, m.
+
+    Returns
+    -------
+    Check
     """
-    code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
-    assert gear is not None and design.hole_radius is not None
-    if gear.kind not in ("involute", "cycloid"):
-        return Check(code=code, status="not_applicable", reason="no_teeth")
-    if gear.module is not None and gear.teeth_difference is not None:
-        reference = gear.module * gear.teeth_difference * design.mechanism.ratio / 2
-        room = reference if design.root_radius is None else design.root_radius
-    elif eccentricity is None:
+    assert design.pin_circle_radius is not None and design.hole_radius is not None
+    reach, size = design.pin_circle_radius + design.hole_radius, design.hole_radius
+    source = "roots" if design.root_radius is None and design.gear else ""
+    shallow, deep = (
+        wall(code, width=radius - reach, size=size, least=least)._replace(limit_source=source)
+        for radius in reversed(design.roots)
+    )
+    if deep.status == shallow.status:
+        return deep if deep.status == "pass" else shallow
+    cycloid = design.gear is not None and design.gear.kind == "cycloid"
+    if cycloid and design.eccentricity is None:
         return no_eccentricity(code)
-    else:
-        assert gear.ring_pin_circle_radius is not None
-        room = gear.ring_pin_circle_radius - eccentricity
-    assert design.pin_circle_radius is not None
-    width = room - design.pin_circle_radius - design.hole_radius
-    return wall(code, width=width, size=design.hole_radius)
+    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
+    return Check(
+        code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
+    )
+
+
+def _gear_room(design: CrankDesign) -> Check:
+    assert design.gear is not None
+    if design.gear.kind not in ("involute", "cycloid"):
+        return Check(code="gear_room", status="not_applicable", reason="no_teeth")
+    return within_roots(design=design, code="gear_room")
 
 
 def _shaft_life(design: CrankDesign) -> Check:

@@ -73,6 +73,9 @@ CHECK_SOURCES = {
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
+    "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
+    "taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: "
     "catalogues of SKF and IKO, after ISO 76",
@@ -118,6 +121,8 @@ REASONS = {
     "pressure_error": "The limit lies within the error of the pressure",
     "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
+    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
+    "one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
     "section_missing": "A part of the design that it needs is not given",
@@ -192,6 +197,18 @@ _RING = (
     "gear.ring_pin_circle_radius",
     "gear.radial_force_ratio",
 )
+_ROOTS = (
+    "outer_radius",
+    "root_radius",
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.ring_pin_circle_radius",
+    "gear.ring_pin_radius",
+    "ratio",
+    "eccentricity",
+)
+"""Of where the roots of a satellite's teeth are."""
 _BEARING = (*_FORCE, *_BEAM, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
 _BALANCE = (
     "input_speed",
@@ -297,8 +314,7 @@ CHECKS = {
     "wall_rim": Kind(
         "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
         "Otherwise the holes break through the rim of the satellite.",
-        ("outer_radius", "root_radius", "pin_circle_radius", "hole_radius", "min_wall"),
-        "wang_2016", keep="above",
+        (*_ROOTS, "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
     ),
     "wall_bore": Kind(
         "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
@@ -357,10 +373,9 @@ CHECKS = {
         (*_RING, "eccentricity"), "steep",
     ),
     "gear_room": Kind(
-        "Holes within the teeth", "gear", "mm", "m·z₂/2 − R − r_out > 0, R_p − e − R − r_out > 0",
+        "Holes within the teeth", "gear", "mm", "r_f − R − r_out > 0",
         "Otherwise the holes lie in the teeth of the satellite, or beyond.",
-        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius", "root_radius"),
-        keep="above",
+        (*_ROOTS, "pin_circle_radius", "hole_radius"), keep="above",
     ),
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",

@@ -665,7 +665,7 @@ export default {
     ],
     "outer_radius_mm": [
       "Outer radius",
-      "Outer radius of the satellite."
+      "Outer radius of the satellite, with its teeth."
     ],
     "output_torque_Nm": [
       "Output torque",
@@ -814,6 +814,10 @@ export default {
     "ring_pin_circle_radius_mm": [
       "Circle of the ring's pins",
       "Radius of the circle of the ring's pins, on which a cycloid disc rolls."
+    ],
+    "ring_pin_radius_mm": [
+      "Radius of the ring's pins",
+      "With it the roots of a cycloid disc are known, which the holes must not reach."
     ],
     "ring_teeth": [
       "Ring teeth",
@@ -1315,6 +1319,7 @@ export default {
     "pressure_error": "The limit lies within the error of the pressure",
     "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
+    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
     "section_missing": "A part of the design that it needs is not given",
     "size_missing": "A size that it needs is not given",
@@ -1344,6 +1349,7 @@ export default {
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it turns it",
