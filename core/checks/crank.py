@@ -44,6 +44,13 @@ def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBeari
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
 
+def _left_out(force: float, load: float, power: float = 1.0) -> float:
+    """Relative error of a life, or of a safety with a power of 1, by a force that the load of the
+    bearing leaves out, whatever its direction.
+    """
+    return float((1 - force / load) ** -power - 1) if force < load else math.inf
+
+
 def _life(design: CrankDesign) -> Check:
     code, limit, found = "bearing_life", design.life, design.bearings
     if not isinstance(found, SatelliteBearings):
@@ -61,7 +68,8 @@ def _life(design: CrankDesign) -> Check:
             (value / limit) ** (1 / power),
             lambda factors: design.moved_loads(factors, power).max(axis=1),
         ),
-        error=4 * power * float(found.accuracy.relative_error),
+        error=4 * power * float(found.accuracy.relative_error)
+        + _left_out(design.centrifugal, float(found.equivalent_load[worst]), power),
         rough=design.as_made,
         at={"satellite": worst + 1},
     )
@@ -79,6 +87,7 @@ def _static(design: CrankDesign) -> Check:
         return _rating(code, limit, "bearing.static_rating")
     worst = int(np.argmin(found.static_safety_factor))
     value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
+    assert design.bearing is not None and design.bearing.static_rating is not None
     share = design.static_share
     return judged(
         code,
@@ -87,7 +96,7 @@ def _static(design: CrankDesign) -> Check:
         reserve=design.reserve(
             value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
-        error=4 * error,
+        error=4 * error + _left_out(design.centrifugal, design.bearing.static_rating / value),
         rough=design.as_made,
         limit_source=source,
         at={"satellite": worst + 1},
@@ -107,6 +116,7 @@ def _system(design: CrankDesign) -> Check:
         return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
+    error += _left_out(design.centrifugal, float(found.equivalent_load.min()), power)
 
     def together(factors: FloatArray) -> FloatArray:
         lives = design.moved_loads(factors, power) ** -power
@@ -178,11 +188,25 @@ def _shaft_life(design: CrankDesign) -> Check:
     if not isinstance(found, Crankshaft):
         return _unknown(design, code, found, limit, "crankshaft")
     lives = [math.inf if each is None else each for each in found.basic_life]
+    if math.isinf(min(lives)):
+        return Check(code=code, status="not_applicable", limit=limit, reason="unloaded")
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
     loads = zip(found.equivalent_reaction.tolist(), reserves, strict=True)
     allowed = [load * reserve if load else math.inf for load, reserve in loads]
+
+    left_out = 0.0
+    if found.balance is not None:  # what balances the satellites is what presses the bearings
+        assert design.input_speed is not None
+        speed = design.input_speed
+        left_out = max(
+            _left_out(each.unbalance * speed**2, load, power)
+            for each, load, power in zip(
+                found.balance.corrections, found.equivalent_reaction.tolist(), powers, strict=True
+            )
+            if load
+        )
 
     def used(factors: FloatArray) -> FloatArray:
         return np.asarray((design.moved_reactions(factors) / allowed).max(axis=1))
@@ -192,7 +216,7 @@ def _shaft_life(design: CrankDesign) -> Check:
         value,
         limit,
         reserve=design.reserve(min(reserves), used),
-        error=4 * max(powers) * float(found.accuracy.relative_error),
+        error=4 * max(powers) * float(found.accuracy.relative_error) + left_out,
         rough=design.as_made,
         at={"bearing": worst},
     )
@@ -202,6 +226,10 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
     """What is left of the satellites' centrifugal forces against what is asked."""
     found = design.shaft
     known = found.balance if isinstance(found, Crankshaft) else None
+    made = design.deviations
+    deviate = made is not None and any((*made.eccentricity, *made.crank_phase))
+    if deviate:
+        known = None
     value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
 
     def unknown() -> Check:
@@ -211,6 +239,8 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
             return Check(
                 code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
             )
+        if deviate:
+            return Check(code=code, status="not_checked", limit=limit, reason="cranks_deviate")
         return _unknown(design, code, found, limit, "crankshaft")
 
     return asked(code, value, limit, name=name, unknown=unknown)

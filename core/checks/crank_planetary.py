@@ -42,8 +42,11 @@ def _interference(design: CrankDesign) -> Check:
     if clearance is None:
         return no_eccentricity(code)
     assert design.hole_radius is not None
-    if clearance >= 0 and design.deviations and design.loaded:
+    if clearance >= 0 and design.deviations:
         forces, size = design.judged_forces, design.hole_radius
+        if not design.loaded:  # of what is not loaded nothing is solved
+            why, missing = "section_missing", ("load",)
+            return Check(code=code, status="not_checked", value=size, reason=why, missing=missing)
         if not isinstance(forces, RealForces):  # which parts press without load is not known
             return Check(code=code, status="not_checked", value=size, reason=design.unsolved)
         if forces.turn.pressed_without_load:

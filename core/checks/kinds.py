@@ -89,8 +89,11 @@ CHECK_SOURCES = {
 """Where the formulas of checks come from, in English, by code."""
 
 REASONS = {
+    "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of "
+    "its size",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
     "one",
+    "cranks_deviate": "The balance is known of cranks without deviations only",
     "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
@@ -118,7 +121,7 @@ REASONS = {
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
-    "pressure_error": "The limit lies within the error of the pressure",
+    "pressure_error": "The limit lies within the error of the value",
     "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
@@ -137,6 +140,7 @@ REASONS = {
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
+    "unloaded": "The loads cancel: nothing presses the bearings",
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one",
 }
@@ -261,7 +265,7 @@ CHECKS = {
         ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
     ),
     "crank_balance": Kind(
-        "Balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
+        "Static balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
         "Otherwise the satellites shake the reducer with every turn of the crank.",
         ("satellites", "crank_spacing", "crank_angles"),
     ),
@@ -289,12 +293,12 @@ CHECKS = {
         (*_HOLE, "eccentricity"), "yanchevskiy_2021",
     ),
     "backlash": Kind(
-        "Backlash", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
+        "Backlash of the output mechanism", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
         "Otherwise the unloaded output turns by more than is asked.",
         (*_PLAY, "max_backlash"), "load_sharing",
     ),
     "lost_motion": Kind(
-        "Lost motion", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+        "Lost motion of the output mechanism", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
         "Otherwise the output gives way by more than is asked when the torque turns.",
         (*_PLAY, "output_torque", "max_lost_motion"), "load_sharing",
     ),

@@ -18,6 +18,7 @@ from core.checks.crank_planetary import (
 from core.checks.real_forces import RealForces
 from core.checks.sections import Ring
 from core.output.contact_force import ContactForce
+from core.output.real_mechanism import Deviations
 from tests.oracles.checks import REF, WHOLE, says
 
 
@@ -51,6 +52,17 @@ def test_no_fit_without_the_eccentricity(code: str) -> None:
     found = CRANK[code](replace(REF, eccentricity=None))
     says(found, missing=("eccentricity",), **unknown)
     assert CRANK["contact_pressure_pin"](replace(REF, eccentricity=None)).status == "pass"
+
+
+def test_no_fit_of_deviations_without_a_load() -> None:
+    """Which parts press without load is found by solving them under one."""
+    made = Deviations(pin_tangential=(1e-4, -1e-4) * 3)
+    for clearance in (0.0, 1e-5):
+        design = replace(REF, deviations=made, hole_radius=0.010 + clearance)
+        still = replace(design, output_torque=None, pin_circle_radius=None)
+        missing = {"reason": "section_missing", "missing": ("load",)}
+        says(CRANK["interference"](still), status="not_checked", value=0.010 + clearance, **missing)
+    assert CRANK["interference"](replace(REF, deviations=made)).status == "fail"
 
 
 WALLS: dict[str, tuple[dict[str, Any], str, float, bool]] = {
