@@ -589,6 +589,8 @@ CALCULATION = Calculation(
     ),
     neglects=(
         "bodies_rigid",
+        "body_strength",
+        "centrifugal_forces",
         "edge_pressure",
         "fretting",
         "friction_on_forces",

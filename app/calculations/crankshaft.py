@@ -210,5 +210,5 @@ CALCULATION = Calculation(
     solve=solve,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
-    neglects=("friction", "bearing_elasticity"),
+    neglects=("friction", "bearing_elasticity", "centrifugal_forces"),
 )

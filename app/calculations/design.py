@@ -377,7 +377,7 @@ class SatelliteBodyFields(RequestModel):
         default=None,
         **SIZE,
         step=1,
-        help="Outer radius of the satellite.",
+        help="Outer radius of the satellite, with its teeth.",
     )
     root_radius_mm: Maybe[float] = quantity(
         "Root radius",

@@ -18,7 +18,8 @@ NEEDED: dict[Kind | None, tuple[str, ...]] = {
 """What each kind of ring needs; a ratio that is given needs nothing."""
 
 OPTIONAL: dict[Kind | None, tuple[str, ...]] = {
-    "involute": ("teeth_difference", "reference_pressure_angle_deg")
+    "involute": ("teeth_difference", "reference_pressure_angle_deg"),
+    "cycloid": ("ring_pin_radius_mm",),
 }
 """What it may have besides; the difference of teeth is that of the mechanism where this has teeth,
 and needed where it has none.
@@ -94,6 +95,15 @@ class RingFields(RequestModel):
         **SIZE,
         step=1,
         help="Radius of the circle of the ring's pins, on which a cycloid disc rolls.",
+    )
+    ring_pin_radius_mm: Maybe[float] = quantity(
+        "Radius of the ring's pins",
+        symbol="r_p",
+        group="gear",
+        default=None,
+        **SIZE,
+        step=0.5,
+        help="With it the roots of a cycloid disc are known, which the holes must not reach.",
     )
     radial_force_ratio: Maybe[float] = quantity(
         "Ratio of the ring's forces",

@@ -133,7 +133,7 @@ def judged(
         status = "marginal"
         if error > 1e-9:
             more.setdefault("reason", "pressure_error")
-    elif part > whole and not doubtful:
+    elif not (part <= whole or doubtful):
         status = "marginal" if warning else "fail"
         more.setdefault("reason", warning)
     elif reserve is not None and reserve < MARGIN and not warning:

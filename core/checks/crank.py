@@ -44,6 +44,13 @@ def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBeari
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
 
+def _left_out(force: float, load: float, power: float = 1.0) -> float:
+    """Relative error of a life, or of a safety with a power of 1, by a force that the load of the
+    bearing leaves out, whatever its direction.
+    """
+    return float((1 - force / load) ** -power - 1) if force < load else math.inf
+
+
 def _life(design: CrankDesign) -> Check:
     code, limit, found = "bearing_life", design.life, design.bearings
     if not isinstance(found, SatelliteBearings):
@@ -61,7 +68,8 @@ def _life(design: CrankDesign) -> Check:
             (value / limit) ** (1 / power),
             lambda factors: design.moved_loads(factors, power).max(axis=1),
         ),
-        error=4 * power * float(found.accuracy.relative_error),
+        error=4 * power * float(found.accuracy.relative_error)
+        + _left_out(design.centrifugal, float(found.equivalent_load[worst]), power),
         rough=design.as_made,
         at={"satellite": worst + 1},
     )
@@ -79,6 +87,7 @@ def _static(design: CrankDesign) -> Check:
         return _rating(code, limit, "bearing.static_rating")
     worst = int(np.argmin(found.static_safety_factor))
     value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
+    assert design.bearing is not None and design.bearing.static_rating is not None
     share = design.static_share
     return judged(
         code,
@@ -87,7 +96,7 @@ def _static(design: CrankDesign) -> Check:
         reserve=design.reserve(
             value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
-        error=4 * error,
+        error=4 * error + _left_out(design.centrifugal, design.bearing.static_rating / value),
         rough=design.as_made,
         limit_source=source,
         at={"satellite": worst + 1},
@@ -107,6 +116,7 @@ def _system(design: CrankDesign) -> Check:
         return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
+    error += _left_out(design.centrifugal, float(found.equivalent_load.min()), power)
 
     def together(factors: FloatArray) -> FloatArray:
         lives = design.moved_loads(factors, power) ** -power
@@ -125,27 +135,46 @@ def _pressure_angle(design: CrankDesign) -> Check:
     return judged(code, float(mesh.operating_pressure_angle), STEEP, warning="steep_mesh")
 
 
-def _gear_room(design: CrankDesign) -> Check:
-    """The holes within the teeth, as far as these are known: by the root radius of involute teeth,
-    or else by the satellite's reference circle, ``m*z2/2``, within which the roots lie unless their
-    profile is shifted by more than 1.25 modules, how far is not known; a cycloid disc lies within
-    the circle of the ring's pins less e.
+def within_roots(*, design: CrankDesign, code: str, least: float | None = None) -> Check:
+    """The wall between the holes and the roots of the satellite's teeth: it passes by the least
+    radius of these, fails by the largest, and is not known between.
+
+    Parameters
+    ----------
+    design : CrankDesign
+        The design.
+    code : str
+        Which check.
+    least : float, optional
+        Least width that is asked, m.
+
+    Returns
+    -------
+    Check
     """
-    code, gear, eccentricity = "gear_room", design.gear, design.eccentricity
-    assert gear is not None and design.hole_radius is not None
-    if gear.kind not in ("involute", "cycloid"):
-        return Check(code=code, status="not_applicable", reason="no_teeth")
-    if gear.module is not None and gear.teeth_difference is not None:
-        reference = gear.module * gear.teeth_difference * design.mechanism.ratio / 2
-        room = reference if design.root_radius is None else design.root_radius
-    elif eccentricity is None:
+    assert design.pin_circle_radius is not None and design.hole_radius is not None
+    reach, size = design.pin_circle_radius + design.hole_radius, design.hole_radius
+    source = "roots" if design.root_radius is None and design.gear else ""
+    shallow, deep = (
+        wall(code, width=radius - reach, size=size, least=least)._replace(limit_source=source)
+        for radius in reversed(design.roots)
+    )
+    if deep.status == shallow.status:
+        return deep if deep.status == "pass" else shallow
+    cycloid = design.gear is not None and design.gear.kind == "cycloid"
+    if cycloid and design.eccentricity is None:
         return no_eccentricity(code)
-    else:
-        assert gear.ring_pin_circle_radius is not None
-        room = gear.ring_pin_circle_radius - eccentricity
-    assert design.pin_circle_radius is not None
-    width = room - design.pin_circle_radius - design.hole_radius
-    return wall(code, width=width, size=design.hole_radius)
+    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
+    return Check(
+        code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
+    )
+
+
+def _gear_room(design: CrankDesign) -> Check:
+    assert design.gear is not None
+    if design.gear.kind not in ("involute", "cycloid"):
+        return Check(code="gear_room", status="not_applicable", reason="no_teeth")
+    return within_roots(design=design, code="gear_room")
 
 
 def _shaft_life(design: CrankDesign) -> Check:
@@ -159,11 +188,25 @@ def _shaft_life(design: CrankDesign) -> Check:
     if not isinstance(found, Crankshaft):
         return _unknown(design, code, found, limit, "crankshaft")
     lives = [math.inf if each is None else each for each in found.basic_life]
+    if math.isinf(min(lives)):
+        return Check(code=code, status="not_applicable", limit=limit, reason="unloaded")
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
     loads = zip(found.equivalent_reaction.tolist(), reserves, strict=True)
     allowed = [load * reserve if load else math.inf for load, reserve in loads]
+
+    left_out = 0.0
+    if found.balance is not None:  # what balances the satellites is what presses the bearings
+        assert design.input_speed is not None
+        speed = design.input_speed
+        left_out = max(
+            _left_out(each.unbalance * speed**2, load, power)
+            for each, load, power in zip(
+                found.balance.corrections, found.equivalent_reaction.tolist(), powers, strict=True
+            )
+            if load
+        )
 
     def used(factors: FloatArray) -> FloatArray:
         return np.asarray((design.moved_reactions(factors) / allowed).max(axis=1))
@@ -173,7 +216,7 @@ def _shaft_life(design: CrankDesign) -> Check:
         value,
         limit,
         reserve=design.reserve(min(reserves), used),
-        error=4 * max(powers) * float(found.accuracy.relative_error),
+        error=4 * max(powers) * float(found.accuracy.relative_error) + left_out,
         rough=design.as_made,
         at={"bearing": worst},
     )
@@ -183,6 +226,10 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
     """What is left of the satellites' centrifugal forces against what is asked."""
     found = design.shaft
     known = found.balance if isinstance(found, Crankshaft) else None
+    made = design.deviations
+    deviate = made is not None and any((*made.eccentricity, *made.crank_phase))
+    if deviate:
+        known = None
     value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
 
     def unknown() -> Check:
@@ -192,6 +239,8 @@ def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> 
             return Check(
                 code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
             )
+        if deviate:
+            return Check(code=code, status="not_checked", limit=limit, reason="cranks_deviate")
         return _unknown(design, code, found, limit, "crankshaft")
 
     return asked(code, value, limit, name=name, unknown=unknown)

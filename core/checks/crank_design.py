@@ -103,6 +103,16 @@ class CrankDesign(DesignLosses):
             ),
         )
 
+    @property
+    def centrifugal(self) -> float:
+        """Centrifugal force of a satellite, N, which the loads of bearings leave out; 0 where mass
+        or speed is not known.
+        """
+        mass = None if self.crankshaft is None else self.crankshaft.satellite_mass
+        if mass is None or self.input_speed is None or self.eccentricity is None:
+            return 0.0
+        return mass * self.eccentricity * self.input_speed**2
+
     def _moved(self, factors: FloatArray) -> dict[str, Any]:
         """What loads follow from under so many times the torque, as arguments."""
         assert self.mesh is not None and self.eccentricity is not None

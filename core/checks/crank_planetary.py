@@ -1,10 +1,11 @@
 """Checks of a crank-planetary reducer: cranks, fit of pin and hole, walls; all of its parts."""
 
 import cmath
+import math
 from collections.abc import Callable
 
 from core.checks.check import Check, Verdict, asked, judged, verdict, wall
-from core.checks.crank import BEARING, GEAR, SHAFT
+from core.checks.crank import BEARING, GEAR, SHAFT, within_roots
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
 from core.checks.pin_contact import CONTACT, life_considered
@@ -41,8 +42,11 @@ def _interference(design: CrankDesign) -> Check:
     if clearance is None:
         return no_eccentricity(code)
     assert design.hole_radius is not None
-    if clearance >= 0 and design.deviations and design.loaded:
+    if clearance >= 0 and design.deviations:
         forces, size = design.judged_forces, design.hole_radius
+        if not design.loaded:  # of what is not loaded nothing is solved
+            why, missing = "section_missing", ("load",)
+            return Check(code=code, status="not_checked", value=size, reason=why, missing=missing)
         if not isinstance(forces, RealForces):  # which parts press without load is not known
             return Check(code=code, status="not_checked", value=size, reason=design.unsolved)
         if forces.turn.pressed_without_load:
@@ -89,12 +93,9 @@ def _holes_off_centre(design: CrankDesign) -> Check:
 
 
 def _wall_rim(design: CrankDesign) -> Check:
-    radii = [each for each in (design.outer_radius, design.root_radius) if each is not None]
-    if not radii:
+    if math.isinf(design.roots[1]):
         return Check(code="wall_rim", status="not_asked", missing=("outer_radius",))
-    assert design.hole_radius is not None and design.pin_circle_radius is not None
-    width = min(radii) - design.pin_circle_radius - design.hole_radius
-    return wall("wall_rim", width=width, size=design.hole_radius, least=design.min_wall)
+    return within_roots(design=design, code="wall_rim", least=design.min_wall)
 
 
 def _wall_bore(design: CrankDesign) -> Check:

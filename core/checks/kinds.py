@@ -73,6 +73,9 @@ CHECK_SOURCES = {
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
+    "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
+    "taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: "
     "catalogues of SKF and IKO, after ISO 76",
@@ -86,8 +89,11 @@ CHECK_SOURCES = {
 """Where the formulas of checks come from, in English, by code."""
 
 REASONS = {
+    "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of "
+    "its size",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
     "one",
+    "cranks_deviate": "The balance is known of cranks without deviations only",
     "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
@@ -115,9 +121,11 @@ REASONS = {
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
-    "pressure_error": "The limit lies within the error of the pressure",
+    "pressure_error": "The limit lies within the error of the value",
     "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
+    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
+    "one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
     "section_missing": "A part of the design that it needs is not given",
@@ -132,6 +140,7 @@ REASONS = {
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
+    "unloaded": "The loads cancel: nothing presses the bearings",
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one",
 }
@@ -192,6 +201,18 @@ _RING = (
     "gear.ring_pin_circle_radius",
     "gear.radial_force_ratio",
 )
+_ROOTS = (
+    "outer_radius",
+    "root_radius",
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.ring_pin_circle_radius",
+    "gear.ring_pin_radius",
+    "ratio",
+    "eccentricity",
+)
+"""Of where the roots of a satellite's teeth are."""
 _BEARING = (*_FORCE, *_BEAM, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
 _BALANCE = (
     "input_speed",
@@ -244,7 +265,7 @@ CHECKS = {
         ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
     ),
     "crank_balance": Kind(
-        "Balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
+        "Static balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
         "Otherwise the satellites shake the reducer with every turn of the crank.",
         ("satellites", "crank_spacing", "crank_angles"),
     ),
@@ -272,12 +293,12 @@ CHECKS = {
         (*_HOLE, "eccentricity"), "yanchevskiy_2021",
     ),
     "backlash": Kind(
-        "Backlash", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
+        "Backlash of the output mechanism", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
         "Otherwise the unloaded output turns by more than is asked.",
         (*_PLAY, "max_backlash"), "load_sharing",
     ),
     "lost_motion": Kind(
-        "Lost motion", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+        "Lost motion of the output mechanism", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
         "Otherwise the output gives way by more than is asked when the torque turns.",
         (*_PLAY, "output_torque", "max_lost_motion"), "load_sharing",
     ),
@@ -297,8 +318,7 @@ CHECKS = {
     "wall_rim": Kind(
         "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
         "Otherwise the holes break through the rim of the satellite.",
-        ("outer_radius", "root_radius", "pin_circle_radius", "hole_radius", "min_wall"),
-        "wang_2016", keep="above",
+        (*_ROOTS, "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
     ),
     "wall_bore": Kind(
         "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
@@ -357,10 +377,9 @@ CHECKS = {
         (*_RING, "eccentricity"), "steep",
     ),
     "gear_room": Kind(
-        "Holes within the teeth", "gear", "mm", "m·z₂/2 − R − r_out > 0, R_p − e − R − r_out > 0",
+        "Holes within the teeth", "gear", "mm", "r_f − R − r_out > 0",
         "Otherwise the holes lie in the teeth of the satellite, or beyond.",
-        (*_RING, "ratio", "eccentricity", "pin_circle_radius", "hole_radius", "root_radius"),
-        keep="above",
+        (*_ROOTS, "pin_circle_radius", "hole_radius"), keep="above",
     ),
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",

@@ -30,6 +30,18 @@ def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Chec
     return Check(code=code, status="not_checked", limit=limit, reason=reason)
 
 
+def _of_size(design: CrankDesign, check: Check) -> Check:
+    """A check by the strengths of the material: of thicker pins these are less than known, so that
+    only what fails is certain.
+    """
+    if check.status == "fail" or not design.size_notices:
+        return check
+    missing = ("pin.material",)
+    return check._replace(
+        status="not_checked", torque_reserve=None, reason="beyond_size", missing=missing
+    )
+
+
 def _static(design: CrankDesign) -> Check:
     code, found = "pin_static", design.pin_strength
     if not isinstance(found, PinStrength):
@@ -49,7 +61,8 @@ def _static(design: CrankDesign) -> Check:
     reserve = design.pin_reserve(
         limit / stress, lambda pins: pins.static_stress, share=design.static_share
     )
-    return judged(code, stress, limit, reserve=reserve, error=error, rough=design.as_made)
+    check = judged(code, stress, limit, reserve=reserve, error=error, rough=design.as_made)
+    return _of_size(design, check)
 
 
 def _fatigue(design: CrankDesign) -> Check:
@@ -75,7 +88,7 @@ def _fatigue(design: CrankDesign) -> Check:
     reserve = design.pin_reserve(safety / limit, _used, near=NEAR_CYCLE)
     check = judged(code, safety, limit, reserve=reserve, error=error, rough=design.as_made)
     lasts = found.fatigue.finite_strength is not None and not check.reason
-    return check._replace(reason="finite_life") if lasts else check
+    return _of_size(design, check._replace(reason="finite_life") if lasts else check)
 
 
 def _used(pins: PinStrength) -> float:

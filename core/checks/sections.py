@@ -2,6 +2,7 @@
 crankshaft; SI units.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -27,6 +28,10 @@ from core.output.pin_fatigue import FatigueStrength
 from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
+
+DEDENDUM = 1.25
+"""Depth of the roots of involute teeth within their reference circle without a profile shift, over
+the module: that of the basic rack of ISO 53, types A and B."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,6 +235,8 @@ class Ring:
         Of the teeth, rad.
     ring_pin_circle_radius : float or None
         Radius of the circle of the ring's pins, m.
+    ring_pin_radius : float or None
+        Radius of these pins, m.
     radial_force_ratio : float or None
         Force along the crank over that across it.
     """
@@ -239,7 +246,69 @@ class Ring:
     teeth_difference: int | None = None
     reference_pressure_angle: float | None = None
     ring_pin_circle_radius: float | None = None
+    ring_pin_radius: float | None = None
     radial_force_ratio: float | None = None
+
+    def check_pins_apart(self, ratio: float) -> None:
+        """Refuse pins of the ring that overlap, where their number is known.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio u.
+
+        Raises
+        ------
+        InvalidInput
+            If they do.
+        """
+        circle, radius, difference = (
+            self.ring_pin_circle_radius,
+            self.ring_pin_radius,
+            self.teeth_difference,
+        )
+        if circle is None or radius is None or difference is None:
+            return
+        limit = circle * math.sin(math.pi / (difference * (ratio + 1)))
+        if not radius < limit:
+            raise InvalidInput("gear.ring_pin_radius", radius, "less_than", limit=limit)
+
+    def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
+        """Between which radii the roots of a satellite's teeth lie.
+
+        Of involute teeth ``m*(z2/2 - 1.25 + x)``, with a profile shift x that is taken to be from 0
+        to 1.25; of a cycloid disc ``R_p - e - r_p``, what the ring's pins sweep, or within
+        ``R_p - e`` where their radius is not known.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio u.
+        eccentricity : float or None
+            Eccentricity of the cranks, m.
+
+        Returns
+        -------
+        tuple of float
+            Least and largest radius, m; 0 and infinite where nothing is known.
+
+        Examples
+        --------
+        >>> ring = Ring(kind="involute", module=4e-3, teeth_difference=2)
+        >>> ring.roots(ratio=20.0, eccentricity=None)
+        (0.075, 0.08)
+        """
+        if self.kind == "involute":
+            assert self.module is not None and self.teeth_difference is not None
+            reference = self.module * self.teeth_difference * ratio / 2
+            return reference - DEDENDUM * self.module, reference
+        if self.kind != "cycloid":
+            return 0.0, math.inf
+        assert self.ring_pin_circle_radius is not None
+        swept = self.ring_pin_circle_radius - (eccentricity or 0.0)
+        if self.ring_pin_radius is None or eccentricity is None:
+            return 0.0, swept
+        return swept - self.ring_pin_radius, swept - self.ring_pin_radius
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """The ring's force on a satellite.

@@ -144,9 +144,17 @@ def _fatigue(strength: ShaftStrength, unknown: Notice | None, safety: float, err
 def _pressure(contact: LineContact, limits: Sequence[float | None], safety: float) -> Check:
     """The pressure along the lines against the lower of both limits, where both are known."""
     code, pressure = "line_pressure", contact.max_pressure
-    known = [each for each in limits if each is not None]
-    if len(known) < len(limits):
-        return Check(code=code, status="not_checked", value=pressure, reason="limit_unknown")
-    limit = min(known) / safety
+    bodies = ("line_contact.roller_material", "line_contact.mating_material")
+    missing = tuple(name for name, each in zip(bodies, limits, strict=True) if each is None)
     error = float(contact.accuracy.relative_error)
-    return judged(code, pressure, limit, reserve=(limit / pressure) ** 2, error=4 * error)
+    limit = min((each for each in limits if each is not None), default=math.inf) / safety
+    found = judged(code, pressure, limit, reserve=(limit / pressure) ** 2, error=4 * error)
+    if missing and found.status != "fail":
+        return Check(
+            code=code,
+            status="not_checked",
+            value=pressure,
+            reason="limit_unknown",
+            missing=missing,
+        )
+    return found

@@ -66,7 +66,12 @@ VARIED: dict[str, tuple[str, ...]] = {
         "output_torque",
     ),
     "pressure_angle": ("gear.module",),
-    "gear_room": ("pin_circle_radius", "pin_radius", "gear.ring_pin_circle_radius"),
+    "gear_room": (
+        "pin_circle_radius",
+        "pin_radius",
+        "gear.ring_pin_circle_radius",
+        "gear.ring_pin_radius",
+    ),
     "bearing_life": _LIFE,
     "bearing_static": (
         "bearing.static_rating",

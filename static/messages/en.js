@@ -214,7 +214,7 @@ export default {
   },
   // Title and help of radii that are shown as diameters.
   diameter: {
-    outer_radius_mm: ["Outer diameter", "Outer diameter of the satellite."],
+    outer_radius_mm: ["Outer diameter", "Outer diameter of the satellite, with its teeth."],
     root_radius_mm: ["Root diameter", "Diameter of the satellite at the roots of its teeth."],
     bore_radius_mm: ["Bore diameter", "Diameter of the satellite's bore."],
     pin_radius_mm: ["Pin diameter", "Diameter of the pin, or of its sleeve."],

@@ -119,6 +119,8 @@ export default {
   "neglected": {
     "bearing_elasticity": "play and elasticity of the bearings",
     "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
+    "body_strength": "the strength of teeth, discs, carrier and crankshaft",
+    "centrifugal_forces": "the centrifugal forces of the satellites on their bearings and those of the crankshaft",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",
@@ -665,7 +667,7 @@ export default {
     ],
     "outer_radius_mm": [
       "Outer radius",
-      "Outer radius of the satellite."
+      "Outer radius of the satellite, with its teeth."
     ],
     "output_torque_Nm": [
       "Output torque",
@@ -814,6 +816,10 @@ export default {
     "ring_pin_circle_radius_mm": [
       "Circle of the ring's pins",
       "Radius of the circle of the ring's pins, on which a cycloid disc rolls."
+    ],
+    "ring_pin_radius_mm": [
+      "Radius of the ring's pins",
+      "With it the roots of a cycloid disc are known, which the holes must not reach."
     ],
     "ring_teeth": [
       "Ring teeth",
@@ -1081,7 +1087,7 @@ export default {
       "There no pair drives, and no torque is transmitted."
     ],
     "crank_balance": [
-      "Balance of the crank spacing",
+      "Static balance of the crank spacing",
       "Otherwise the satellites shake the reducer with every turn of the crank."
     ],
     "assembly": [
@@ -1125,11 +1131,11 @@ export default {
       "Otherwise fewer pairs carry, each more, and the output has lost motion."
     ],
     "backlash": [
-      "Backlash",
+      "Backlash of the output mechanism",
       "Otherwise the unloaded output turns by more than is asked."
     ],
     "lost_motion": [
-      "Lost motion",
+      "Lost motion of the output mechanism",
       "Otherwise the output gives way by more than is asked when the torque turns."
     ],
     "wall_holes": [
@@ -1290,7 +1296,9 @@ export default {
     "room": "Room for rollers and shaft"
   },
   "checkReasons": {
+    "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of its size",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow one",
+    "cranks_deviate": "The balance is known of cranks without deviations only",
     "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a drawing of its own",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
@@ -1312,9 +1320,10 @@ export default {
     "one_only": "There is one only",
     "plastic_first": "The first turns yield below the surface; the contact settles after that",
     "pressed_without_load": "With these deviations pins and holes press without load",
-    "pressure_error": "The limit lies within the error of the pressure",
+    "pressure_error": "The limit lies within the error of the value",
     "rating_unknown": "No load rating of the bearing is given",
     "real_forces": "The forces are those with clearance: it is in every other check",
+    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a conformal pressure: the pressure is a rough guide",
     "section_missing": "A part of the design that it needs is not given",
     "size_missing": "A size that it needs is not given",
@@ -1327,6 +1336,7 @@ export default {
     "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
+    "unloaded": "The loads cancel: nothing presses the bearings",
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one"
   },
@@ -1344,6 +1354,7 @@ export default {
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at least ten times as long as the centre distance, tilted by about 12°",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: catalogues of SKF and IKO, after ISO 76",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it turns it",

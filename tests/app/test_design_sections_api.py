@@ -535,6 +535,35 @@ async def test_what_is_missing_is_pointed_to(api):
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]
 
 
+@pytest.mark.parametrize(
+    ("gear", "name"),
+    [
+        (
+            {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+            "satellite_body/root_radius_mm",
+        ),
+        ({"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}, "gear/ring_pin_radius_mm"),
+    ],
+)
+async def test_roots_that_are_missing_are_pointed_to(api, gear, name):
+    """Holes that reach 28 + 5 mm: within the reference circle of 35 mm, and not its roots."""
+    contact = {"pin_radius_mm": 3.0, "hole_radius_mm": 5.0, "contact_length_mm": 20.0}
+    body = changed(gear=gear, include=["checks"])
+    body["load"]["pin_circle_radius_mm"] = 28.0
+    body["contact"] |= contact
+    body.pop("pin", None), body.pop("fatigue", None), body.pop("friction", None)
+    answer = await answered(api, body)
+    check = next(each for each in answer["checks"] if each["code"] == "gear_room")
+    assert (check["status"], check["missing"]) == ("not_checked", [f"/{name}"])
+    section, field = name.split("/")
+    known = {"root_radius_mm": 34.0, "ring_pin_radius_mm": 4.0}[field]
+    answer = await answered(api, body | {section: body.get(section, {}) | {field: known}})
+    check = next(each for each in answer["checks"] if each["code"] == "gear_room")
+    assert check["status"] == "pass"
+    assert check["value"] == pytest.approx({34.0: 1.0, 4.0: 45.0}[known], rel=1e-9)
+    assert f"/{name}" in check["inputs"]
+
+
 def single(section, body=DESIGN, /, **changes):
     """The path and the body of a section's own endpoint."""
     return section.replace("_", "-"), own(changed(body, **changes), section)

@@ -80,6 +80,18 @@ async def test_other_teeth_than_those_of_the_mechanism_are_refused(api):
     assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "larger_than")
 
 
+async def test_pins_of_the_ring_that_overlap_are_refused(api):
+    """42 of them on 84 mm, half of whose pitch is 84*sin(pi/42) mm."""
+    half = 84 * math.sin(math.pi / 42)
+    ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0, "ring_pin_radius_mm": half - 1e-6}
+    assert (await api.post(PATH, json=changed(mechanism=TEETH, gear=ring))).status_code == 200
+    ring["ring_pin_radius_mm"] = half + 1e-6
+    refused = await api.post(PATH, json=changed(mechanism=TEETH, gear=ring))
+    (error,) = refused.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/gear/ring_pin_radius_mm", "less_than")
+    assert error["params"]["limit"] == pytest.approx(half, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("sections", "pointer", "code"),
     [
@@ -89,6 +101,11 @@ async def test_other_teeth_than_those_of_the_mechanism_are_refused(api):
             "needed_beside",
         ),
         ({"gear": {"kind": "none", "module_mm": 3.5}}, "/gear/module_mm", "of_another_kind"),
+        (
+            {"gear": {"kind": "none", "ring_pin_radius_mm": 5}},
+            "/gear/ring_pin_radius_mm",
+            "of_another_kind",
+        ),
         (
             {"gear": {"kind": "involute", "module_mm": 5, "teeth_difference": 1}},
             "/contact/eccentricity_mm",

@@ -16,7 +16,7 @@ from core.checks.crank_planetary import CRANK, crank_checks
 from core.checks.design.forces import MOST_REAL_PAIRS
 from core.checks.pin_contact import real_reserve
 from core.checks.real_forces import RealForces
-from core.checks.sections import DesignPin
+from core.checks.sections import DesignPin, Friction
 from core.fixes.changes import vary
 from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit
@@ -123,6 +123,34 @@ def test_where_the_lag_ends_the_reserve_ends() -> None:
     assert found.torque_reserve is not None
     there = replace(A, output_torque=30.0 * found.torque_reserve * 1.001)
     assert CRANK["contact_pressure_hole"](there).reason == "no_balance"
+
+
+def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
+    """It need not be in the direction whose losses are larger."""
+    worn = replace(
+        A,
+        input_speed=100.0,
+        friction=Friction(coefficient=0.08, sleeve=True, wear_rate=1e-17),
+        max_wear=1.0,
+        max_pv=1e12,
+    )
+    larger = []
+    for made in (ONE_SIDED, Deviations(pin_tangential=(1e-5, *[0.0] * 7)), UNEVEN):
+        design = replace(worn, deviations=made)
+        for code in ("wear", "pv"):
+            one, other, both = (
+                CRANK[code](replace(design, torque_direction=way)).value
+                for way in ("driving", "reverse", "alternating")
+            )
+            assert one is not None and other is not None
+            assert both == pytest.approx(max(one, other), rel=1e-12)
+            larger.append(one > other)
+        losses = [
+            replace(design, torque_direction=way).losses.mean_loss  # type: ignore[union-attr]
+            for way in ("driving", "reverse", "alternating")
+        ]
+        assert losses[2] == max(losses)
+    assert len({*larger}) == 2
 
 
 def test_of_both_directions_the_worse_is_judged() -> None:

@@ -16,7 +16,9 @@ from core.checks.crank_planetary import (
     crank_tables,
 )
 from core.checks.real_forces import RealForces
+from core.checks.sections import Ring
 from core.output.contact_force import ContactForce
+from core.output.real_mechanism import Deviations
 from tests.oracles.checks import REF, WHOLE, says
 
 
@@ -52,13 +54,23 @@ def test_no_fit_without_the_eccentricity(code: str) -> None:
     assert CRANK["contact_pressure_pin"](replace(REF, eccentricity=None)).status == "pass"
 
 
+def test_no_fit_of_deviations_without_a_load() -> None:
+    """Which parts press without load is found by solving them under one."""
+    made = Deviations(pin_tangential=(1e-4, -1e-4) * 3)
+    for clearance in (0.0, 1e-5):
+        design = replace(REF, deviations=made, hole_radius=0.010 + clearance)
+        still = replace(design, output_torque=None, pin_circle_radius=None)
+        missing = {"reason": "section_missing", "missing": ("load",)}
+        says(CRANK["interference"](still), status="not_checked", value=0.010 + clearance, **missing)
+    assert CRANK["interference"](replace(REF, deviations=made)).status == "fail"
+
+
 WALLS: dict[str, tuple[dict[str, Any], str, float, bool]] = {
     # changes, check, width in m, whether the wall that is asked counts
     "holes": ({}, "wall_holes", 0.030, True),
     "eight holes": ({"pins": 8}, "wall_holes", 0.1 * math.sin(math.pi / 8) - 0.020, True),
     "pins": ({}, "pins_apart", 0.034, False),
     "axis": ({}, "holes_off_centre", 0.040, False),
-    "rim": ({"outer_radius": 0.065}, "wall_rim", 0.005, True),
     "root": ({"root_radius": 0.063}, "wall_rim", 0.003, True),
     "rim and root": ({"outer_radius": 0.065, "root_radius": 0.063}, "wall_rim", 0.003, True),
     "root and rim": ({"outer_radius": 0.063, "root_radius": 0.065}, "wall_rim", 0.003, True),
@@ -92,6 +104,7 @@ def test_walls_that_are_not_there() -> None:
         ({"pins": 24}, "pins_apart"),
         ({"pin_circle_radius": 0.010}, "holes_off_centre"),
         ({"outer_radius": 0.060}, "wall_rim"),
+        ({"root_radius": 0.060}, "wall_rim"),
         ({"bore_radius": 0.041}, "wall_bore"),
     ):
         found = CRANK[code](replace(REF, **changes))  # type: ignore[arg-type]
@@ -105,6 +118,27 @@ def test_walls_that_are_not_there() -> None:
         one = CRANK[code](replace(REF, pins=1))
         says(one, status="not_applicable", value=None, reason="one_only")
         assert CRANK[code](replace(REF, pins=2)).status == "pass"
+
+
+def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
+    """R + r_out = 60 mm: holes beyond the tips cut the rim, those within them may cut the teeth."""
+    tips = replace(REF, outer_radius=0.065)
+    assert CRANK["wall_rim"](replace(tips, outer_radius=0.0599)).status == "fail"
+    unknown = {"value": None, "reason": "roots_unknown", "missing": ("satellite_body.root_radius",)}
+    says(CRANK["wall_rim"](tips), status="not_checked", limit=0.0, **unknown)
+    thin = replace(tips, min_wall=0.0051)
+    says(CRANK["wall_rim"](thin), status="fail", value=0.005, limit=0.0051, utilisation=1.02)
+    thick = replace(tips, min_wall=0.0049)
+    says(CRANK["wall_rim"](thick), status="not_checked", limit=0.0049, **unknown)
+    # or as the ring leaves them: 42 teeth of 3 mm, 63 - 3.75 mm, and a cycloid disc's
+    involute = Ring(kind="involute", module=3e-3, teeth_difference=2)
+    for ratio, status in ((21.0, "not_checked"), (22.0, "pass"), (20.0, "fail")):
+        found = CRANK["wall_rim"](replace(tips, gear=involute, ratio=ratio, outer_radius=None))
+        assert found.status == status
+    pins = Ring(kind="cycloid", ring_pin_circle_radius=0.070, ring_pin_radius=0.004)
+    found = CRANK["wall_rim"](replace(tips, gear=pins, min_wall=0.0041))
+    assert (found.status, found.limit_source) == ("fail", "roots")
+    assert found.value == pytest.approx(0.064 - 0.060, rel=1e-12)
 
 
 def test_a_wall_of_the_size_of_rounding_is_none() -> None:

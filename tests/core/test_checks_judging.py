@@ -1,5 +1,6 @@
 """How a value is judged against its limit, and the order of checks, by hand."""
 
+import math
 import pickle
 from typing import Any
 
@@ -118,3 +119,9 @@ def test_what_has_to_stay_above_its_limit_says_so() -> None:
     for code, kind in CHECKS.items():
         above = "≥" in kind.formula or "> 0" in kind.formula
         assert kind.keep == ("above" if above or code == "roller_sharing" else "below"), code
+
+
+def test_what_is_no_number_passes_nothing() -> None:
+    for code in ("contact_pressure_pin", "bearing_life"):
+        assert judged(code, math.nan, 1.0).status == "fail"
+        assert judged(code, math.nan, 1.0, reserve=math.nan).status == "fail"

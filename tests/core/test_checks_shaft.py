@@ -139,5 +139,12 @@ def test_pressure_along_the_lines() -> None:
             assert (found.status, found.limit) == (status, lower / 1.2)
             assert found.torque_reserve == pytest.approx((lower / 1200e6) ** 2)
             assert "line_pressure" not in verdict.not_considered
-    unknown = shaft(contact=contact, pressure_limits=(1e9, None))["line_pressure"]
-    assert (unknown.status, unknown.reason) == ("not_checked", "limit_unknown")
+    roller, mating = "line_contact.roller_material", "line_contact.mating_material"
+    for limits, missing in (
+        ((1.3e9, None), (mating,)), ((None, 1.3e9), (roller,)), ((None, None), (roller, mating))
+    ):  # fmt: skip
+        unknown = shaft(contact=contact, pressure_limits=limits)["line_pressure"]
+        assert (unknown.status, unknown.reason) == ("not_checked", "limit_unknown")
+        assert (unknown.value, unknown.missing) == (1000e6, missing)
+    for limits in ((1.1e9, None), (None, 1.1e9)):  # too much for the one that is known
+        assert shaft(contact=contact, pressure_limits=limits)["line_pressure"].status == "fail"

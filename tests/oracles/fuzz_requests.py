@@ -298,10 +298,10 @@ def satellite_bearing(r: Draw) -> Body:
     if r.chance(0.5):
         bearing["dynamic_rating_N"] = number("BearingFields", "dynamic_rating_N", (1e3, 1e6))
     contact = {"eccentricity_mm": number("CrankContactFields", "eccentricity_mm", (1, 5))}
-    return {"mechanism": mechanism(r), "load": torque, "contact": contact} | {
-        "gear": gear,
-        "bearing": bearing,
-    }
+    body = {"mechanism": mechanism(r), "load": torque, "contact": contact}
+    if gear.get("kind") == "cycloid" and r.chance(0.5):
+        gear["ring_pin_radius_mm"] = number("RingFields", "ring_pin_radius_mm", (1, 10))
+    return body | {"gear": gear, "bearing": bearing}
 
 
 def crankshaft(r: Draw) -> Body:

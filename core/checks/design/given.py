@@ -121,7 +121,8 @@ class GivenDesign:
     ------
     InvalidInput
         If the peak torque is below the working one, satellites reach into each other, their places
-        on pins and crankshaft differ, or a pin is thicker than what touches the hole.
+        on pins and crankshaft differ, a pin is thicker than what touches the hole, or pins of the
+        ring overlap.
     """
 
     pins: int
@@ -181,6 +182,8 @@ class GivenDesign:
         self._check_peak()
         self._check_places()
         self._check_thickness()
+        if self.gear is not None:
+            self.gear.check_pins_apart(self.ratio)
 
     def _check_places(self) -> None:
         """Satellites do not reach into each other, and are as far apart on the pins as on the
@@ -282,6 +285,20 @@ class GivenDesign:
             return None
         clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
         return 0.0 if abs(clearance) <= FIT_TOLERANCE * self.hole_radius else clearance
+
+    @cached_property
+    def roots(self) -> tuple[float, float]:
+        """Least and largest radius of the roots of the satellite's teeth, m: the one that is given,
+        or those that its ring leaves; within its outer radius. 0 and infinite where nothing is
+        known.
+        """
+        low, high = 0.0, math.inf
+        if self.root_radius is not None:
+            low = high = self.root_radius
+        elif self.gear is not None:
+            low, high = self.gear.roots(ratio=self.ratio, eccentricity=self.eccentricity)
+        outer = math.inf if self.outer_radius is None else self.outer_radius
+        return min(low, outer), min(high, outer)
 
     @property
     def pitch(self) -> float | None:

@@ -62,7 +62,10 @@ class DesignLosses(DesignContact):
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if self.lossy_turn is not None:
             reference = self.output_torque / self.pin_circle_radius
-            return made_losses(losses=found, turn=self.lossy_turn, reference=reference)
+            largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
+            return made_losses(
+                losses=found, turn=self.lossy_turn, reference=reference, largest=largest
+            )
         if not self.pair_stiffness:
             return found
         loads = self.pin_loads
@@ -84,15 +87,19 @@ class DesignLosses(DesignContact):
         return np.asarray(sharing.worse(factors=factors, of=peaks).max(axis=1))
 
     @cached_property
-    def lossy_turn(self) -> SampledTurn | None:
-        """Forces of the mechanism as it is made, of both directions those with the larger losses;
-        None where the ideal ones are judged.
+    def _lossy_turns(self) -> list[SampledTurn]:
+        """Forces of the mechanism as it is made, in each direction of the torque; none where the
+        ideal ones are judged.
         """
         if self.made is None:
-            return None
+            return []
         assert self.output_torque is not None
-        turns = [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
-        return max(turns, key=lambda turn: float(turn.mean(turn.total)))
+        return [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
+
+    @cached_property
+    def lossy_turn(self) -> SampledTurn | None:
+        """Of these the ones with the larger losses."""
+        return max(self._lossy_turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
 
     def loss_curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
         """Loss and efficiency at crank angles.
@@ -154,7 +161,9 @@ def peaking(*, losses: PinLosses, peak: float, error: float) -> PinLosses:
     )
 
 
-def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> PinLosses:
+def made_losses(
+    *, losses: PinLosses, turn: SampledTurn, reference: float, largest: float
+) -> PinLosses:
     """Losses of a mechanism as it is made, by the sum of its forces.
 
     Parameters
@@ -165,14 +174,16 @@ def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> Pi
         Forces under the torque.
     reference : float
         ``F0 = T/R``, N.
+    largest : float
+        Largest force of a contact in any direction of the torque, N.
 
     Returns
     -------
     PinLosses
     """
     total = turn.total / reference
-    mean, least, largest = float(turn.mean(total)), float(total.min()), float(total.max())
-    peak = float(np.abs(turn.on_pins).max()) / float(losses.peak_force)
+    mean, least, most = float(turn.mean(total)), float(total.min()), float(total.max())
+    peak = largest / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)
     share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
     peaks = peaking(losses=losses, peak=peak, error=turn.error)
@@ -182,7 +193,7 @@ def made_losses(*, losses: PinLosses, turn: SampledTurn, reference: float) -> Pi
         mean_total_force_ratio=mean,
         mean_loss=losses.mean_loss * part,
         efficiency=1 / (1 + share * mean),
-        min_efficiency=1 / (1 + share * largest),
+        min_efficiency=1 / (1 + share * most),
         max_efficiency=1 / (1 + share * least),
         mean_pv=losses.mean_pv * part,
         friction_couple=losses.friction_couple * part,

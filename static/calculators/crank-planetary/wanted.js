@@ -99,6 +99,7 @@ const BEARINGS = {
   "gear.teeth_difference": ring("involute"),
   "gear.reference_pressure_angle_deg": { ...rare, when: ["gear.kind", "involute"] },
   "gear.ring_pin_circle_radius_mm": ring("cycloid"),
+  "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.kind": { default: "roller" },
   "bearing.dynamic_rating_N": {},
@@ -137,11 +138,15 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
   const u = ratioOf(mechanism);
   const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
   const holes = load?.pin_circle_radius_mm + pin + e;
+  const module = MODULES.findLast((m) => m * difference < 1.95 * e);
+  const half = Math.sin(Math.PI / (difference * (u + 1))) / 2; // of the way to where the ring's pins touch
+  const circle = Math.ceil(Math.max(1.4 * e * (u + 1), 1.2 * (holes + e) / (1 - half)));
   return {
-    "gear.kind": holes < e * u ? "involute" : "cycloid",
-    "gear.module_mm": MODULES.findLast((m) => m * difference < 1.95 * e),
+    "gear.kind": holes < module * (difference * u / 2 - 1.25) ? "involute" : "cycloid",
+    "gear.module_mm": module,
     "gear.teeth_difference": difference,
-    "gear.ring_pin_circle_radius_mm": Math.ceil(Math.max(1.4 * e * (u + 1), 1.2 * holes)),
+    "gear.ring_pin_circle_radius_mm": circle,
+    "gear.ring_pin_radius_mm": Math.floor(20 * circle * half) / 20,
   };
 }
 
