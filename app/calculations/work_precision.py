@@ -27,7 +27,7 @@ from core.work_precision.crankshaft import equivalent_reaction_study
 from core.work_precision.load_sharing import real_peak_study
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
-from core.work_precision.pin_strength import pin_bending_study
+from core.work_precision.pin_strength import PinQuantity, pin_bending_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.satellite_bearing import equivalent_load_study
 from core.work_precision.shaft import shaft_deflection_study
@@ -77,15 +77,22 @@ class TotalForceStudy(Study):
 
 
 class PinStrengthStudy(Study):
-    """Largest bending stress of the pins, by ideal forces that the satellites share equally."""
+    """Largest bending stress or slope of the pins, by ideal forces that the satellites share
+    equally.
+    """
 
     calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
     input: PinStrengthRequest
+    quantity: PinQuantity = Field(
+        default="bending_stress",
+        description="Whose error is measured: of the stress, or the slope.",
+    )
 
     def solve(self) -> WorkPrecision:
         """The study."""
         equally = {"pair_stiffness": None, "made": None}
-        return pin_bending_study(**(self.input.design.loaded_pins | equally))
+        loaded = self.input.design.loaded_pins | equally
+        return pin_bending_study(quantity=self.quantity, **loaded)
 
 
 class SatelliteBearingStudy(Study):
