@@ -3,6 +3,7 @@
 import math
 from copy import deepcopy
 from dataclasses import replace
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -26,9 +27,19 @@ from app.model import (
     result,
 )
 from app.problems import Problem, invalid_input, refusal, wrong_fields
-from app.running import run
+from app.running import named, run
+from app.settings import Settings
 from core.errors import CalculationError, InvalidInput
-from core.exploration.solve import SAMPLES, TOLERANCE, Sense, Solution, SolveStatus, Want, solve_for
+from core.exploration.solve import (
+    MOST_WHOLE,
+    SAMPLES,
+    TOLERANCE,
+    Sense,
+    Solution,
+    SolveStatus,
+    Want,
+    solve_for,
+)
 from core.fixes.fix import PIN_SIZES
 from core.results import Accuracy
 
@@ -64,7 +75,11 @@ class VariableFields(RequestModel):
     pointer: Pointer = Field(description="JSON pointer into `input`.")
     low: float = Field(alias="from", ge=-1e12, le=1e12, description="Start of its range.")
     to: float = Field(ge=-1e12, le=1e12, description="End of its range.")
-    integer: bool = Field(default=False, description="Whether only whole numbers are tried.")
+    integer: bool = Field(
+        default=False,
+        description=f"Whether only whole numbers are tried, {MOST_WHOLE} at most; so they are "
+        "where the input is one.",
+    )
     log: bool = Field(default=False, description="Whether the range is sampled by ratios.")
 
 
@@ -112,44 +127,89 @@ class SolveRequest(RequestModel):
     target: TargetFields
     want: Want = Field(default="smallest", description="Which input, where many meet the target.")
 
+    @property
+    def adapter(self) -> TypeAdapter[RequestModel]:
+        """What reads that calculation's requests."""
+        return TypeAdapter(SOLVED[self.calculation].request)
+
+    @cached_property
+    def design(self) -> dict[str, Any]:
+        """The input, with what the target needs and no more asked of the answer."""
+        design = deepcopy(self.input)
+        target = _parts(self.target.pointer)
+        sections = crank_planetary.SECTIONS
+        if self.calculation == "crank-planetary":
+            design["include"] = [target[0] if target and target[0] in sections else "checks"]
+        elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
+            design["include"] = ["checks"] if target[:1] == ["checks"] else []
+        return design
+
+    @cached_property
+    def asked(self) -> RequestModel:
+        """The same as its calculation reads it.
+
+        Raises
+        ------
+        Problem
+            If it does not.
+        """
+        try:
+            return self.adapter.validate_python(self.design)
+        except ValidationError as error:
+            raise _refused(error) from None
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse an input that its calculation refuses by its fields alone."""
+        asked = self.asked
+        try:
+            asked.refuse_beyond(settings)
+        except Problem as error:
+            raise _refused(error) from error
+        except InvalidInput as error:
+            raise _refused(named(error, asked)) from error
+
     def solve(self) -> tuple[Solution, dict[str, float], list[str]]:
         """The solution, what it sets, and which inputs were linked."""
-        calculation = SOLVED[self.calculation]
-        adapter: TypeAdapter[RequestModel] = TypeAdapter(calculation.request)
+        calculation, adapter, long = SOLVED[self.calculation], self.adapter, self.asked.long
         parts = _parts(self.variable.pointer)
         place = _parent(self.input, parts)
         if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:
             raise refusal("/variable/pointer", "not_there", field="input")
         target = _parts(self.target.pointer)
-        design = self._asking(target)
         start: Any = place.get(parts[-1])
         hole = _parent(self.input, _parts(HOLE))
         linked = []
         if self.variable.pointer in LINKED and hole and _number(start) is not None:
             linked = [HOLE] if _number(hole.get("hole_radius_mm")) is not None else []
 
+        def setting(value: float) -> dict[str, float]:
+            one = {self.variable.pointer: value}
+            return one | {HOLE: hole["hole_radius_mm"] + (value - start)} if linked else one
+
         def changed(value: float) -> dict[str, Any]:
-            given = deepcopy(design)
-            _parent(given, parts)[parts[-1]] = round(value) if self.variable.integer else value
-            if linked:
-                given["contact"]["hole_radius_mm"] += value - start
+            given = deepcopy(self.design)
+            for pointer, each in setting(value).items():
+                path = _parts(pointer)
+                _parent(given, path)[path[-1]] = each
             return given
 
         results: list[float] = []
+        refusals: list[Exception] = []
 
         def answer(value: float) -> float:
             try:
                 values = calculation.solve(adapter.validate_python(changed(value)))
-            except (Problem, CalculationError, ValidationError):
+            except (Problem, CalculationError, ValidationError) as error:
+                if isinstance(error, Problem) and _is_of_a_list(error):
+                    raise _refused(error) from error
+                refusals.append(error)
                 return math.nan
             results.append(_at(values, target))
             return results[-1]
 
-        try:
-            long = adapter.validate_python(design).long
-        except ValidationError as error:
-            raise _within_input(wrong_fields(error)) from None
-        if not _is_field(adapter, changed(self.variable.low)):
+        between = math.floor(self.variable.low) + 0.5
+        wrong = _wrong(adapter, changed(between))
+        if "extra_forbidden" in wrong:
             raise refusal("/variable/pointer", "not_there", field="input")
         sense, wanted = self.target.wanted
         try:
@@ -160,7 +220,7 @@ class SolveRequest(RequestModel):
                 target=wanted,
                 sense=sense,
                 want=self.want,
-                integer=self.variable.integer,
+                integer=self.variable.integer or "int_type" in wrong,
                 log=self.variable.log,
                 samples=LONG_SAMPLES if long else SAMPLES,
             )
@@ -168,36 +228,33 @@ class SolveRequest(RequestModel):
             name = "to" if error.parameter == "high" else "from"
             params = {"field": "from"} if error.code == "larger_than" else error.params
             raise refusal(f"/variable/{name}", error.code, **params) from error
-        if results and all(map(math.isnan, results)):
+        if not results:
+            raise _refused(refusals[0])
+        if all(map(math.isnan, results)):
             raise refusal("/target/pointer", "not_there", field="answer")
-        sets = {}
-        if found.value is not None:
-            sets[self.variable.pointer] = found.value
-            if linked:
-                sets[HOLE] = hole["hole_radius_mm"] + found.value - start
+        sets = {} if found.value is None else setting(found.value)
         return found, sets, linked
 
-    def _asking(self, target: list[str]) -> dict[str, Any]:
-        """The input, with what the target needs and no more asked of the answer."""
-        design = deepcopy(self.input)
-        sections = crank_planetary.SECTIONS
-        if self.calculation == "crank-planetary":
-            design["include"] = [target[0] if target and target[0] in sections else "checks"]
-        elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
-            design["include"] = ["checks"] if target[:1] == ["checks"] else []
-        return design
 
-
-def _is_field(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> bool:
-    """Whether what was set in an input that is right is a field of it."""
+def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[str]:
+    """Kinds of what is wrong with what was set in an input that is right."""
     try:
         adapter.validate_python(changed)
     except ValidationError as error:
-        return all(each["type"] != "extra_forbidden" for each in error.errors())
-    return True
+        return {each["type"] for each in error.errors()}
+    return set()
 
 
-def _within_input(problem: Problem) -> Problem:
+def _is_of_a_list(error: Problem) -> bool:
+    """Whether a list does not fit the number that was set: no range of numbers cures that."""
+    return any(each.code == "different_length" for each in error.errors)
+
+
+def _refused(error: Exception) -> Exception:
+    """Why an input is refused, in the names of this request."""
+    problem = wrong_fields(error) if isinstance(error, ValidationError) else error
+    if not isinstance(problem, Problem):
+        return error
     errors = [replace(each, pointer=f"/input{each.pointer}") for each in problem.errors]
     return invalid_input(errors, problem.more)
 
@@ -269,7 +326,10 @@ class SolveResponse(ResponseModel):
         default=None,
     )
     linked: list[str] = Field(description="JSON pointers to inputs that follow the variable.")
-    accuracy: AccuracyOut
+    accuracy: AccuracyOut = Field(
+        description="Of the search: the width of the bracket. The error that the calculation "
+        "states of the result moves the value besides, by less the more the result follows it."
+    )
 
 
 def solve(body: SolveRequest) -> Values:

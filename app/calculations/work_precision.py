@@ -6,6 +6,7 @@ from pydantic import Field
 
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
+from app.calculations.crankshaft import CrankshaftRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
@@ -22,10 +23,11 @@ from app.units import to_si
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
+from core.work_precision.crankshaft import equivalent_reaction_study
 from core.work_precision.load_sharing import real_peak_study
 from core.work_precision.mesh import contact_line_study, meshing_load_study
 from core.work_precision.peak_force import peak_force_study
-from core.work_precision.pin_strength import pin_bending_study
+from core.work_precision.pin_strength import PinQuantity, pin_bending_study
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.satellite_bearing import equivalent_load_study
 from core.work_precision.shaft import shaft_deflection_study
@@ -75,15 +77,22 @@ class TotalForceStudy(Study):
 
 
 class PinStrengthStudy(Study):
-    """Largest bending stress of the pins, by ideal forces that the satellites share equally."""
+    """Largest bending stress or slope of the pins, by ideal forces that the satellites share
+    equally.
+    """
 
     calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
     input: PinStrengthRequest
+    quantity: PinQuantity = Field(
+        default="bending_stress",
+        description="Whose error is measured: of the stress, or the slope.",
+    )
 
     def solve(self) -> WorkPrecision:
         """The study."""
         equally = {"pair_stiffness": None, "made": None}
-        return pin_bending_study(**(self.input.design.loaded_pins | equally))
+        loaded = self.input.design.loaded_pins | equally
+        return pin_bending_study(quantity=self.quantity, **loaded)
 
 
 class SatelliteBearingStudy(Study):
@@ -104,6 +113,34 @@ class SatelliteBearingStudy(Study):
             eccentricity=design.eccentricity,
             mesh=design.mesh,
             kind=design.bearing.kind,
+        )
+
+
+class CrankshaftStudy(Study):
+    """Equivalent reaction of the crankshaft's bearings, by ideal forces that satellites share
+    equally.
+    """
+
+    calculation: Literal["crankshaft"] = Field(description="Whose methods are compared.")
+    input: CrankshaftRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        design = self.input.design
+        assert design.mesh is not None and design.crankshaft is not None
+        assert design.pin_circle_radius is not None and design.eccentricity is not None
+        shaft, kinds = design.crankshaft, {}
+        if shaft.bearings is not None:
+            kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
+        return equivalent_reaction_study(
+            mechanism=design.mechanism,
+            force_exponent=design.force_exponent,
+            pin_circle_radius=design.pin_circle_radius,
+            eccentricity=design.eccentricity,
+            mesh=design.mesh,
+            satellite_positions=shaft.satellite_positions,
+            bearing_positions=shaft.bearing_positions,
+            **kinds,
         )
 
 
@@ -227,6 +264,7 @@ WorkPrecisionRequest = Annotated[
     | TotalForceStudy
     | PinStrengthStudy
     | SatelliteBearingStudy
+    | CrankshaftStudy
     | ContactLineStudy
     | MeshingLoadStudy
     | RollerSharingStudy

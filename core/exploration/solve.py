@@ -3,7 +3,8 @@
 The function is any: it may jump, have several solutions, or not exist in parts of the range (NaN).
 So it is sampled first; a stretch between two samples of which one meets the target and the other
 does not is a bracket, narrowed until its ends are neighbours; around samples that come close to
-the target without meeting it the samples are made finer.
+the target without meeting it, and up to where the function ends on its way there, the samples are
+made finer.
 """
 
 import math
@@ -23,6 +24,9 @@ SAMPLES = 129
 
 FINER = 16
 """Places within two steps around a closest approach, at each of the three refinements."""
+
+MOST_WHOLE = 1000
+"""Most whole numbers that are tried."""
 
 TOLERANCE = 2.0**-50
 """Width of a bracket over its size when it is narrow enough: 4 spacings of doubles."""
@@ -86,7 +90,7 @@ def solve_for(
     want : {"smallest", "largest"}
         Which input, where many meet it.
     integer : bool
-        Whether only whole numbers are looked at, each of them.
+        Whether only whole numbers are looked at, each of them; at most `MOST_WHOLE`.
     log : bool
         Whether samples are spaced by their ratio; low > 0 then.
     samples : int
@@ -99,7 +103,8 @@ def solve_for(
     Raises
     ------
     InvalidInput
-        If the range is empty, or not positive where samples are spaced by their ratio.
+        If the range is empty, has too many whole numbers, or is not positive where samples are
+        spaced by their ratio.
 
     Examples
     --------
@@ -121,9 +126,12 @@ def solve_for(
         return known[x]
 
     if integer:
-        places = [float(x) for x in range(math.ceil(low), math.floor(high) + 1)]
-        if not places:
+        first, last = math.ceil(low), math.floor(high)
+        if first > last:
             raise InvalidInput("high", high, "larger_than", field="low")
+        if last - first >= MOST_WHOLE:
+            raise InvalidInput("high", high, "less_than_equal", limit=first + MOST_WHOLE - 1)
+        places = [float(x) for x in range(first, last + 1)]
     else:
         places = _spaced(low, high, samples, log)
     for place in places:
@@ -134,6 +142,8 @@ def solve_for(
     if not integer and not monotone:
         for _ in range(3):
             places = _finer(places, known, excess)
+    if not integer:
+        places = _to_its_ends(places, known, excess, sense == "equals")
     if sense == "equals":
         intervals, brackets = _crossings(places, excess, integer)
     else:
@@ -146,15 +156,15 @@ def solve_for(
             sign = -1.0 if sense == "at_most" else 1.0
             best = (closest, target + sign * existing[closest])
         return Solution("infeasible", None, None, (), best, monotone, len(known))
-    first = 0 if want == "smallest" else -1
+    wanted = 0 if want == "smallest" else -1
     side = 0 if want == "smallest" else 1
     status: SolveStatus = "several" if len(intervals) > 1 else "solved"
     if intervals == [(places[0], places[-1])]:
         status = "always"
     return Solution(
         status=status,
-        value=intervals[first][side],
-        bracket=brackets[first][side],
+        value=intervals[wanted][side],
+        bracket=brackets[wanted][side],
         intervals=tuple(intervals),
         best=None,
         monotone=monotone,
@@ -247,6 +257,23 @@ def _finer(
     for place in added:
         excess(place)
     return sorted({*places, *added})
+
+
+def _to_its_ends(
+    places: list[float], known: dict[float, float], excess: Callable[[float], float], equals: bool
+) -> list[float]:
+    """More places up to where the result ends to exist, if it is on its way to the target there."""
+
+    def exists(x: float) -> float:
+        return math.nan if math.isnan(excess(x)) else 0.0
+
+    for side in (places, places[::-1]):
+        for before, here, after in zip([math.nan, *side], side, side[1:], strict=False):
+            last, value = known.get(before, math.nan), known[here]
+            unmet = value != 0 if equals else value < 0
+            if unmet and math.isnan(known[after]) and not abs(value) > abs(last):
+                edge(inside=here, outside=after, excess=exists)
+    return sorted(known)
 
 
 Intervals = list[tuple[float, float]]

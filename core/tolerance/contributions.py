@@ -55,7 +55,9 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
     Jansen 1999, with two samples A and B and A with one source from B:
     ``S_T = mean((f_A - f_AB)^2)/(2*V)``, ``S_1 = 1 - mean((f_B - f_AB)^2)/(2*V)``. The peak force
     is even in most deviations, so correlations and straight fits say nothing. Where the totals add
-    up to more than 1, sources act together. Pieces that cannot work are left out.
+    up to more than 1, sources act together. Pieces that cannot work are left out. Each index is a
+    ratio of means, so that its standard error is that of ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over
+    V (Cochran 1977, Sampling Techniques, 6): V is estimated from the same pieces.
     """
 
     def first_quantity(pieces: Errors[FloatArray]) -> FloatArray:
@@ -64,12 +66,15 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
     sources = study.tolerances.sources
     one = first_quantity(study.pieces())
     other = first_quantity(study.pieces(other=sources))
-    both = np.concatenate([one, other])
+    both = np.stack([one, other])
     variance = float(np.nanvar(both)) or math.inf  # where nothing varies, nothing contributes
+    varied = np.mean((both - np.nanmean(both)) ** 2, axis=0) / variance
 
     def index(differences: FloatArray) -> tuple[float, float]:
-        squares = differences[~np.isnan(differences)] ** 2 / (2 * variance)
-        return float(squares.mean()), float(squares.std() / np.sqrt(len(squares)))
+        squares = differences**2 / (2 * variance)
+        share = float(np.nanmean(squares))
+        off = squares - share * varied
+        return share, float(np.nanstd(off) / np.sqrt(np.count_nonzero(~np.isnan(off))))
 
     found = []
     for source in sources:

@@ -13,7 +13,8 @@ turn_mean      means over the turn: equal steps, and rules between switching ang
 peak_force     sampling, polished sampling, segment-exact, the papers' approximations
 total_force    of the total force
 satellite_bearing  of powers of the load of a satellite's bearing
-pin_strength   largest bending stress: equal steps against the search by arcs
+crankshaft     of powers of the reaction of a crankshaft's bearing
+pin_strength   largest bending stress or slope: equal steps against the search by arcs
 mesh           contact-line length and meshing load, in phi as printed and in z
 rollers        load sharing by sorting, bisection, Newton
 shaft          Mohr's integral in closed form and by quadrature

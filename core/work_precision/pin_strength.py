@@ -1,7 +1,7 @@
-"""Largest bending stress of the pins: positions at equal steps against the search by arcs."""
+"""Largest bending stress or slope of pins: positions at equal steps against the search by arcs."""
 
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -28,10 +28,18 @@ SUMMITS = 8
 """Most summits of the reference; more are only where all are alike."""
 
 
+PinQuantity = Literal["bending_stress", "slope"]
+
+
 def pin_bending_study(
-    *, mechanism: Mechanism, force_exponent: float = 1.0, **loaded: Any
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    quantity: PinQuantity = "bending_stress",
+    **loaded: Any,
 ) -> WorkPrecision:
-    """Error against run time of the largest bending stress of the pins, in its section.
+    """Error against run time of the largest bending stress of the pins in its section, or of their
+    largest slope in the middle of a satellite.
 
     Parameters
     ----------
@@ -39,13 +47,16 @@ def pin_bending_study(
         Pins, satellites, ratio; at most `MAX_PAIRS` pairs.
     force_exponent : float
         Exponent v of the force over the approach.
+    quantity : {"bending_stress", "slope"}
+        Which of them.
     **loaded
         What `core.output.pin_strength.pin_stresses` takes; of ideal forces that are shared equally.
 
     Returns
     -------
     WorkPrecision
-        The calculator's method looks for the section as well, and for all other stresses.
+        The calculator's method looks for the section or the satellite as well, and for all else of
+        the pins.
 
     Raises
     ------
@@ -63,12 +74,19 @@ def pin_bending_study(
 
     found = solve()
     (case,) = found.cases
-    (arms,) = found.pin.moments(np.array([case.place]), case.loads.unit)
+    if quantity == "slope":
+        arms = found.pin.slopes[int(case.slopes.argmax())] * case.loads.unit
+    else:
+        (arms,) = found.pin.moments(np.array([case.place]), case.loads.unit)
     # All forces of a satellite are parallel to its crank.
     turned = arms * np.exp(1j * np.array(mechanism.crank_angles))
     pitch = mechanism.crank_angle_per_wave / mechanism.pins
 
-    def stresses(angles: FloatArray) -> FloatArray:
+    def largest() -> float:
+        (case,) = solve().cases
+        return float(case.slopes.max()) if quantity == "slope" else case.bent
+
+    def sizes(angles: FloatArray) -> FloatArray:
         """Of all pins, any of which meets within a pitch what one meets in a turn."""
         ratios = force_ratios(
             mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
@@ -76,13 +94,13 @@ def pin_bending_study(
         return np.asarray(np.abs(np.einsum("k,ikn->in", turned, ratios)).max(axis=1))
 
     def sampled(count: int) -> float:
-        return float(stresses(np.linspace(0.0, pitch, count, endpoint=False)).max())
+        return float(sizes(np.linspace(0.0, pitch, count, endpoint=False)).max())
 
     def polished(count: int) -> float:
-        values, step = stresses(np.linspace(0.0, pitch, count, endpoint=False)), pitch / count
+        values, step = sizes(np.linspace(0.0, pitch, count, endpoint=False)), pitch / count
         best = int(values.argmax())
         narrowed = golden_section(
-            value=lambda angle: float(stresses(np.array([angle]))[0]),
+            value=lambda angle: float(sizes(np.array([angle]))[0]),
             low=(best - 1) * step,
             high=(best + 1) * step,
             steps=GOLDEN_STEPS,
@@ -105,7 +123,7 @@ def pin_bending_study(
     ]
     chosen = measured(
         method=found.method,
-        calculate=lambda: solve().cases[0].bent,
+        calculate=largest,
         exact=exact,
         evaluations=found.evaluations,
     )
@@ -136,7 +154,7 @@ def _reference(
         turned = [mpmath.mpf(a) * mpmath.expj(b) for a, b in zip(arms, cranks, strict=True)]
         power = mpmath.mpf(exponent)
 
-        def stress(place: Any) -> Any:
+        def size(place: Any) -> Any:
             """Of pin 1, the first of each satellite."""
             cosines = [-mpmath.sin(2 * mpmath.pi * place + phase) for phase in phases]
             best = max(cosines)
@@ -144,10 +162,10 @@ def _reference(
             own = mpmath.fdot(turned, shares[:: mechanism.pins])
             return abs(own) / mpmath.fdot(shares, cosines)
 
-        # As of the peak force, half the digits of the place give all of the stress.
+        # As of the peak force, half the digits of the place give all of it.
         return max(
             golden_section(
-                value=stress,
+                value=size,
                 low=mpmath.mpf(around[top]),
                 high=mpmath.mpf(around[top + 2]),
                 steps=85,

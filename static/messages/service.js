@@ -22,6 +22,7 @@ export default {
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_mesh": "must be at least {limit}: teeth of this {field} do not mesh any nearer",
+    "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
     "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",

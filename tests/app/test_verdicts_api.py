@@ -695,6 +695,73 @@ async def test_whole_numbers_and_what_cannot_be(api):
     assert never["best"]["value"] == 2.0
 
 
+async def test_a_number_of_pins_is_whole_whether_or_not_that_is_said(api):
+    """Of 129 places between 3 and 20 only two are whole."""
+    target = {"pointer": "/checks/contact_pressure_hole/torque_reserve", "at_least": 3.0}
+    said = await solved(api, design(), "/mechanism/pins", 3, 20, target, integer=True)
+    unsaid = await solved(api, design(), "/mechanism/pins", 3, 20, target)
+    for answer in (said, unsaid):
+        del answer["accuracy"]
+    assert said == unsaid
+
+
+@pytest.mark.parametrize("radius", [6.1, 7.3, 8.7, 9.9])
+async def test_what_is_set_meets_the_target_to_the_last_digit(api, radius):
+    body = design(contact__pin_radius_mm=radius, contact__hole_radius_mm=radius + 2.0)
+    target = {"pointer": "/hertz/max_pressure_MPa", "at_most": 500.1}
+    answer = await solved(api, body, "/contact/pin_radius_mm", 1.0, 50.0, target)
+    for pointer, value in answer["sets"].items():
+        body["contact"][pointer.split("/")[2]] = value
+    response = await api.post("crank-planetary", json=body | {"include": ["hertz"]})
+    pressure = response.json()["hertz"]["max_pressure_MPa"]
+    assert pressure <= 500.1 and pressure == pytest.approx(500.1, rel=1e-14)
+
+
+LISTED = {"pin_radial_mm": [0.01] * 6}
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"input": design(deviations=LISTED | {"pin_radius_mm": [0.01]})}, "different_length"),
+        (
+            {
+                "input": design(deviations=LISTED),
+                "variable": {"pointer": "/mechanism/pins", "from": 3.0, "to": 9.0},
+            },
+            "different_length",
+        ),
+        (
+            {"variable": {"pointer": "/contact/pin_radius_mm", "from": -2.0, "to": -1.0}},
+            "greater_than_equal",
+        ),
+        ({"variable": {"pointer": "/mechanism/pins", "from": 1, "to": 1e9}}, "less_than_equal"),
+    ],
+)
+async def test_what_no_value_cures_is_refused_by_name(api, changes, code):
+    """It was `infeasible`; the lists cannot follow the pins."""
+    response = await api.post("solve", json=REQUESTS["solve"] | {"input": design()} | changes)
+    assert response.status_code == 422, response.text
+    first = response.json()["errors"][0]
+    assert first["code"] == code
+    if code == "less_than_equal":
+        assert (first["pointer"], first["params"]) == ("/variable/to", {"limit": 1000})
+    else:
+        assert first["pointer"].startswith(("/input/deviations/pin_radi", "/input/contact/pin"))
+
+
+async def test_a_design_that_cannot_be_with_any_value_says_why(api):
+    """No room in the hole: the reason is that of the design."""
+    body = design(contact__hole_radius_mm=7.0)
+    asked = {"calculation": "crank-planetary", "input": body}
+    asked["variable"] = {"pointer": "/contact/contact_length_mm", "from": 5.0, "to": 20.0}
+    asked["target"] = {"pointer": "/hertz/safety_factor", "at_least": 1.0}
+    response = await api.post("solve", json=asked)
+    direct = await api.post("crank-planetary", json=body | {"include": ["hertz"]})
+    assert response.status_code == direct.status_code == 422
+    assert response.json()["errors"][0]["code"] == direct.json()["errors"][0]["code"]
+
+
 @pytest.mark.parametrize(
     ("changes", "pointer"),
     [

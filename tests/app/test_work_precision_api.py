@@ -6,9 +6,14 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
+from app.calculations.crankshaft import CrankshaftRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.calculations.work_precision import SatelliteBearingStudy, ToleranceSamplingStudy
+from app.calculations.work_precision import (
+    CrankshaftStudy,
+    SatelliteBearingStudy,
+    ToleranceSamplingStudy,
+)
 from app.examples import REQUESTS
 from app.settings import Settings
 from core.errors import InvalidInput
@@ -49,6 +54,19 @@ STUDIES = {
         "gear": {"radial_force_ratio": -0.4},
         "bearing": {"kind": "roller"},
     },
+    "crankshaft": {
+        "mechanism": {"pins": 5, "satellites": 3, "ratio": 20, "crank_spacing_deg": 100},
+        "load": {
+            "output_torque_Nm": 500, "pin_circle_radius_mm": 50, "input_speed_rpm": 1450,
+            "force_exponent": 1.5,
+        },
+        "contact": {"eccentricity_mm": 2},
+        "gear": {"radial_force_ratio": -0.4},
+        "crankshaft": {
+            "satellite_positions_mm": [15, 37, 59], "bearing_positions_mm": [-3, 90],
+            "bearings": [{"kind": "roller"}, {"kind": "ball"}],
+        },
+    },
     "contact_line_length": GEAR,
     "meshing_load": MESH,
     "roller_sharing": {
@@ -88,8 +106,13 @@ BETWEEN = {"support": "fixed", "span_mm": 80.0}
 
 
 @pytest.mark.parametrize("held", [{}, BETWEEN, {**BETWEEN, "support": "supported"}])
-@pytest.mark.parametrize("direction", ["driving", "reverse"])
-async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(api, held, direction):
+@pytest.mark.parametrize(
+    ("direction", "quantity"),
+    [("driving", "bending_stress"), ("reverse", "bending_stress"), ("driving", "slope")],
+)
+async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(
+    api, held, direction, quantity
+):
     """Against forces in multiple precision, each along its crank: not by the search's way."""
     own = STUDIES["pin-strength"]
     own = {
@@ -97,13 +120,14 @@ async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(api, held
         "load": {**own["load"], "torque_direction": direction},
         "pin": {**own["pin"], **held},
     }
-    body = {"calculation": "pin-strength", "input": own}
+    body = {"calculation": "pin-strength", "input": own, "quantity": quantity}
     answer = (await api.post("work-precision", json=body)).json()
     lines: dict[str, list[dict]] = {}
     for point in answer["points"]:
         lines.setdefault(point["method_code"], []).append(point)
     errors = [point["relative_error"] for point in lines["sampling"]]
-    assert errors == sorted(errors, reverse=True) and errors[0] > 1e4 * errors[-1] > 0
+    gained = 1e4 if quantity == "bending_stress" else 100  # a slope may be largest at a sample
+    assert errors == sorted(errors, reverse=True) and errors[0] > gained * errors[-1] > 0
     assert [point["setting_value"] for point in lines["golden_section"]] == [16, 64, 256]
     assert max(point["relative_error"] for point in lines["golden_section"]) < 1e-14
     assert lines["locus_support"] == [answer["chosen"]]
@@ -112,7 +136,9 @@ async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(api, held
     assert answer["chosen"]["evaluations"] == alone["accuracy"]["evaluations"]
 
 
-@pytest.mark.parametrize(("study", "limit"), [("pin-strength", 16), ("satellite-bearing", 24)])
+@pytest.mark.parametrize(
+    ("study", "limit"), [("pin-strength", 16), ("satellite-bearing", 24), ("crankshaft", 16)]
+)
 async def test_studies_over_the_turn_have_a_limit(api, study, limit):
     own = STUDIES[study]
     many = {**own, "mechanism": {**own["mechanism"], "pins": limit + 1}}
@@ -157,6 +183,56 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     angles = np.array([0.1, 1.2, 3.4])
     curve = body.design.bearing_curves(angles).load[:, int(np.argmax(loads))]
     assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
+
+
+@pytest.mark.parametrize("places", [[-40, 0], [90, -3]])
+async def test_means_of_the_reactions_come_nearer_by_each_method(api, places):
+    """Against reactions in multiple precision, of which the shaft's own search knows nothing."""
+    own = STUDIES["crankshaft"]
+    own = {**own, "crankshaft": {**own["crankshaft"], "bearing_positions_mm": sorted(places)}}
+    answer = (
+        await api.post("work-precision", json={"calculation": "crankshaft", "input": own})
+    ).json()
+    lines: dict[str, list[float]] = {}
+    for point in answer["points"]:
+        lines.setdefault(point["method_code"], []).append(point["relative_error"])
+    for method, least in (("sampling", 1e-11), ("segments_gauss", 1e-12)):
+        assert lines[method][0] == max(lines[method]) > 1e-6
+        assert lines[method][-1] < least
+    assert lines["segments_tanh_sinh"] == [answer["chosen"]["relative_error"]] < [5e-15]
+
+
+@pytest.mark.parametrize("places", [[-40.0, 0.0], [-3.0, 70.0], [-3.0, 90.0]])
+def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, places):
+    """Over the load across the crank of a satellite that carries all of the torque."""
+    asked = {}
+    monkeypatch.setattr(
+        "core.work_precision.crankshaft.turn_mean_study", lambda **given: asked.update(given)
+    )
+    own = STUDIES["crankshaft"]
+    own = {**own, "crankshaft": {**own["crankshaft"], "bearing_positions_mm": places}}
+    body = CrankshaftRequest.model_validate(own)
+    CrankshaftStudy(calculation="crankshaft", input=body).solve()
+    loads, across = body.solve().equivalent_reaction, 500 / (0.002 * 20)
+    worst = int(np.argmax(loads))
+    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["power"] == pytest.approx((10 / 3, 3)[worst])
+    angles = np.array([0.1, 1.2, 3.4])
+    curve = np.abs(body.design.reaction_curves(angles).reaction[:, worst])
+    assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
+
+
+async def test_a_shaft_whose_forces_cancel_has_nothing_to_study(api):
+    own = STUDIES["crankshaft"]
+    own = {
+        **own,
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+        "crankshaft": {"satellite_positions_mm": [20, 20], "bearing_positions_mm": [0, 50]},
+    }
+    answer = await api.post("work-precision", json={"calculation": "crankshaft", "input": own})
+    error = answer.json()["errors"][0]
+    assert (answer.status_code, error["code"]) == (422, "no_reaction")
+    assert error["pointer"] == "/input/crankshaft/satellite_positions_mm"
 
 
 async def test_the_papers_approximation_has_its_known_error(api):

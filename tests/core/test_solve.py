@@ -121,3 +121,37 @@ def test_the_edge_of_anything_is_between_neighbours(size: float, sign: float) ->
 def test_an_empty_range_is_refused(given):
     with pytest.raises(InvalidInput):
         solve_for(function=lambda x: x, target=1.0, **given)
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+@pytest.mark.parametrize(("sense", "sign"), [("at_least", 1), ("equals", 1), ("equals", -1)])
+def test_what_is_met_only_next_to_the_end_of_existence_is_found(mirrored, sense, sign):
+    """Between two samples: from 2.51 to 2.53, where the result ends."""
+
+    def function(x):
+        place = 10 - x if mirrored else x
+        return sign * place if place < 2.53 else math.nan
+
+    found = solve_for(function=function, low=0.0, high=10.0, target=sign * 2.51, sense=sense)
+    assert found.status == "solved"
+    ends = [2.51] if sense == "equals" else [2.51, 2.53]
+    expected = sorted(10 - end for end in ends) if mirrored else ends
+    assert sorted({*found.intervals[0]}) == pytest.approx(expected, rel=1e-15)
+
+
+def test_no_more_is_asked_where_it_ends_on_its_way_from_the_target():
+    """Below 2.5 it exists, and falls towards there: 129 samples are enough."""
+    found = solve_for(
+        function=lambda x: -x if x < 2.53 else math.nan, low=0.0, high=10.0, target=1.0
+    )
+    assert (found.status, found.evaluations) == ("infeasible", 129)
+    assert found.best == (0.0, 0.0)
+
+
+def test_no_more_whole_numbers_than_a_thousand_are_tried():
+    most = solve_for(function=float, low=0.5, high=1000.9, target=999.5, integer=True)
+    assert (most.value, most.evaluations) == (1000.0, 1000)
+    for high in (1001.0, 1e12):
+        with pytest.raises(InvalidInput) as refused:
+            solve_for(function=float, low=0.5, high=high, target=999.5, integer=True)
+    assert (refused.value.code, refused.value.params) == ("less_than_equal", {"limit": 1000})

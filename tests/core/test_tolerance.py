@@ -1,8 +1,9 @@
 """Tolerances: classes against their formulas, draws, intervals, contributions."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from statistics import NormalDist
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -151,6 +152,34 @@ def test_one_source_explains_all() -> None:
     alone = Tolerances(disc_phase=Spread(-1e-4, 1e-4))
     (found,) = contributions(study=Study(design(), alone, ASKED, samples=40), percent=50)
     assert found.first == pytest.approx(1, abs=1e-12)
+
+
+@dataclass
+class Sum:
+    """In the place of a study: 3*a + b of normal numbers, whose indices are 0.9 and 0.1."""
+
+    seed: int
+    tolerances = SimpleNamespace(sources=("a", "b"), without=lambda source: source)
+
+    def pieces(self, other=(), tolerances=""):
+        one, two = np.random.default_rng(self.seed).standard_normal((2, 100, 2))
+        second = np.array([source in other for source in "ab"])
+        return np.where(second, two, one) * [source != tolerances for source in "ab"]
+
+    def values(self, pieces):
+        return pieces @ [[3.0], [1.0]], None
+
+
+def test_the_errors_of_the_indices_are_as_large_as_they_say() -> None:
+    """Of 300 studies, as often within 1.96 standard errors; the variance is estimated too."""
+    found = [contributions(study=Sum(seed), percent=50) for seed in range(300)]
+    for name, exact in (("a", 0.9), ("b", 0.1)):
+        for index in ("total", "first"):
+            own = [each for study in found for each in study if each.source == name]
+            off = np.array([getattr(each, index) - exact for each in own])
+            stated = np.array([getattr(each, f"{index}_error") for each in own])
+            assert 0.92 < np.mean(np.abs(off) <= 1.96 * stated) < 0.98, (name, index)
+            assert stated.mean() == pytest.approx(off.std(), rel=0.12), (name, index)
 
 
 def test_pieces_that_press_are_counted_and_fail() -> None:
