@@ -325,8 +325,8 @@ class JudgedResponse(ResponseModel):
     )
     largest_torque_estimated: Maybe[bool] = Field(
         default=None,
-        description="Present and true where that torque is an estimate: where the forces are "
-        "solved, the reserves of most checks are.",
+        description="Present and true where that torque is an estimate: forces that are solved "
+        "could not be at the torque itself.",
     )
     counts: dict[str, int] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
     not_considered: list[str] = Field(

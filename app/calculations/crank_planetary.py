@@ -60,6 +60,7 @@ from core.arrays import FloatArray
 from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.crank_planetary import crank_checks
 from core.checks.design.pins import MOST_PIN_PAIRS
+from core.checks.largest_torque import exact_torque
 from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
 from core.errors import ImpossibleMechanism
@@ -278,7 +279,7 @@ class CrankPlanetaryRequest(DesignFields):
 
     def judge(self) -> Values:
         """Verdict, and checks and fixes where asked."""
-        found = crank_checks(self.design)
+        found = exact_torque(design=self.design, found=crank_checks(self.design))
         fixes = None
         if "fixes" in self.sections:
             codes = codes_to_fix(found, self.fixes_for)

@@ -20,6 +20,7 @@ from app.model import Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import Shares
 
 TIMES_AS_LONG = 4
 """How many times as long a position takes whose satellites give."""
@@ -98,8 +99,8 @@ class RealDesignFields(GivingFields):
 
     @property
     def loops(self) -> compiled.State:
-        """Whether the compiled loops are at hand: not for satellites that give."""
-        return compiled.state() if self.support is None else "missing"
+        """Whether the compiled loops are at hand: not for given shares."""
+        return "missing" if isinstance(self.support, Shares) else compiled.state()
 
     @cached_property
     def built(self) -> Mechanism:

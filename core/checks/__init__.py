@@ -18,6 +18,7 @@ friction            efficiency, sliding speed, pv and wear
 play                backlash and lost motion of the output
 crank               bearings of the satellites, ring, crankshaft
 crank_planetary     cranks, pins, holes and satellite; all checks of the reducer
+largest_torque      the largest torque of the reducer as it is made
 rollers             swinging rollers
 shaft               the precessional gear and its shaft
 """

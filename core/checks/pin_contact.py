@@ -41,6 +41,7 @@ def _against(design: CrankDesign, code: str, warning: str = "", **more: Any) -> 
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=design.peak,
+        rough=design.as_made and design.edge is not None,
         **more,
     )
 

@@ -23,7 +23,7 @@ edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
-satellite_support   one position of satellites that give: crank bearings, mesh, given shares
+satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 loaded_position     its forces, lag, play and stiffness at one position

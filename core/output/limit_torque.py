@@ -1,12 +1,8 @@
 """The torque at which the mechanism as it is made reaches a pressure for the first time."""
 
-import numpy as np
-
-from core.output.compiled import in_place_of
 from core.output.contact_law import law_kind
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import rigid_limit_torque
-from core.output.sharing_kernel import alone
+from core.output.sharing_kernel import LIMIT_TORQUE, alone
 from core.output.summits import Grid, summits
 from core.output.turn import Turn
 
@@ -53,7 +49,7 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
     >>> round(limit_torque(real=real, direction=1.0, pair=0, force=957.1067811865), 9)
     30.0
     """
-    setup, pairs, room = real.setup(direction), real.pairs, real.room()
+    setup, pairs = real.setup(direction), real.pairs
     kind, exponent = law_kind(real.law)
     less = []
     for i, curved in enumerate(pairs.curved):
@@ -63,19 +59,9 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
         whole = 2 * pairs.distance[i] + approach if setup.exact else 1.0
         less.append(approach * whole)
 
-    def torque(psi: float) -> float:
-        if real.held is not None:
-            return real.held.limit_torque(psi, less, setup, room)
-        return rigid_limit_torque(psi=psi, limits=less, setup=setup, pairs=pairs, room=room)
-
-    loops = in_place_of(value=lambda kind, psi, *_: (-torque(psi), True))
-
-    def narrow(low: float, high: float) -> tuple[float, float, float]:
-        place, height, error, _ = loops.narrow(0, 1, low, high, None, pairs, room)
-        return place, height, error
-
-    even, near = Turn(real, direction).positions()
-    places = np.array(sorted({*even, *near}))
-    heights = np.array([-torque(psi) for psi in places.tolist()])
-    found = summits(grid=Grid(places, heights), narrow=narrow)
-    return -max(each.height for each in found)
+    turn = Turn(real, direction)
+    turn.pairs = turn.pairs._replace(allowed=turn.kernel.row(less))
+    even, near = turn.positions()
+    torques = turn.values(LIMIT_TORQUE, sorted({*even, *near}))
+    least = Grid(torques.places, -torques.heights)
+    return -max(each.height for each in summits(grid=least, narrow=turn.narrow(LIMIT_TORQUE, -1)))

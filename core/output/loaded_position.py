@@ -181,8 +181,8 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
         Positive where pairs press without load.
     """
     setup, room = real.setup(1.0), real.room()
-    if real.held is not None:
-        return real.held.interference(psi, setup, room)
+    if real.shared is not None:
+        return real.shared.interference(psi, setup, real.pairs, room)
     at(psi, setup, real.pairs, room)
     far = real.eccentricity / real.pin_circle_radius
     return interference(-far, far, setup, real.pairs, room)

@@ -26,12 +26,21 @@ from core.output.contact_law import (
 )
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import check_apart
-from core.output.satellite_support import HeldSatellites, SatelliteSupport, check_support, loosen
+from core.output.satellite_support import (
+    CrankSupport,
+    ElasticMesh,
+    SatelliteSupport,
+    Shares,
+    check_support,
+)
 from core.output.sharing_kernel import (
+    CRANK,
     LOST,
+    MESH,
     NO_DRIVE,
     NOT_SOLVED,
     NOT_STABLE,
+    RIGID,
     TOO_WIDE,
     Errors,
     Law,
@@ -196,6 +205,12 @@ class RealMechanism:
         Setup
         """
         kind, exponent = law_kind(self.law)
+        support, gives, loose = RIGID, 0.0, 0.0
+        if isinstance(self.support, ElasticMesh):
+            support, gives = MESH, 1 / self.support.stiffness
+        if isinstance(self.support, CrankSupport):
+            gives, loose = 1 / self.support.stiffness, self.support.radial_clearance / 2
+            support = CRANK if gives > 0 else RIGID
         return Setup(
             pins=self.mechanism.pins,
             satellites=self.mechanism.satellites,
@@ -208,6 +223,9 @@ class RealMechanism:
             direction=direction,
             law=kind,
             exponent=exponent,
+            support=support,
+            gives=gives,
+            loose=loose,
         )
 
     @property
@@ -254,7 +272,6 @@ class RealMechanism:
         if none >= 0:
             j, n = divmod(none, pins)
             raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
-        loosen(support=self.support, pairs=pairs)
         return pairs, [self.pin_radius + error for error in errors.pin_radius] * satellites
 
     @property
@@ -318,23 +335,24 @@ class RealMechanism:
             raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
         return position
 
-    @cached_property
-    def held(self) -> HeldSatellites | None:
-        """The satellites that give, where they do."""
-        return None if self.support is None else HeldSatellites(self.support, self.pairs)
+    @property
+    def shared(self) -> Shares | None:
+        """The given shares of the torque, where there are any."""
+        return self.support if isinstance(self.support, Shares) else None
 
     @cached_property
     def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted; of satellites that give with
-        what differs.
+        """The functions of `core.output.sharing_kernel`, interpreted; of given shares with what
+        differs.
         """
-        held = self.held
-        if held is None:
+        shared = self.shared
+        if shared is None:
             return PLAIN
         return in_place_of(
-            solve=lambda psi, torque, setup, pairs, room: held.solve(psi, torque, setup, room),
-            played=lambda psi, setup, pairs, room: held.played(psi, setup, room),
-            wave_torque=lambda psi, lag, setup, pairs, room: held.wave_torque(psi, setup, room),
+            solve=shared.solve,
+            played=shared.played,
+            wave_torque=shared.wave_torque,
+            limit_torque=shared.limit_torque,
         )
 
     def contact(self, pair: int, force: float) -> HertzContact | None:

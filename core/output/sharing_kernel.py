@@ -19,8 +19,12 @@ Row = MutableSequence[float]
 R = TypeVar("R")
 
 LINEAR, POWER, HERTZ = 0, 1, 2
+RIGID, CRANK, MESH = 0, 1, 2
+"""What of the satellites gives: nothing, the bearings on their cranks, their mesh with the ring."""
+
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, LOST, TOO_WIDE, NO_ROOM = 0, 1, 2, 3, 4, 5, 6
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
+LIMIT_TORQUE = 8
 """What is looked at over the turn; of the pressure the force over the reduced radius."""
 
 EPS = 2.0**-52
@@ -59,6 +63,9 @@ class Setup(NamedTuple):
     direction: float  # of the torque: 1, or -1 in reverse
     law: int  # LINEAR, POWER, HERTZ
     exponent: float  # of the force over the approach; about 10/9 for Hertz, for start and steps
+    support: int  # RIGID, CRANK, MESH
+    gives: float  # compliance of that, m/N or rad/(N*m)
+    loose: float  # what the bearings' clearance adds to every gap
 
 
 class Law(NamedTuple):
@@ -105,6 +112,7 @@ class Pairs(NamedTuple):
     b: Row  # POWER C; HERTZ B
     limit: Row  # force at which the law ends
     curved: Row  # difference of the curvatures
+    allowed: Row  # approach at the limit of LIMIT_TORQUE, m; in exact geometry 2*C*d + d^2
 
 
 class Room(NamedTuple):
@@ -118,7 +126,9 @@ class Room(NamedTuple):
     lever: Row
     stiffness: Row  # of the contact
     most: Row  # largest force so far
-    own_lag: Row  # [K] of the satellites, where they give
+    own_lag: Row  # [K] of the satellites, where they give; their unknown while it is sought
+    own_moves: Row  # [K] their unknown by the lag of the output, see `Disc`, and its error
+    own_error: Row
 
 
 class Poses(NamedTuple):
@@ -189,8 +199,8 @@ def prepare(
                 e_r, e_t = p_r - h_r, p_t - h_t - eta * radius
                 pairs.x[i], pairs.y[i] = -radius * ry, radius * rx
                 pairs.ex[i], pairs.ey[i] = e_t * ry - e_r * rx, -e_r * ry - e_t * rx
-                pairs.k0[i], pairs.k1[i], pairs.k2[i] = -gap, 0.0, 0.0
-                pairs.size[i] = off + loose
+                pairs.k0[i], pairs.k1[i], pairs.k2[i] = -gap - setup.loose, 0.0, 0.0
+                pairs.size[i] = off + loose + setup.loose
             difference = setup.eccentricity + setup.clearance + larger
             pin = setup.pin_radius + errors.pin_radius[n]
             pairs.distance[i] = difference
@@ -465,14 +475,33 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
         return Position(0.0, 0.0, play_low, play_high, play_error, 0.0, 0.0, NO_DRIVE, 0)
     if pressed:
         lag = 0.0
+    for i in range(setup.pins * setup.satellites):
+        room.force[i] = 0.0
     low, high = -math.inf if pressed else 0.0, math.inf
+    if setup.support != RIGID:
+        lag, status, step = give(torque, lag, low, high, pressed, setup, pairs, room)
+        slope, lag_error, force_error = given_errors(psi, torque, lag, setup, pairs, room)
+        if slope <= 0:
+            return Position(0.0, 0.0, play_low, play_high, play_error, 0.0, 0.0, NOT_SOLVED, step)
+        for j in range(setup.satellites):
+            room.own_lag[j] = zero + (lag if setup.support == CRANK else room.own_lag[j])
+        lag_error += (0.0 if pressed else play_error) + EPS * abs(lag)
+        return Position(
+            zero + lag,
+            slope,
+            play_low,
+            play_high,
+            play_error,
+            lag_error,
+            force_error,
+            status,
+            step,
+        )
     # Newton on torque^(1/exponent), which is convex and nearly straight for pure powers; pairs
     # that press without load have other laws of growth.
     power = 1.0 if pressed else 1 / setup.exponent
     step, status, far = 0, NOT_SOLVED, setup.eccentricity / setup.radius
     carried = slope = gross = 0.0
-    for i in range(setup.pins * setup.satellites):
-        room.force[i] = 0.0
     for step in range(1, STEPS):
         carried, slope, gross = balance(lag, setup, pairs, room)
         if carried > torque:
@@ -490,21 +519,10 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
             break
         if pressed:  # at its dead angle a pair hardly holds: no step beyond what is sought
             change = min(max(change, -far), far)
-        following = lag + change
-        # Below the exponent 1 each touch is a step of the torque, over which Newton goes back and
-        # forth: then every second time the stretch is halved.
-        if not low < following < high or (
-            step > NEWTON_ALONE and step % 2 and high - low < math.inf
-        ):
-            if high == math.inf:
-                following = lag + max(abs(lag), 1e-9)
-            elif low == -math.inf:
-                following = lag - max(abs(lag), 1e-9)
-            else:
-                following = (low + high) / 2
-                if following in (low, high):
-                    status = SOLVED
-                    break
+        following = within(lag, change, low, high, step)
+        if following in (low, high):
+            status = SOLVED
+            break
         lag = following
     if slope <= 0:
         return Position(
@@ -539,6 +557,254 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
     )
 
 
+def within(x: float, change: float, low: float, high: float, step: int) -> float:
+    """The next place of Newton inside a bracket, at one of its ends where nothing is left of it.
+
+    Below the exponent 1 each touch is a step of the torque, over which Newton goes back and forth:
+    then every second time the stretch is halved.
+    """
+    following = x + change
+    if low < following < high and not (step > NEWTON_ALONE and step % 2 and high - low < math.inf):
+        return following
+    if high == math.inf:
+        return x + max(abs(x), 1e-9)
+    if low == -math.inf:
+        return x - max(abs(x), 1e-9)
+    return (low + high) / 2
+
+
+class Disc(NamedTuple):
+    """A satellite that gives, at a lag of the output.
+
+    All contact normals of one disc are parallel to its eccentricity: what its crank's bearing gives
+    is taken from every approach alike. What its mesh with the ring gives turns it back against the
+    output. Its unknown is how far the bearing has gone back, less than 0, or its own lag; its own
+    equation, which grows with that, says that the forces do this.
+    """
+
+    torque: float
+    gross: float
+    slope: float  # of the torque by the lag of the output, with the own equation solved
+    value: float  # what the own equation is off, and the size of its terms
+    size: float
+    change: float  # step of Newton of the unknown, and its derivative by the lag of the output
+    moves: float
+    weight: float  # torque by what the own equation is off
+    share: float  # 1 over the slope of the own equation
+
+
+def disc(j: int, lag: float, own: float, setup: Setup, pairs: Pairs, room: Room) -> Disc:
+    """Satellite j at a lag of the output and a value of its unknown; its forces are in the room."""
+    crank, gives, kind, exponent = setup.support == CRANK, setup.gives, setup.law, setup.exponent
+    q, v, force, levers, contact = room.q, room.v, room.force, room.lever, room.stiffness
+    turned, back = (lag, own) if crank else (own, 0.0)
+    torque = gross = held = size = stiff = spread = middle = 0.0
+    for i in range(j * setup.pins, (j + 1) * setup.pins):
+        lever = v[i]
+        approach = q[i] + turned * lever + back
+        if approach <= TINY:
+            force[i] = levers[i] = contact[i] = 0.0
+            continue
+        f, stiffness = law(kind, approach, pairs.a[i], pairs.b[i], exponent, force[i], contact[i])
+        force[i], levers[i], contact[i] = f, lever, stiffness
+        torque += f * lever
+        gross += f * abs(lever)
+        terms = f + stiffness * (abs(turned * lever) + abs(back))
+        if crank:  # the mean lever, and squares about it
+            held += f
+            size += terms
+            stiff += stiffness
+            off = lever - middle
+            middle += stiffness / stiff * off
+            spread += stiffness * off * (lever - middle)
+        else:
+            size += terms * abs(lever)
+            stiff += stiffness * lever * lever
+    if not crank:
+        held, middle = torque, 1.0
+    rest = 0.0 if crank else lag
+    value, share = own - rest + gives * held, 1 / (1 + gives * stiff)
+    weight = middle * stiff * share
+    return Disc(
+        torque,
+        gross,
+        spread + middle * weight,
+        value,
+        abs(own) + abs(rest) + gives * size,
+        -value * share,
+        -gives * weight if crank else share,
+        weight,
+        share,
+    )
+
+
+def near(one: Disc, own: float) -> bool:
+    """Whether the own equation of a satellite is solved, up to rounding."""
+    return abs(one.value) <= EPS * one.size or abs(one.change) <= EPS * abs(own)
+
+
+def settle(j: int, lag: float, setup: Setup, pairs: Pairs, room: Room) -> None:
+    """Solve the own equation of satellite j at a lag of the output."""
+    own, low, high = room.own_lag[j], -math.inf, math.inf
+    for step in range(1, STEPS):
+        one = disc(j, lag, own, setup, pairs, room)
+        if near(one, own):
+            break
+        if one.value > 0:
+            high = own
+        else:
+            low = own
+        following = within(own, one.change, low, high, step)
+        if following in (low, high):
+            break
+        own = following
+    room.own_lag[j] = own
+
+
+def felt(i: int, j: int, setup: Setup, room: Room) -> tuple[float, float]:
+    """Approach of a pair by the lag of the output, and by the unknown of its satellite."""
+    if setup.support == CRANK:
+        return room.v[i] + room.own_moves[j], 1.0
+    return room.v[i] * room.own_moves[j], room.v[i]
+
+
+def give(
+    torque: float,
+    lag: float,
+    low: float,
+    high: float,
+    pressed: bool,
+    setup: Setup,
+    pairs: Pairs,
+    room: Room,
+) -> tuple[float, int, int]:
+    """Lag at which satellites that give carry a torque or, for a torque of 0, at which the first
+    pair is pressed in by what is allowed; status and steps.
+
+    Newton on all equations at once, from outside. Where it takes long, the equations of the discs
+    are solved at every lag, and only then the bracket of the lag is known.
+    """
+    crank, far = setup.support == CRANK, setup.eccentricity / setup.radius
+    power = 1.0 if pressed or torque == 0 else 1 / setup.exponent
+    outer, solved = 0, False
+    for j in range(setup.satellites):
+        room.own_lag[j] = 0.0 if crank else lag
+    for step in range(1, 2 * STEPS):
+        carried = slope = size = 0.0
+        value, settled = -math.inf, True
+        for j in range(setup.satellites):
+            one = disc(j, lag, room.own_lag[j], setup, pairs, room)
+            settled = settled and (solved or near(one, room.own_lag[j]))
+            room.own_lag[j] += one.change
+            room.own_moves[j] = one.moves
+            if torque > 0:
+                carried += one.torque - one.weight * one.value
+                slope += one.slope
+                size += one.gross + abs(one.weight) * one.size
+                continue
+            for i in range(j * setup.pins, (j + 1) * setup.pins):
+                by_lag, by_own = felt(i, j, setup, room)
+                beyond = room.q[i] + by_own * room.own_lag[j] - pairs.allowed[i]
+                beyond += lag * room.v[i] if crank else 0.0
+                if beyond > value:
+                    value, slope = beyond, by_lag
+                    size = abs(room.q[i]) + abs(lag * room.v[i]) + pairs.allowed[i]
+        change = math.inf
+        if torque == 0:
+            change = -value / slope if slope > 0 else math.inf
+        else:
+            value, ratio = carried - torque, carried / torque
+            if slope > 0 and power == 1:
+                change = -value / slope
+            elif slope > 0 and ratio > 0:
+                change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+        if settled and (abs(value) <= EPS * size or abs(change) <= EPS * abs(lag)):
+            return lag, SOLVED, step
+        if pressed:
+            change = min(max(change, -far), far)
+        following = lag + change
+        if settled:
+            if value > 0:
+                high = lag
+            elif torque == 0 and lag > far:
+                return lag, LOST, step
+            else:
+                low = lag
+            following = within(lag, change, low, high, outer)
+            if following in (low, high):
+                return lag, SOLVED, step
+        elif outer > NEWTON_ALONE or not low < following < high:
+            for j in range(setup.satellites):
+                settle(j, lag, setup, pairs, room)
+            solved = True
+            continue
+        for j in range(setup.satellites):
+            room.own_lag[j] += room.own_moves[j] * (following - lag)
+        lag, outer, solved = following, outer + 1, False
+    return lag, NOT_SOLVED, 2 * STEPS
+
+
+def given_errors(
+    psi: float, torque: float, lag: float, setup: Setup, pairs: Pairs, room: Room
+) -> tuple[float, float, float]:
+    """Slope of the torque as `give` left the room, and bounds of the errors of lag and forces: by
+    the balance, by rounding of terms, levers and approaches as in `solve`, and by what the discs'
+    own equations are off.
+    """
+    crank, rounding = setup.support == CRANK, EPS * (4 + 2 * abs(psi))
+    value, slope, off = -torque, 0.0, 4 * EPS * torque
+    for j in range(setup.satellites):
+        own_lag = room.own_lag[j]
+        one = disc(j, lag, own_lag, setup, pairs, room)
+        room.own_moves[j] = one.moves
+        value, slope = value + one.torque, slope + one.slope
+        own, moved = abs(one.value) + 4 * EPS * one.size, 0.0
+        turned, back = (lag, own_lag) if crank else (own_lag, 0.0)
+        for i in range(j * setup.pins, (j + 1) * setup.pins):
+            by_lag, by_own = felt(i, j, setup, room)
+            unsure = rounding * (room.unsure[i] + abs(turned) * setup.radius + abs(back))
+            rough = rounding * room.force[i] * setup.radius
+            room.unsure[i] = unsure
+            off += rough + room.stiffness[i] * abs(by_lag) * unsure
+            own += 0.0 if crank else setup.gives * rough
+            moved += setup.gives * room.stiffness[i] * abs(by_own) * unsure
+        off += 4 * EPS * one.gross + abs(one.weight) * own
+        room.own_error[j] = one.share * (own + moved)
+    lag_error, force_error = (off + abs(value)) / slope if slope > 0 else math.inf, 0.0
+    for j in range(setup.satellites):
+        for i in range(j * setup.pins, (j + 1) * setup.pins):
+            by_lag, by_own = felt(i, j, setup, room)
+            unsure = abs(by_lag) * lag_error + room.unsure[i] + abs(by_own) * room.own_error[j]
+            force_error = max(force_error, room.stiffness[i] * unsure + 8 * EPS * room.force[i])
+    return slope, lag_error, force_error
+
+
+def limit_torque(psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
+    """Torque under which the first pair is pressed in by what is allowed; 0 where one is pressed as
+    far without load. Where the output would lag by the eccentricity before, the torque that brings
+    it there.
+    """
+    count, far = setup.pins * setup.satellites, setup.eccentricity / setup.radius
+    at(psi, setup, pairs, room)
+    least, most, _, _ = play(setup, room)
+    for i in range(count):
+        room.q[i] -= pairs.allowed[i]
+        room.force[i] = 0.0
+    low, high, _, _ = play(setup, room)  # of rigid satellites, till a pair is at its limit
+    at(psi, setup, pairs, room)
+    if setup.support == RIGID:
+        return 0.0 if low > high else max(balance(min(high, far), setup, pairs, room)[0], 0.0)
+    zero = min(max(most, -far), far)
+    lag = min(max(high, zero), far) if least <= most else zero
+    lag, _, _ = give(0.0, lag, zero, math.inf, False, setup, pairs, room)
+    if lag > far:
+        lag, _, _ = give(0.0, far, far, far, False, setup, pairs, room)
+    total = 0.0
+    for i in range(count):
+        total += room.force[i] * room.lever[i]
+    return max(total, 0.0) if lag > zero else 0.0
+
+
 def judged(position: Position, setup: Setup, pairs: Pairs, room: Room) -> int:
     """Whether a position can be, as `solve` left the room: a status."""
     if position.status == NO_DRIVE:
@@ -569,6 +835,7 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
     for j in range(setup.satellites):
         angle, arm = psi + pairs.phase[j], pairs.arm[j]
         wx, wy = arm * math.sin(angle), arm * math.cos(angle)
+        turned = room.own_lag[j] if setup.support == MESH else lag
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             if room.force[i] == 0:
                 continue
@@ -580,7 +847,7 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
                 square += less * (wx * x + wy * y) + way * sine * (wx * y - wy * x + pairs.k2[i])
                 grown /= 2 * math.sqrt(square)
             else:
-                grown += lag * way * (wy * x - wx * y)
+                grown += turned * way * (wy * x - wx * y)
             total += room.force[i] * grown
     return total
 
@@ -706,6 +973,8 @@ def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[
     if kind in (PLAY_END, BACKLASH):
         low, high = played(psi, load.setup, pairs, room)
         return high if kind == PLAY_END else max(high - low, 0.0), True
+    if kind == LIMIT_TORQUE:
+        return limit_torque(psi, load.setup, pairs, room), True
     both, can = 0.0, True
     for back in range(2 if kind == LOST_MOTION else 1):
         setup = load.back if back else load.setup

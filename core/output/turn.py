@@ -38,7 +38,7 @@ class Turn:
 
     def __init__(self, real: RealMechanism, torque: float, share: float = 1.0) -> None:
         self.real = real
-        self.kernel = at_hand() if real.support is None else real.loops
+        self.kernel = at_hand() if real.shared is None else real.loops
         direction = math.copysign(1.0, torque)
         self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
         self.pairs = Pairs(*map(self.kernel.row, real.pairs))

@@ -215,7 +215,7 @@ class Study:
             Which can be assembled without force.
         """
         kernel, count = at_hand(), len(pieces.pin_radial)
-        if self.real.support is not None:
+        if self.real.shared is not None:
             kernel = PLAIN
         blocks = [range(count)[first : first + BLOCK] for first in range(0, count, BLOCK)]
 
@@ -248,7 +248,7 @@ class Study:
         results: Pieces = rows(Pieces, len(pieces.pin_radial))
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
-        if real.support is None:
+        if real.shared is None:
             kernel.pieces(
                 Errors(*map(kernel.table, pieces)),
                 asked.positions,

@@ -343,19 +343,18 @@ ROUGH = {
 
 
 @pytest.mark.parametrize(("rating", "verdict"), [(6e4, "fail"), (1.2e5, "pass")])
-async def test_where_the_forces_are_solved_a_life_estimates_the_largest_torque(
-    api, rating, verdict
-):
+async def test_where_the_forces_are_solved_a_life_has_its_largest_torque(api, rating, verdict):
     body = changed(ROUGH, bearing__dynamic_rating_N=rating)
     answer, checks = await asked(api, "crank-planetary", body)
     life = checks["bearing_life"]
     assert (answer["verdict"], answer["governing"]) == (verdict, "bearing_life")
-    assert answer["largest_torque_estimated"] is True
+    assert "largest_torque_estimated" not in answer
     torque = answer["largest_torque_Nm"]
-    assert torque == pytest.approx(500 * (life["value"] / life["limit"]) ** (1 / 3), rel=1e-12)
-    # under that torque the life is about what is asked, but not that: the sharing has moved
+    # as the sharing moves, it is not that of the forces under the given torque
+    by_those = 500 * (life["value"] / life["limit"]) ** (1 / 3)
+    assert 1e-6 < abs(torque / by_those - 1) < 0.1
     _, there = await asked(api, "crank-planetary", changed(body, load__output_torque_Nm=torque))
-    assert 1e-6 < abs(there["bearing_life"]["utilisation"] - 1) < 0.1
+    assert there["bearing_life"]["utilisation"] == pytest.approx(1, abs=1e-4)
 
 
 @pytest.mark.parametrize("known", [{"contact__hole_clearance_mm": 0.0}, {"bearing": None}])

@@ -63,6 +63,24 @@ def test_the_clearance_of_a_bearing_is_half_a_clearance_of_the_holes(
     same(replace(real, support=CrankSupport(radial_clearance=loose)), wider, angle, torque)
 
 
+def test_pairs_that_press_without_load_bear_a_torque_up_to_their_limit() -> None:
+    """Also where a pair would be beyond it at the end of the play: the output goes back."""
+    real = replace(
+        TWO,
+        law=LinearLaw(1e8),
+        clearance=2e-5,
+        deviations=Deviations(pin_tangential=(6e-5, -6e-5, 0.0, 0.0, 0.0, 0.0)),
+    )
+    loose = replace(real, clearance=1.5e-5, support=CrankSupport(radial_clearance=1e-5))
+    wanted, found = (
+        limit_torque(real=each, direction=1.0, pair=0, force=5e3) for each in (real, loose)
+    )
+    assert found == pytest.approx(wanted, rel=1e-12)
+    turn = over_turn(real=loose, output_torque=found)
+    assert turn.pressed_without_load
+    assert turn.peak_force == pytest.approx(5e3, rel=1e-9)
+
+
 @given(reals(exact=False), crank_angles, torques)
 def test_shares_as_they_are_give_the_rigid_result(
     real: RealMechanism, angle: float, torque: float
