@@ -12,7 +12,7 @@ ALIKE = 1e-11
 """Relative difference below which two summits look equal on the grid."""
 
 ZOOMED = 3
-"""How many of the highest summits are narrowed, of what has no spikes."""
+"""How many summits are narrowed at least, of what has no spikes."""
 
 Narrow = Callable[[float, float], tuple[float, float, float]]
 """Place and height of the largest value between two places, rad, and its error."""
@@ -54,8 +54,17 @@ class Grid:
     heights: FloatArray
 
 
+def _height(summit: Summit) -> float:
+    return summit.height
+
+
 def summits(
-    *, grid: Grid, narrow: Narrow, known: Sequence[Summit] = (), most: int | None = None
+    *,
+    grid: Grid,
+    narrow: Narrow,
+    known: Sequence[Summit] = (),
+    most: int | None = None,
+    top: bool = False,
 ) -> list[Summit]:
     """Summits of a grid, narrowed; those that look alike are narrowed once.
 
@@ -69,10 +78,17 @@ def summits(
         Summits that have been narrowed: what leads to one of them is not narrowed again.
     most : int, optional
         Only so many of the highest.
+    top : bool
+        Only those that may be the highest of all, and `ZOOMED`.
 
     Returns
     -------
     list of Summit
+
+    Notes
+    -----
+    Between its neighbours a summit is taken to be concave: it is not above the lines that lead to
+    it from both sides.
     """
     places, heights = grid.places, grid.heights
     count, turn = len(places), 2 * math.pi
@@ -85,9 +101,15 @@ def summits(
     keys = np.round(np.stack([before, heights, after])[:, tops] / scale).T
     for i, key in zip(tops.tolist(), keys.tolist(), strict=True):
         seen.setdefault(tuple(key), []).append(i)
-    found = []
-    for alike in sorted(seen.values(), key=lambda alike: -heights[alike[0]])[:most]:
+    gaps = np.diff(places, append=places[0] + turn)
+    risen, fallen = heights - before, heights - after
+    slopes = np.roll(gaps, 1) / gaps
+    ceilings = heights + (np.maximum(risen / slopes, fallen * slopes) if top else 0.0)
+    found: list[Summit] = []
+    for alike in sorted(seen.values(), key=lambda alike: -ceilings[alike[0]])[:most]:
         i = alike[0]
+        if top and len(found) >= ZOOMED and ceilings[i] <= max(map(_height, found)):
+            break
         low = float(places[i - 1]) - (turn if i == 0 else 0)
         high = float(places[i + 1]) if i + 1 < count else float(places[0]) + turn
         same = next((each for each in known if low <= each.place <= high), None)
@@ -100,10 +122,6 @@ def summits(
         others = tuple(place + float(places[k] - places[i]) for k in alike)
         found.append(Summit(place, height, error, others))
     return found
-
-
-def _height(summit: Summit) -> float:
-    return summit.height
 
 
 def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]:
@@ -123,8 +141,8 @@ def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]
     missed : float
         How much of it the coarse grid alone would have missed.
     """
-    found = summits(grid=fine, narrow=narrow, most=ZOOMED)
-    rough = summits(grid=coarse, narrow=narrow, known=found, most=ZOOMED)
+    found = summits(grid=fine, narrow=narrow, top=True)
+    rough = summits(grid=coarse, narrow=narrow, known=found, top=True)
     top = max(found, key=_height)
     return top, abs(top.height - max(map(_height, rough)))
 
