@@ -72,8 +72,8 @@ Whole = Annotated[int, BeforeValidator(_whole)]
 
 
 UNION_TAGS: set[str] = set()
-"""Names of the branches of unions: pydantic puts them into the path of an error; they are no
-fields."""
+"""Names of the branches of a field's unions: pydantic puts them into the path of an error; they are
+no fields."""
 
 
 _API_NAMES: dict[str, str] = {}

@@ -336,16 +336,17 @@ def wrong_fields(error: ValidationError) -> Problem:
     count = error.error_count()
     if count > MAX_DESCRIBED:
         return invalid_input([], count)
+    tag = 1 if error.title.startswith("tagged-union") else 0  # of a union, before its fields
     items: dict[str, FieldProblem] = {}
     for each in error.errors(include_url=False, include_input=False):
-        item = _item(each)
+        item = _item(each, each["loc"][tag:])
         items.setdefault(item.pointer, item)
     return invalid_input(list(items.values()))
 
 
-def _item(error: ErrorDetails) -> FieldProblem:
+def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
     kind, context = error["type"], error.get("ctx", {})
-    path = [part for part in error["loc"] if part not in UNION_TAGS]
+    path = [part for part in place if part not in UNION_TAGS]
     if kind == "json_invalid":
         return wrong("", kind, error=context["error"])
     if kind == "field_error":

@@ -1,6 +1,6 @@
 """Error against run time: request, answer, figure."""
 
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -15,7 +15,7 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.model import UNION_TAGS, Calculation, RequestModel, ResponseModel, Values, result
+from app.model import Calculation, RequestModel, ResponseModel, Values, result
 from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
@@ -273,13 +273,6 @@ WorkPrecisionRequest = Annotated[
     | ToleranceSamplingStudy,
     Field(discriminator="calculation"),
 ]
-
-
-UNION_TAGS.update(
-    name
-    for study in get_args(get_args(WorkPrecisionRequest)[0])
-    for name in get_args(study.model_fields["calculation"].annotation)
-)
 
 
 class ReferenceOut(ResponseModel):

@@ -52,6 +52,11 @@ async def test_only_what_is_known_is_answered(api):
             "/crankshaft/bearing_positions_mm/1",
             "greater_than",
         ),
+        (
+            {"satellite_positions_mm": [20.0, "x"]},
+            "/crankshaft/satellite_positions_mm/1",
+            "float_type",
+        ),
     ],
 )
 async def test_what_cannot_be_is_refused(api, fields, pointer, code):

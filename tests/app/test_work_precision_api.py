@@ -235,6 +235,13 @@ async def test_a_shaft_whose_forces_cancel_has_nothing_to_study(api):
     assert error["pointer"] == "/input/crankshaft/satellite_positions_mm"
 
 
+async def test_what_a_study_lacks_is_named_below_its_input(api):
+    own = {key: each for key, each in STUDIES["crankshaft"].items() if key != "crankshaft"}
+    answer = await api.post("work-precision", json={"calculation": "crankshaft", "input": own})
+    (error,) = answer.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/input/crankshaft", "missing")
+
+
 async def test_the_papers_approximation_has_its_known_error(api):
     body = {
         "calculation": "peak_force",
