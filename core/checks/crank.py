@@ -44,11 +44,21 @@ def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBeari
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
 
-def _left_out(force: float, load: float, power: float = 1.0) -> float:
+def _left_out(force: float, load: float, *, short: bool, power: float = 1.0) -> float:
     """Relative error of a life, or of a safety with a power of 1, by a force that the load of the
-    bearing leaves out, whatever its direction.
+    bearing leaves out, whatever its direction: with it the load is at most their sum and, which
+    counts where the life is too short, at least their difference.
     """
-    return float((1 - force / load) ** -power - 1) if force < load else math.inf
+    if not short:
+        return float(1 - (1 + force / load) ** -power)
+    least = abs(1 - force / load)
+    return float(max(least**-power - 1, 0.0)) if least else math.inf
+
+
+def _equivalent(design: CrankDesign) -> float:
+    """Centrifugal force of a satellite as an equivalent load has it: by the ring that turns, N."""
+    assert design.bearing is not None
+    return float(design.bearing.ring_factor) * design.centrifugal
 
 
 def _life(design: CrankDesign) -> Check:
@@ -69,7 +79,12 @@ def _life(design: CrankDesign) -> Check:
             lambda factors: design.moved_loads(factors, power).max(axis=1),
         ),
         error=4 * power * float(found.accuracy.relative_error)
-        + _left_out(design.centrifugal, float(found.equivalent_load[worst]), power),
+        + _left_out(
+            _equivalent(design),
+            float(found.equivalent_load[worst]),
+            short=value < limit,
+            power=power,
+        ),
         rough=design.as_made,
         at={"satellite": worst + 1},
     )
@@ -96,7 +111,8 @@ def _static(design: CrankDesign) -> Check:
         reserve=design.reserve(
             value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
-        error=4 * error + _left_out(design.centrifugal, design.bearing.static_rating / value),
+        error=4 * error
+        + _left_out(design.centrifugal, design.bearing.static_rating / value, short=value < limit),
         rough=design.as_made,
         limit_source=source,
         at={"satellite": worst + 1},
@@ -116,7 +132,9 @@ def _system(design: CrankDesign) -> Check:
         return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
-    error += _left_out(design.centrifugal, float(found.equivalent_load.min()), power)
+    error += _left_out(
+        _equivalent(design), float(found.equivalent_load.min()), short=value < limit, power=power
+    )
 
     def together(factors: FloatArray) -> FloatArray:
         lives = design.moved_loads(factors, power) ** -power
@@ -201,7 +219,7 @@ def _shaft_life(design: CrankDesign) -> Check:
         assert design.input_speed is not None
         speed = design.input_speed
         left_out = max(
-            _left_out(each.unbalance * speed**2, load, power)
+            _left_out(each.unbalance * speed**2, load, short=value < limit, power=power)
             for each, load, power in zip(
                 found.balance.corrections, found.equivalent_reaction.tolist(), powers, strict=True
             )

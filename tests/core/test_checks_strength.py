@@ -335,8 +335,33 @@ def test_what_the_loads_leave_out_makes_a_limit_doubtful() -> None:
             ), code
             still = CRANK[code](massless(replace(rated, **{name: found.value * times})))  # type: ignore[arg-type]
             assert still.status == "fail"
-    fast = replace(rated, input_speed=rated.input_speed * 20, life=1e9)  # type: ignore[operator]
-    assert CRANK["bearing_life"](fast).status == "marginal"  # the force is larger than the load
+    # the ring that turns has its factor in both loads
+    ringed = part(rated, "bearing", ring_factor=1.2)
+    life = CRANK["bearing_life"](ringed).value
+    assert life is not None
+    edge = (1 - 74.0220 / 12390.148) ** -3
+    for times, status in ((edge * (1 - 1e-5), "marginal"), (edge * (1 + 1e-5), "fail")):
+        assert CRANK["bearing_life"](replace(ringed, life=life * times)).status == status
+
+
+def test_a_force_beyond_the_load_leaves_out_no_more_than_it_takes_away() -> None:
+    """At f times the load the sum of both is at least f - 1 times it: above 2, a life that is too
+    short stays so.
+    """
+    slow = rigid()
+    still = CRANK["bearing_life"](massless(slow)).value
+    assert still is not None and slow.input_speed is not None
+    for times, asked, status in (
+        (1.0, 1e9, "marginal"),
+        (1.5, 7.9, "marginal"),
+        (1.5, 8.1, "fail"),
+        (3.0, 0.9, "marginal"),
+        (3.0, 1.1, "fail"),
+    ):
+        mass = times * 12390.148 / 74.0220
+        shaft = replace(slow.crankshaft, satellite_mass=slow.crankshaft.satellite_mass * mass)  # type: ignore[type-var, union-attr, operator]
+        heavy = replace(slow, crankshaft=shaft, life=asked * still)
+        assert CRANK["bearing_life"](heavy).status == status, (times, asked)
 
 
 def test_bearings_that_nothing_presses() -> None:
