@@ -326,7 +326,7 @@ class JudgedResponse(ResponseModel):
     largest_torque_estimated: Maybe[bool] = Field(
         default=None,
         description="Present and true where that torque is an estimate: forces that are solved "
-        "could not be at the torque itself.",
+        "could not be at the torque itself, or are of given shares.",
     )
     counts: dict[str, int] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
     not_considered: list[str] = Field(

@@ -10,6 +10,7 @@ from dataclasses import replace
 from core.checks.check import MARGIN, Check, Verdict, verdict
 from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
+from core.output.satellite_support import Shares
 
 LOOKS, SETTLED = 8, 1e-5
 """Torques at most that are looked at, and how far the last one's reserve may be off 1."""
@@ -31,8 +32,9 @@ def exact_torque(*, design: CrankDesign, found: Verdict) -> Verdict:
     Returns
     -------
     Verdict
-        As it is where it is no estimate. What stays one, as forces cannot be solved or jump with
-        the torque, has the largest torque looked at under which all checks hold.
+        As it is where it is no estimate, and of given shares, whose forces take too long. What
+        stays one, as forces cannot be solved or jump with the torque, has the largest torque looked
+        at under which all checks hold.
 
     Notes
     -----
@@ -40,7 +42,7 @@ def exact_torque(*, design: CrankDesign, found: Verdict) -> Verdict:
     fails and the first is at its limit: reserves that were estimated below it are raised to it.
     """
     reserve = found.torque_reserve
-    if not (found.largest_torque_estimated and reserve):
+    if not (found.largest_torque_estimated and reserve) or isinstance(design.support, Shares):
         return found
     x0, y0 = 0.0, math.log(reserve)
     x, safe = y0, 0.0

@@ -13,6 +13,7 @@ from core.checks.sections import DesignPin, FatigueBasis
 from core.materials import MATERIALS
 from core.output.contact_law import LinearLaw
 from core.output.real_mechanism import Deviations
+from core.output.satellite_support import Shares
 
 PIN = DesignPin(
     "cantilever",
@@ -87,3 +88,11 @@ def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
     assert not under(design, found.torque_reserve * (1 - 1e-12)).counts["fail"]
     monkeypatch.setattr("core.checks.largest_torque.LOOKS", 0)
     assert exact_torque(design=design, found=rough) is rough
+
+
+def test_given_shares_keep_their_estimate() -> None:
+    """They are solved without compiled loops: eight times more would take the service too long."""
+    design = replace(MADE, support=Shares((1.0,)))
+    found = crank_checks(design)
+    assert found.largest_torque_estimated
+    assert exact_torque(design=design, found=found) is found
