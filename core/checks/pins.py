@@ -32,10 +32,12 @@ def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Chec
 
 def _of_size(design: CrankDesign, check: Check) -> Check:
     """A check by the strengths of the material: of thicker pins these are less than known, so that
-    only what fails is certain.
+    only what fails is certain, but not by how much.
     """
-    if check.status == "fail" or not design.size_notices:
+    if not design.size_notices:
         return check
+    if check.status == "fail":
+        return check._replace(torque_reserve=None)
     missing = ("pin.material",)
     return check._replace(
         status="not_checked", torque_reserve=None, reason="beyond_size", missing=missing

@@ -404,7 +404,10 @@ def test_strengths_of_thinner_pins_only_fail() -> None:
                 assert (found.reason, found.missing) == ("beyond_size", ("pin.material",))
         for code in ("pin_static", "pin_fatigue"):
             worse = replace(design, bending_safety=20.0, fatigue_safety=20.0)
-            assert CRANK[code](worse).status == "fail"
+            failing = CRANK[code](worse)
+            assert failing.status == "fail"
+            known = failing.torque_reserve is not None  # by how much it fails
+            assert known == (strength == "pass")
 
 
 MISSING: dict[str, tuple[CrankDesign, tuple[str, ...], tuple[str, ...]]] = {
