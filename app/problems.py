@@ -382,7 +382,9 @@ REFUSED: dict[type[Exception], Callable[[Any], Problem]] = {
     Problem: lambda problem: problem,
     ImpossibleMechanism: impossible,
     HTTPException: http_problem,
-    RequestValidationError: lambda error: invalid_input([_item(each) for each in error.errors()]),
+    RequestValidationError: lambda error: invalid_input(
+        [_item(each, each["loc"]) for each in error.errors()]
+    ),
     Busy: lambda busy: unavailable("Too many calculations are waiting", busy.retry_after_s),
     CannotRun: lambda _: unavailable("No process for calculations can be started"),
     TooLong: lambda error: too_long(error.limit_s),
