@@ -47,4 +47,4 @@ def main(requests: int, seed: int | None) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, requests=REQUESTS, seed=None)
-    sys.exit(main(40, 0) if asked.smallest else main(asked.requests, asked.seed))
+    sys.exit(main(8, 0) if asked.smallest else main(asked.requests, asked.seed))
