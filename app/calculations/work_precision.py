@@ -20,6 +20,7 @@ from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
+from core.checks.crank_design import CrankDesign
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
@@ -95,6 +96,12 @@ class PinStrengthStudy(Study):
         return pin_bending_study(quantity=self.quantity, **loaded)
 
 
+def _turning(design: CrankDesign) -> dict[str, Any]:
+    """What presses the cranks over the turn, as arguments."""
+    names = "mechanism", "force_exponent", "pin_circle_radius", "eccentricity", "mesh"
+    return {name: getattr(design, name) for name in names}
+
+
 class SatelliteBearingStudy(Study):
     """Equivalent load of the satellites' bearings, by ideal forces that these share equally."""
 
@@ -104,16 +111,8 @@ class SatelliteBearingStudy(Study):
     def solve(self) -> WorkPrecision:
         """The study."""
         design = self.input.design
-        assert design.mesh is not None and design.bearing is not None
-        assert design.pin_circle_radius is not None and design.eccentricity is not None
-        return equivalent_load_study(
-            mechanism=design.mechanism,
-            force_exponent=design.force_exponent,
-            pin_circle_radius=design.pin_circle_radius,
-            eccentricity=design.eccentricity,
-            mesh=design.mesh,
-            kind=design.bearing.kind,
-        )
+        assert design.bearing is not None
+        return equivalent_load_study(**_turning(design), kind=design.bearing.kind)
 
 
 class CrankshaftStudy(Study):
@@ -127,17 +126,13 @@ class CrankshaftStudy(Study):
     def solve(self) -> WorkPrecision:
         """The study."""
         design = self.input.design
-        assert design.mesh is not None and design.crankshaft is not None
-        assert design.pin_circle_radius is not None and design.eccentricity is not None
-        shaft, kinds = design.crankshaft, {}
+        assert design.crankshaft is not None
+        shaft = design.crankshaft
+        kinds: dict[str, Any] = {}
         if shaft.bearings is not None:
             kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
         return equivalent_reaction_study(
-            mechanism=design.mechanism,
-            force_exponent=design.force_exponent,
-            pin_circle_radius=design.pin_circle_radius,
-            eccentricity=design.eccentricity,
-            mesh=design.mesh,
+            **_turning(design),
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
             **kinds,

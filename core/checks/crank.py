@@ -177,8 +177,10 @@ def within_roots(*, design: CrankDesign, code: str, least: float | None = None) 
         wall(code, width=radius - reach, size=size, least=least)._replace(limit_source=source)
         for radius in reversed(design.roots)
     )
-    if deep.status == shallow.status:
-        return deep if deep.status == "pass" else shallow
+    if deep.status != "fail":
+        return deep
+    if shallow.status == "fail":
+        return shallow
     cycloid = design.gear is not None and design.gear.kind == "cycloid"
     if cycloid and design.eccentricity is None:
         return no_eccentricity(code)

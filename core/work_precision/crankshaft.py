@@ -9,12 +9,10 @@ from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.errors import InvalidInput
-from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_turn import all_pairs, satellite_turn
 from core.work_precision.study import WorkPrecision
-from core.work_precision.turn_mean import turn_mean_study
+from core.work_precision.turn_mean import forget, turn_mean_study
 
 
 def equivalent_reaction_study(
@@ -66,8 +64,7 @@ def equivalent_reaction_study(
     rho, arm = float(mesh.radial_force_ratio), eccentricity * mechanism.ratio / pin_circle_radius
 
     def solve() -> Crankshaft:
-        for remembered in (force_peak, satellite_turn, all_pairs):
-            remembered.cache_clear()
+        forget()
         return crankshaft(
             **forces,
             output_torque=eccentricity * mechanism.ratio,  # reactions over a load of all the torque

@@ -8,12 +8,10 @@ from core.arrays import FloatArray
 from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
-from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_turn import all_pairs, satellite_turn
 from core.work_precision.study import WorkPrecision
-from core.work_precision.turn_mean import turn_mean_study
+from core.work_precision.turn_mean import forget, turn_mean_study
 
 
 def equivalent_load_study(
@@ -59,8 +57,7 @@ def equivalent_load_study(
     rho, arm = float(mesh.radial_force_ratio), eccentricity * mechanism.ratio / pin_circle_radius
 
     def solve() -> SatelliteBearings:
-        for remembered in (force_peak, satellite_turn, all_pairs):
-            remembered.cache_clear()
+        forget()
         return satellite_bearings(
             **forces,
             output_torque=eccentricity * mechanism.ratio,  # loads over that of all the torque

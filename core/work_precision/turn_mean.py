@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray
+from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
+from core.output.pin_turn import all_pairs, satellite_turn
 from core.results import Accuracy
 from core.work_precision.rules import fixed_rules, integrate
 from core.work_precision.study import (
@@ -29,6 +31,12 @@ SAMPLES = (16, 64, 256, 1024, 4096, 16384)
 Exact = Callable[[list[list[Any]], list[list[Any]]], Any]
 """What is averaged, in multiple precision: of the forces over F0 and the cosines of the driving
 pairs, a list for each satellite."""
+
+
+def forget() -> None:
+    """Forget what calculators remember of forces, so that a mean costs what it does at first."""
+    for remembered in (force_peak, satellite_turn, all_pairs):
+        remembered.cache_clear()
 
 
 def turn_mean_study(
