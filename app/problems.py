@@ -40,6 +40,9 @@ TEXTS = (
     | IMPOSSIBLE
     | {
         "below_working": "must be at least {limit:.9g}, the torque times its factor",
+        "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite "
+        "{satellite} lack {missing_length_mm:.4g} mm of room; holes of a radius of "
+        "{needed_length_mm:.6g} mm would do",
         "bool_type": "must be true or false",
         "dict_type": "must be an object",
         "different_sum": "must have lengths that add up to {field} and {other}, "
@@ -63,6 +66,8 @@ TEXTS = (
         "needed_beside": "is needed beside {field}",
         "needed_for": "is needed for {section}",
         "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
+        "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
+        "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
         "not_there": "names no number in {field}",
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
@@ -364,16 +369,18 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
     return wrong(pointer(path), code if code in TEXTS else "not_valid", **params)
 
 
-def impossible(error: ImpossibleMechanism) -> Problem:
-    """Problem of a mechanism that cannot exist or cannot work."""
+def impossible(error: ImpossibleMechanism, place: str = "") -> Problem:
+    """Problem of a mechanism that cannot exist or cannot work, with the pointer to the field that
+    would have to change, where it is one.
+    """
     where = dict(api_value(name, value) for name, value in error.where.items())
     at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
     params = api_params(error.params)
-    what = IMPOSSIBLE[error.code].format(**error.where | params)
+    what = TEXTS[error.code].format(**error.where | params)
     return Problem(
         "impossible-mechanism",
         f"{what} at {at}" if at else what,
-        errors=[wrong("", error.code, **error.where | where | params)],
+        errors=[wrong(place, error.code, **error.where | where | params)],
         where=where,
     )
 

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from app.model import RequestModel, api_params
-from app.problems import Problem, pointer, refusal
+from app.problems import Problem, impossible, pointer, refusal
 from app.record import at_hand
 from app.units import from_si
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 
 Result = TypeVar("Result")
 
@@ -38,6 +38,11 @@ def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, 
         result = calculation()
     except InvalidInput as error:
         raise named(error, body) from error
+    except ImpossibleMechanism as error:
+        if not error.parameter:
+            raise
+        place = pointer(path_of(body, error.parameter) or ())
+        raise impossible(error, place) from error
     run_time_us = (time.perf_counter_ns() - start) // 100 / 10
     record = at_hand.get()
     if record is not None:

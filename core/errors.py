@@ -55,12 +55,14 @@ REFUSALS = {
 IMPOSSIBLE = {
     "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
     "pin: Hertz's law of contact does not reach so far",
+    "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "
+    "{satellite}, and no force of the contacts makes it",
     "dead_centre": "The mechanism cannot transmit torque: no pair drives",
-    "lost_in_space": "The output would turn by more than the eccentricity allows: the contacts "
-    "are too soft, the clearance too large or the position a dead centre",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
     "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
     "at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
+    "no_mechanism": "The holes do not hold their pins, which could pass from one into the next: they "
+    "are too large",
     "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
     "deviation leaves nothing of a radius",
     "not_balanced": "The forces cannot be balanced within the range of numbers",
@@ -106,12 +108,22 @@ class ImpossibleMechanism(CalculationError):
         What cannot be, a key of `IMPOSSIBLE`.
     where : dict of str to float, optional
         Position at which it happens: name of a core quantity to its value in SI units.
+    parameter : str
+        Name of the core parameter that would have to change, where it is one.
     **params : object
         What its text names besides.
     """
 
-    def __init__(self, code: str, where: dict[str, float] | None = None, **params: object) -> None:
+    def __init__(
+        self,
+        code: str,
+        where: dict[str, float] | None = None,
+        *,
+        parameter: str = "",
+        **params: object,
+    ) -> None:
         self.code = code
+        self.parameter = parameter
         self.where = where or {}
         self.params = params
         what = IMPOSSIBLE[code].format(**self.where | params)

@@ -14,6 +14,9 @@ or what whoever gave it has in mind."""
 Verified = Literal["standard", "secondary"]
 """Whether a value was read in its standard, or in two independent secondary sources."""
 
+FIRST_YIELD = 1.79
+"""Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""
+
 GROUPS = {
     "steel": "Steel",
     "cast_iron": "Cast iron",
@@ -110,6 +113,9 @@ class ElasticMaterial:
     yield_governs : bool
         Whether yield below the surface says anything: not of hardened surfaces, whose core it is
         the strength of, nor of bronzes, whose tested limits lie above it.
+    static_pressure : float, optional
+        Contact pressure under a load at rest up to which nothing is set for good, Pa; None where it
+        is not known.
     """
 
     youngs_modulus: Number
@@ -117,6 +123,7 @@ class ElasticMaterial:
     limit: ContactLimit | None = None
     yield_strength: float | None = None
     yield_governs: bool = True
+    static_pressure: float | None = None
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)
@@ -129,6 +136,15 @@ class ElasticMaterial:
         if self.limit is None:
             return self
         return replace(self, limit=replace(self.limit, loads=loads))
+
+    @property
+    def elastic_pressure(self) -> float | None:
+        """Contact pressure up to which nothing is set for good, Pa: the static limit, else first
+        yield below the surface; None where neither is known.
+        """
+        if self.static_pressure is not None or self.yield_strength is None:
+            return self.static_pressure
+        return FIRST_YIELD * self.yield_strength
 
     @property
     def plane_modulus(self) -> Number:
@@ -287,12 +303,14 @@ def _entry(
 ) -> TableMaterial:
     modulus_GPa, ratio = moduli
     lasting = next((each for each in limits if each.criterion != "static"), None)
+    static = next((float(each.pressure) for each in limits if each.criterion == "static"), None)
     material = ElasticMaterial(
         modulus_GPa * 1e9,
         ratio,
         lasting,
         None if hardened else strength.yield_strength,
         yield_governs=not hardened and group != "bronze",
+        static_pressure=static,
     )
     density_kg_m3, weighed = density or (None, "")
     return TableMaterial(

@@ -9,6 +9,7 @@ from pydantic import Field
 
 from app.calculations.contact_force import CurveFields
 from app.calculations.load_sharing_answer import (
+    FitOut,
     LoadSharingResponse,
     OverTurnOut,
     PositionOut,
@@ -34,12 +35,14 @@ from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import worse_curves, worse_position, worse_turn
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
+from core.output.fit import Fit, solvable
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.over_turn import OverTurn, over_turn
+from core.output.pin_geometry import SLIPPED, slip_notices
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
@@ -154,7 +157,26 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
 
     def solve_all(self) -> "Solved":
         """What is asked for."""
-        real, asked, solved = self.real(), {*self.include}, Solved()
+        real = self.real()
+        fit = solvable(real)
+        asked, solved = {*self.include}, Solved()
+        solved.notices |= {each.code: each for each in self.fit_notices(fit)}
+        try:
+            self.solve_sections(real, asked, solved)
+        except ImpossibleMechanism as refusal:
+            raise (fit.refusal() if fit.room.least < 0 else refusal) from refusal
+        solved.values["fit"] = FitOut.values(fit)
+        return solved
+
+    def fit_notices(self, fit: Fit) -> tuple[Notice, ...]:
+        """What of the sizes looks like a slip, and satellites that are put on by other holes."""
+        sizes = self.contact.fit(self.load.pin_circle_radius_mm)
+        slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
+        further = (Notice("next_hole"),) if any(fit.real.numbered[1]) else ()
+        return (*slips, *further)
+
+    def solve_sections(self, real: RealMechanism, asked: set[Section], solved: "Solved") -> None:
+        """The sections that are asked."""
         pressed = "pressure" in asked
 
         def pressures(force: tuple[tuple[float, ...], ...]) -> Any:
@@ -243,6 +265,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
     def solve_for_drawing(self) -> Drawn:
         """All that the figure shows."""
         real = self.real()
+        solvable(real)
         angles, _ = drawing_angles(mechanism=self.built)
         curves, direction = self.curves(real, float(angles[-1]), DRAWN_SAMPLES)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]

@@ -4,7 +4,7 @@ import cmath
 import math
 from collections.abc import Callable
 
-from core.checks.check import Check, Verdict, asked, judged, verdict, wall
+from core.checks.check import Check, Status, Verdict, asked, judged, verdict, wall
 from core.checks.crank import BEARING, GEAR, SHAFT, within_roots
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
@@ -38,34 +38,60 @@ def _assembly(design: CrankDesign) -> Check:
 
 
 def _interference(design: CrankDesign) -> Check:
-    code, clearance = "interference", design.clearance
+    """By geometry, before any force: the room over the turn."""
+    code, clearance, fit = "interference", design.clearance, design.fit
     if clearance is None:
         return no_eccentricity(code)
-    assert design.hole_radius is not None
-    if clearance >= 0 and design.deviations:
-        forces, size = design.judged_forces, design.hole_radius
-        if not design.loaded:  # of what is not loaded nothing is solved
-            why, missing = "section_missing", ("load",)
-            return Check(code=code, status="not_checked", value=size, reason=why, missing=missing)
-        if not isinstance(forces, RealForces):  # which parts press without load is not known
-            return Check(code=code, status="not_checked", value=size, reason=design.unsolved)
-        if forces.turn.pressed_without_load:
-            return Check(code=code, status="fail", value=size, reason="pressed_without_load")
-    needed = design.hole_radius - clearance
-    return judged(code, design.hole_radius, needed, impossible=clearance < 0)
+    if fit is None and clearance >= 0 and not design.deviations:  # the room is the clearance
+        return judged(code, clearance, 0.0)._replace(utilisation=None)
+    if fit is None and not design.loaded:
+        why, missing = "section_missing", ("load",)
+        return Check(code=code, status="not_checked", reason=why, missing=missing)
+    if fit is None:
+        impossible = clearance < 0
+        status: Status = "fail" if impossible else "not_checked"
+        why = "cannot_assemble" if impossible else "too_many_pairs"
+        return Check(code=code, status=status, value=clearance if impossible else None, limit=0.0,
+                     impossible=impossible, reason=why)  # fmt: skip
+    at: dict[str, float] = {}
+    if fit.room.binding:
+        pair = fit.room.binding[0]
+        at = {"satellite": pair.satellite, "pin": pair.pin}
+    if fit.room.crank_angle is not None:
+        at["crank_angle"] = fit.room.crank_angle
+    misfit, status = fit.misfit, "fail"
+    if not misfit or misfit == "fits_by_bearing_clearance":
+        status = "marginal" if misfit else "pass"
+    return Check(
+        code=code,
+        status=status,
+        value=0.0 if status == "pass" and fit.room.least < 0 else fit.room.least,
+        limit=0.0,
+        reason=misfit,
+        impossible=status == "fail" and misfit != "pressed_without_load",
+        at=at,
+    )
+
+
+MOST_PLAY = 0.75
+"""Clearance over the eccentricity above which a design is marginal: the play is a large part of
+what the mechanism moves by."""
 
 
 def _clearance(design: CrankDesign) -> Check:
     code, clearance = "clearance", design.clearance
     if clearance is None:
         return no_eccentricity(code)
-    if clearance > 0 and design.as_made and design.loaded:
-        if not isinstance(design.judged_forces, RealForces):
-            why = design.unsolved
-            return Check(code=code, status="not_checked", value=clearance, reason=why)
-        why = "real_forces"
-        return Check(code=code, status="not_applicable", value=clearance, reason=why)
-    return judged(code, max(clearance, 0.0), 0.0, warning="force_law")
+    assert design.eccentricity is not None
+    share = max(clearance, 0.0) / design.eccentricity
+    wanted = [
+        PLAY[name](design).status == "pass"
+        for name in ("backlash", "lost_motion")
+        if share > MOST_PLAY and getattr(design, f"max_{name}") is not None
+    ]
+    if wanted and all(wanted):  # as much play as is asked for
+        return Check(code=code, status="pass", value=share, limit=MOST_PLAY)
+    return judged(code, share, MOST_PLAY, warning="clearance_like_eccentricity")
 
 
 def _between(

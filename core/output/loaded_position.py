@@ -9,6 +9,7 @@ from core.arrays import FloatArray, check_finite
 from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
+from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
 from core.output.satellite_support import ElasticMesh, Shares
 from core.output.sharing_kernel import at, interference
@@ -180,6 +181,9 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
     float
         Positive where pairs press without load.
     """
+    if real.exact:
+        least, _ = Fit(real).rooms.rooms(np.array([psi]))
+        return -float(least[0])
     setup, room = real.setup(1.0), real.room()
     if real.shared is not None:
         return real.shared.interference(psi, setup, real.pairs, room)

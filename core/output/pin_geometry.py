@@ -113,7 +113,68 @@ def pin_fit(
         "pins_overlap": between_pins <= tolerance,
     }
     notices = tuple(Notice(code) for code, holds in strained.items() if holds)
+    if not assumed:
+        notices += slip_notices(
+            pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity
+        )
     return PinFit(eccentricity=eccentricity, clearance=clearance, notices=notices)
+
+
+SLIPPED = ("pin_radius", "hole_radius", "eccentricity")
+"""Sizes that `slip_notices` asks about."""
+
+LIKE_ECCENTRICITY = 0.5
+"""Clearance over the eccentricity from which on it is said: mechanisms have a hundredth."""
+
+
+def slip_notices(
+    *, pin_radius: float, hole_radius: float, eccentricity: float | None
+) -> tuple[Notice, ...]:
+    """What sizes look like that leave a clearance, or interfere, in the order of the eccentricity:
+    the usual slips, each with what would have been meant, where that fits.
+
+    Parameters
+    ----------
+    pin_radius, hole_radius : float
+        Radii r_in and r_out, m.
+    eccentricity : float or None
+        Eccentricity e, m; without it nothing is said.
+
+    Returns
+    -------
+    tuple of Notice
+        Their numbers are in mm.
+
+    Examples
+    --------
+    Pin 24 mm and hole 29 mm in diameter, typed as radii:
+
+    >>> found = slip_notices(pin_radius=0.012, hole_radius=0.0145, eccentricity=0.00125)
+    >>> [notice.code for notice in found]
+    ['clearance_like_eccentricity', 'diameters_as_radii', 'twice_the_eccentricity']
+    """
+    if eccentricity is None:
+        return ()
+    pin, hole, e = pin_radius, hole_radius, eccentricity
+    clearance = hole - pin - e
+    tolerance = FIT_TOLERANCE * hole
+    found = []
+    if clearance >= LIKE_ECCENTRICITY * e - tolerance:
+        found.append(Notice("clearance_like_eccentricity", {"ratio": clearance / e}))
+    slips = (
+        ("diameters_as_radii", 0.9 * e <= clearance <= 2 * e, pin / 2, hole / 2, e),
+        ("twice_the_eccentricity", 0.9 * e <= clearance <= 1.5 * e, pin, hole - e, e),
+        ("hole_diameter_as_radius", abs(hole / 2 - pin - e) <= e / 2, pin, hole / 2, e),
+        ("pin_diameter_as_radius", abs(hole - pin / 2 - e) <= e / 2, pin / 2, hole, e),
+        ("eccentricity_doubled", abs(hole - pin - e / 2) <= 0.15 * e, pin, hole, e / 2),
+        ("eccentricity_forgotten", abs(hole - pin) <= 0.3 * e, pin, hole + e, e),
+    )
+    strange = abs(clearance) > e / 2 - tolerance or clearance < -0.3 * e
+    for code, alike, meant_pin, meant_hole, meant_e in slips:
+        if strange and alike and meant_hole - meant_pin - meant_e >= -tolerance:
+            meant = {"pin": meant_pin, "hole": meant_hole, "eccentricity": meant_e}
+            found.append(Notice(code, {name: each * 1e3 for name, each in meant.items()}))
+    return tuple(found)
 
 
 @dataclass(frozen=True, slots=True)

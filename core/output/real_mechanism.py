@@ -7,7 +7,7 @@ each approach, and the torque of all forces must be the load.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -35,7 +35,6 @@ from core.output.satellite_support import (
 )
 from core.output.sharing_kernel import (
     CRANK,
-    LOST,
     MESH,
     NO_DRIVE,
     NOT_SOLVED,
@@ -56,7 +55,6 @@ from core.output.sharing_kernel import (
 
 REFUSALS = {
     NO_DRIVE: "dead_centre",
-    LOST: "lost_in_space",
     NOT_STABLE: "not_stable",
     NOT_SOLVED: "not_balanced",
     TOO_WIDE: "beyond_hertz",
@@ -136,6 +134,50 @@ class Deviations:
             *[table(name) for name in Errors._fields[3:6]],
             *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
         )
+
+
+    def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":
+        """The piece with each satellite put on the pins by the holes that lie next to them.
+
+        A satellite that is turned against the first one by more than half the pitch of its holes
+        goes onto the pins by other holes.
+
+        Parameters
+        ----------
+        mechanism : Mechanism
+            Pins, satellites, ratio.
+
+        Returns
+        -------
+        deviations : Deviations
+            With the holes renumbered.
+        holes : tuple of int, K
+            By how many holes each satellite is put on further.
+        """
+        pins, pitch = mechanism.pins, 2 * math.pi / mechanism.pins
+        zeros = (0.0,) * mechanism.satellites
+        phases, cranks = self.disc_phase or zeros, self.crank_phase or zeros
+        turned = [
+            phase + crank / mechanism.ratio for phase, crank in zip(phases, cranks, strict=True)
+        ]
+        further = [round((each - turned[0]) / pitch) for each in turned]
+        if not any(further):
+            return self, (0,) * mechanism.satellites
+
+        def moved(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+            return tuple(
+                tuple(row[(n - by) % pins] for n in range(pins))
+                for row, by in zip(rows, further, strict=bool(rows))
+            )
+
+        renumbered = replace(
+            self,
+            disc_phase=tuple(
+                phase - by * pitch for phase, by in zip(phases, further, strict=True)
+            ),
+            **{name: moved(getattr(self, name)) for name in Errors._fields[3:6]},
+        )
+        return renumbered, tuple(by % pins for by in further)
 
 
 @dataclass(frozen=True)
@@ -261,10 +303,18 @@ class RealMechanism:
         return [*pin_compliance(self.pin)]
 
     @cached_property
+    def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
+        """The deviations with the holes numbered as they come onto the pins, and by how many holes
+        each satellite is put on further.
+        """
+        self.deviations.rows(self.mechanism.pins, self.mechanism.satellites)
+        return self.deviations.at_next_holes(self.mechanism)
+
+    @cached_property
     def _prepared(self) -> tuple[Pairs, list[float]]:
         """Constants of the pairs, and their pins' radii."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        errors = self.deviations.rows(pins, satellites)
+        errors = self.numbered[0].rows(pins, satellites)
         pairs = Pairs(*[[0.0] * (pins * satellites) for _ in Pairs._fields])
         phase = list(self.mechanism.crank_angles)
         setup = self.setup(1.0)
@@ -320,8 +370,8 @@ class RealMechanism:
         Raises
         ------
         ImpossibleMechanism
-            If no pair can drive, forces would not balance or not be stable, the output would lag by
-            more than the eccentricity, or a contact would be as wide as its pin.
+            If no pair can drive, forces would not balance or not be stable, or a contact would be as
+            wide as its pin.
         """
         position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
         status = judged(position, setup, self.pairs, room)

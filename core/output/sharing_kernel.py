@@ -22,7 +22,7 @@ LINEAR, POWER, HERTZ = 0, 1, 2
 RIGID, CRANK, MESH = 0, 1, 2
 """What of the satellites gives: nothing, the bearings on their cranks, their mesh with the ring."""
 
-SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, LOST, TOO_WIDE, NO_ROOM = 0, 1, 2, 3, 4, 5, 6
+SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(5)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
 LIMIT_TORQUE = 8
 """What is looked at over the turn; of the pressure the force over the reduced radius."""
@@ -42,6 +42,16 @@ HERTZ_END = 1.2
 """Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
 beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
 
+
+FITS, BINDS, NOWHERE = 2, 1, 0
+"""Whether a piece has room at all positions of the turn, at some, or at none."""
+
+FIT_POSITIONS = 720
+"""Positions of the turn at which that is looked at. Its least room is a smooth minimum, which they
+miss by no more than the eccentricity times (pi/720)^2/2, 1e-5 of it."""
+
+JUST = 1e-9
+"""Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
 
 PLACE = 1e-10
 """Width to which a summit is narrowed, rad."""
@@ -156,7 +166,7 @@ class Pieces(NamedTuple):
     backlash_max: Row
     lost_motion: Row
     stiffness_min: Row
-    fits: Row  # 1 where it can be assembled without force, else 0
+    fits: Row  # FITS, BINDS or NOWHERE
 
 
 def prepare(
@@ -258,7 +268,7 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
     Where pairs press without load the first is larger than the second.
     """
     low, high, behind, onset = -math.inf, math.inf, -1, -1
-    far = 2 * setup.eccentricity / setup.radius
+    far = 2 * (setup.eccentricity + abs(setup.clearance)) / setup.radius
     for i in range(setup.pins * setup.satellites):
         q, v = room.q[i], room.v[i]
         if setup.exact:  # tangents of half the lags
@@ -685,6 +695,7 @@ def give(
     are solved at every lag, and only then the bracket of the lag is known.
     """
     crank, far = setup.support == CRANK, setup.eccentricity / setup.radius
+    most = low + far  # without a torque, of which no pair may be at its limit
     power = 1.0 if pressed or torque == 0 else 1 / setup.exponent
     outer, solved = 0, False
     for j in range(setup.satellites):
@@ -726,8 +737,8 @@ def give(
         if settled:
             if value > 0:
                 high = lag
-            elif torque == 0 and lag > far:
-                return lag, LOST, step
+            elif torque == 0 and lag > most:
+                return lag, NOT_SOLVED, step
             else:
                 low = lag
             following = within(lag, change, low, high, outer)
@@ -781,8 +792,8 @@ def given_errors(
 
 def limit_torque(psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
     """Torque under which the first pair is pressed in by what is allowed; 0 where one is pressed as
-    far without load. Where the output would lag by the eccentricity before, the torque that brings
-    it there.
+    far without load. Where the output would go on by the eccentricity before, the torque that
+    brings it there.
     """
     count, far = setup.pins * setup.satellites, setup.eccentricity / setup.radius
     at(psi, setup, pairs, room)
@@ -792,9 +803,10 @@ def limit_torque(psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         room.force[i] = 0.0
     low, high, _, _ = play(setup, room)  # of rigid satellites, till a pair is at its limit
     at(psi, setup, pairs, room)
+    zero = most if least <= most else min(max(most, -far), far)
+    far += max(zero, 0.0)
     if setup.support == RIGID:
         return 0.0 if low > high else max(balance(min(high, far), setup, pairs, room)[0], 0.0)
-    zero = min(max(most, -far), far)
     lag = min(max(high, zero), far) if least <= most else zero
     lag, _, _ = give(0.0, lag, zero, math.inf, False, setup, pairs, room)
     if lag > far:
@@ -809,8 +821,6 @@ def judged(position: Position, setup: Setup, pairs: Pairs, room: Room) -> int:
     """Whether a position can be, as `solve` left the room: a status."""
     if position.status == NO_DRIVE:
         return NO_DRIVE
-    if abs(position.lag) * setup.radius > setup.eccentricity:
-        return LOST
     if position.status != SOLVED:
         return position.status
     if not math.isfinite(position.force_error):
@@ -1042,21 +1052,35 @@ def narrow(
     return b, at_b, error, looks
 
 
+def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:
+    """Whether a piece goes together without load: FITS, BINDS or NOWHERE."""
+    free = 0
+    for k in range(FIT_POSITIONS):
+        psi = 2 * math.pi * k / FIT_POSITIONS
+        low, high = played(psi, setup, pairs, room)
+        if low <= high + JUST * setup.eccentricity / setup.radius:
+            free += 1
+    if free == FIT_POSITIONS:
+        return FITS
+    return BINDS if free else NOWHERE
+
+
 def piece(
     sample: int, positions: int, lost: bool, load: Load, pairs: Pairs, room: Room, results: Pieces
 ) -> bool:
-    """Quantities of a piece over even positions of the wave; whether it can work. The lost motion
-    is taken only where it is asked.
+    """Quantities of a piece that fits, over even positions of the wave; whether it can work. The
+    lost motion is taken only where it is asked.
     """
     peak = pressure = backlash = motion = 0.0
-    least_lag, most_lag, stiffness, fits = math.inf, -math.inf, math.inf, 1.0
+    least_lag, most_lag, stiffness = math.inf, -math.inf, math.inf
+    results.fits[sample] = fitting(load.setup, pairs, room)
+    if results.fits[sample] != FITS:
+        return False
     for k in range(positions):
         psi = 2 * math.pi * k / positions
         found = solve(psi, load.torque, load.setup, pairs, room)
         if judged(found, load.setup, pairs, room) != SOLVED:
             return False
-        if found.low > found.high + found.play_error:
-            fits = 0.0
         peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
         least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
         backlash = max(backlash, found.high - found.low)
@@ -1069,16 +1093,15 @@ def piece(
     results.peak_force[sample], results.max_pressure[sample] = peak, pressure
     results.transmission_error[sample] = most_lag - least_lag
     results.backlash_max[sample], results.lost_motion[sample] = backlash, motion
-    results.stiffness_min[sample], results.fits[sample] = stiffness, fits
+    results.stiffness_min[sample] = stiffness
     return True
 
 
 def none(sample: int, results: Pieces) -> None:
-    """A piece that cannot work."""
+    """Quantities of a piece that does not fit or cannot work."""
     results.peak_force[sample] = results.max_pressure[sample] = math.nan
     results.transmission_error[sample] = results.backlash_max[sample] = math.nan
     results.lost_motion[sample] = results.stiffness_min[sample] = math.nan
-    results.fits[sample] = 0.0
 
 
 def pieces(

@@ -12,13 +12,11 @@ from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
+from core.materials import FIRST_YIELD
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.moving_sharing import torque_factors
 from core.output.pin_strength import PinStresses
 from core.results import ROUNDING
-
-FIRST_YIELD = 1.79
-"""Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""
 
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a

@@ -7,6 +7,7 @@ from core.checks.real_forces import RealForces
 from core.errors import ImpossibleMechanism
 from core.output.contact_force import ContactForce, contact_force
 from core.output.contact_law import HertzLaw
+from core.output.fit import Fit
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import Made
@@ -15,7 +16,11 @@ MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
 whose satellites give."""
 
-UNSOLVED = {"dead_centre": "dead_centre", "beyond_hertz": "no_pressure"}
+UNSOLVED = {
+    "cannot_assemble": "cannot_assemble",
+    "dead_centre": "dead_centre",
+    "beyond_hertz": "no_pressure",
+}
 """Why forces are not known, as the reason of a check, where there is one of its own."""
 
 Forces = RealForces | ContactForce | ImpossibleMechanism | None
@@ -85,6 +90,11 @@ class DesignForces(GivenDesign):
             support=self.support,
         )
 
+    @cached_property
+    def fit(self) -> Fit | None:
+        """How pins and holes fit; None where too little of them is given, or they are so many."""
+        return None if self.real is None else Fit(self.real)
+
     def real_forces_at(self, factor: float) -> RealForces:
         """Forces of the mechanism as it is made under so many times the torque.
 
@@ -102,7 +112,9 @@ class DesignForces(GivenDesign):
         ImpossibleMechanism
             See `core.output.real_mechanism.RealMechanism.solved`.
         """
-        assert self.real is not None and self.output_torque is not None
+        assert self.real is not None and self.output_torque is not None and self.fit is not None
+        if self.fit.impossible:
+            raise self.fit.refusal()
         return RealForces.solved(
             real=self.real,
             torque=self.output_torque * factor,

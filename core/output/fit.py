@@ -1,0 +1,216 @@
+"""Whether a mechanism goes together and turns, and what of a misfit its elasticity takes up."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from core.errors import ImpossibleMechanism
+from core.output.pin_geometry import FIT_TOLERANCE
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Rooms, TurnRoom
+from core.output.satellite_support import CrankSupport, Shares
+from core.output.sharing_kernel import alone
+
+Misfit = Literal[
+    "", "fits_by_bearing_clearance", "pressed_without_load", "jams", "discs_out_of_phase",
+    "cannot_assemble",
+]  # fmt: skip
+"""What does not fit, a key of the reasons of checks; empty where all does."""
+
+NO_TORQUE = 1e-9
+"""Part of the torque at the elastic limit that stands for none."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How the pins of a mechanism fit into their holes, over the turn.
+
+    Attributes
+    ----------
+    real : RealMechanism
+        The mechanism; its torque is not asked.
+    """
+
+    real: RealMechanism
+
+    @cached_property
+    def rooms(self) -> Rooms:
+        """The geometry: pins in their holes."""
+        real = self.real
+        return Rooms(
+            mechanism=real.mechanism,
+            pin_circle_radius=real.pin_circle_radius,
+            pin_radius=real.pin_radius,
+            eccentricity=real.eccentricity,
+            clearance=real.clearance,
+            deviations=real.numbered[0],
+        )
+
+    @cached_property
+    def room(self) -> TurnRoom:
+        """The room over the turn; of given shares, where each satellite turns for itself, that of
+        the satellite with the least.
+        """
+        if not isinstance(self.real.support, Shares):
+            return self.rooms.over_turn()
+        turns = [self.rooms.over_turn(j) for j in range(self.real.mechanism.satellites)]
+        return min(turns, key=lambda turn: turn.least)
+
+    @property
+    def needed_hole_radius(self) -> float:
+        """Radius of all holes with which it would fit, m: exact, as one hole is as much larger as
+        the room is short.
+        """
+        real = self.real
+        return real.pin_radius + real.eccentricity + real.clearance - self.room.least
+
+    @cached_property
+    def forces_at_limit(self) -> tuple[float, ...] | None:
+        """Force of each pair under which the pressure is at what the weaker body stands at rest, N,
+        satellite by satellite; None where that is known of neither.
+        """
+        real = self.real
+        if real.pin_material is None or real.hole_material is None:
+            return None
+        limits = [real.pin_material.elastic_pressure, real.hole_material.elastic_pressure]
+        known = [each for each in limits if each is not None]
+        if not known:
+            return None
+        found: dict[tuple[float, float], float] = {}
+        sizes = [*zip(real.pin_radii, real.pairs.distance, strict=True)]
+        for pair, size in enumerate(sizes):
+            if size not in found:
+                found[size] = _force_under(real, pair, min(known))
+        return tuple(found[size] for size in sizes)
+
+    @cached_property
+    def most_approach(self) -> float | None:
+        """Largest approach that a pair takes elastically, m; None where no limit is known."""
+        if self.forces_at_limit is None:
+            return None
+        setup, pairs = self.real.setup(1.0), self.real.pairs
+        laws = zip(self.forces_at_limit, pairs.a, pairs.b, strict=True)
+        return max(alone(setup.law, force, a, b, setup.exponent) for force, a, b in laws)
+
+    @cached_property
+    def impossible(self) -> bool:
+        """Whether no elastic state exists: at any lag some pair is pressed in by more than its
+        bodies stand. Where no limit is known nothing is proven.
+        """
+        short = self._short
+        most = self.most_approach
+        return short > 0 and most is not None and short > most
+
+    @property
+    def _short(self) -> float:
+        """By how much the pins are too thick, m; bearings of cranks give their clearance."""
+        given = 0.0
+        if isinstance(self.real.support, CrankSupport):
+            given = self.real.support.radial_clearance / 2
+        nothing = FIT_TOLERANCE * (self.real.pin_radius + self.real.eccentricity)
+        short = -self.room.least - given
+        return short if short > nothing else 0.0
+
+    @cached_property
+    def misfit(self) -> Misfit:
+        """What does not fit. Parts are pressed where at the position of the least room every pair
+        stands what presses it without load, or where no limit is known and the forces are solved.
+        """
+        if self.room.state == "fits":
+            return ""
+        if self.room.state == "no_bound":
+            return "cannot_assemble"
+        if not self._short:
+            return "fits_by_bearing_clearance"
+        if not self.impossible and self._pressed():
+            return "pressed_without_load"
+        if self.room.state == "binds_in_turning":
+            return "jams"
+        alone = self.rooms.discs() if self.real.mechanism.satellites > 1 else ()
+        out = alone and all(disc.least >= 0 for disc in alone)
+        return "discs_out_of_phase" if out else "cannot_assemble"
+
+    def _pressed(self) -> bool:
+        real, limits = self.real, self.forces_at_limit
+        lever = real.pin_circle_radius * min(limits or (1.0,))
+        room = real.room()
+        try:
+            real.solved(real.wave(self.room.crank_angle or 0.0), NO_TORQUE * lever,
+                        real.setup(1.0), room)  # fmt: skip
+        except ImpossibleMechanism:
+            return False
+        return limits is None or all(
+            force <= limit for force, limit in zip(room.force, limits, strict=True)
+        )
+
+    def refusal(self) -> ImpossibleMechanism:
+        """Why no force can be solved, with the room, where it is least, and the hole that would do.
+
+        Returns
+        -------
+        ImpossibleMechanism
+        """
+        room, real = self.room, self.real
+        where = {} if room.crank_angle is None else {"crank_angle": room.crank_angle}
+        pair = room.binding[0] if room.binding else None
+        return ImpossibleMechanism(
+            "cannot_assemble",
+            where,
+            parameter="hole_radius" if real.clearance < 0 or room.crank_angle is None
+            else "deviations",
+            satellite=pair.satellite if pair else 1,
+            pin=pair.pin if pair else 1,
+            missing_length=-room.least,
+            needed_length=self.needed_hole_radius,
+        )  # fmt: skip
+
+
+def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
+    """Force of a pair under which its governing pressure is a given one, N."""
+    force = 1.0
+    for _ in range(100):
+        contact = real.contact(pair, force)
+        assert contact is not None
+        found = contact.governing_pressure
+        if found is None:  # wider than the pin, and no other solution
+            found = contact.max_pressure
+        factor = float(pressure / found) ** 2
+        force *= factor
+        if abs(factor - 1) <= 1e-15:
+            break
+    return force
+
+
+def solvable(real: RealMechanism) -> Fit:
+    """How the pins fit, where forces may be solved.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    ImpossibleMechanism
+        If the holes do not hold their pins, which could pass from one into the next or around the
+        satellite's centre, or if no elastic state exists.
+    """
+    radius = real.pin_circle_radius
+    limit = radius
+    if real.mechanism.pins > 1:
+        apart = radius * math.sin(math.pi / real.mechanism.pins)
+        limit = min(limit, math.hypot(real.pin_radius, apart))
+    hole = real.pin_radius + real.eccentricity + real.clearance
+    if hole >= limit:
+        raise ImpossibleMechanism(
+            "no_mechanism", parameter="hole_radius", given_length=hole, limit_length=limit
+        )
+    fit = Fit(real)
+    if fit.impossible:
+        raise fit.refusal()
+    return fit

@@ -1,0 +1,515 @@
+"""The room that pins have in their holes, by geometry alone: whether the parts go together and turn.
+
+A pin at P and its hole's centre at H, with C the difference of their radii: at a lag of the output
+their centres lie ``|P*exp(-i*lag) - H|`` apart, which must not exceed C. All of it holds for
+clearances and misfits of any size; no force is asked.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.output.mechanism import Mechanism
+from core.output.pin_geometry import FIT_TOLERANCE
+from core.output.real_mechanism import Deviations
+from core.results import ROUNDING
+
+State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]
+Side = Literal["driving", "reverse", "radial"]
+
+POSITIONS = 720
+"""Even positions of the turn: between two of them the room changes by at most the eccentricity
+times half their step."""
+
+FINEST = 2**14
+"""Positions at most that the sign of the room is looked at."""
+
+STEPS = 60
+"""Steps at most to the lag of a room."""
+
+HALVINGS = 48
+"""Halvings of a stretch of lags, to their rounding."""
+
+POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
+"""Places about an extreme, and how often closer ones follow: to 1e-9 rad of the wave at last."""
+
+NEAR = 1e-7
+"""Wave angle within which a place is that of the turn's start, rad."""
+
+RADIAL = 1e-5
+"""Lever over the pin circle's radius below which a pair binds outward or inward, not in turning."""
+
+CLUSTER = 12
+"""How often the distance to a dead angle of a pair is halved, where the play has spikes."""
+
+TIE = 1e-9
+"""Part of the eccentricity within which pairs bind alike, and a room that varies is flat."""
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """A pair that limits the room.
+
+    Attributes
+    ----------
+    satellite, pin : int
+        Its numbers, from 1.
+    side : {"driving", "reverse", "radial"}
+        In which sense of the output it holds; radial where it holds in none.
+    """
+
+    satellite: int
+    pin: int
+    side: Side
+
+
+@dataclass(frozen=True, slots=True)
+class DiscRoom:
+    """One satellite by itself.
+
+    Attributes
+    ----------
+    satellite : int
+        Its number, from 1.
+    least : float
+        Its least room over the turn, m.
+    turned : float
+        By how much its holes are turned ahead of the pins, rad, in the mean of least squares.
+    """
+
+    satellite: int
+    least: float
+    turned: float
+
+
+@dataclass(frozen=True, slots=True)
+class TurnRoom:
+    """The room over the turn.
+
+    Attributes
+    ----------
+    state : {"fits", "binds_in_turning", "does_not_fit", "no_bound"}
+        Whether there is room at all crank angles, at some, or at none; without a bound where no
+        hole holds its pin.
+    least : float
+        Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
+    crank_angle : float or None
+        Where the room is least, rad; None where it is the same at all angles.
+    binding : tuple of Binding
+        The pairs that limit it there; none where all do alike.
+    """
+
+    state: State
+    least: float
+    crank_angle: float | None
+    binding: tuple[Binding, ...]
+
+
+def _best_of_two(
+    low: FloatArray, high: FloatArray, one: list[FloatArray], other: list[FloatArray]
+) -> tuple[FloatArray, FloatArray]:
+    """Lag between two at which the worse of two pairs has most left, and how much that is; of each
+    pair its own lag, C, ``(p - h)^2`` and ``4*p*h``.
+    """
+
+    def left(lag: FloatArray, pair: list[FloatArray]) -> FloatArray:
+        nearest, gap, square, product = pair
+        sine = np.sin((lag - nearest) / 2)
+        return np.asarray(gap - np.sqrt(square + product * sine * sine))
+
+    for _ in range(HALVINGS):
+        lag = (low + high) / 2
+        ahead = lag > np.where(left(lag, one) < left(lag, other), one[0], other[0])
+        low, high = np.where(ahead, low, lag), np.where(ahead, lag, high)
+    lag = (low + high) / 2
+    return lag, np.minimum(left(lag, one), left(lag, other))
+
+
+@dataclass(frozen=True)
+class Rooms:
+    """Pins in their holes, over the turn.
+
+    Attributes
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    pin_circle_radius, pin_radius, eccentricity : float
+        R, r_p and e, m, > 0.
+    clearance : float
+        Radial clearance c, m; negative is interference.
+    deviations : Deviations
+        Of the piece, its holes numbered as they come onto the pins
+        (`Deviations.at_next_holes`).
+
+    Examples
+    --------
+    Two equal discs of 20 lobes with four holes, put on their cranks half a turn apart: the holes of
+    one are 9 degrees off, and nothing goes together though either disc alone has 0.5 mm of room.
+
+    >>> rooms = Rooms(
+    ...     mechanism=Mechanism.evenly_spaced(pins=4, satellites=2, ratio=20.0),
+    ...     pin_circle_radius=0.030, pin_radius=0.002, eccentricity=0.0015, clearance=0.0005,
+    ...     deviations=Deviations(disc_phase=(0.0, math.radians(9))))
+    >>> found = rooms.over_turn()
+    >>> found.state, round(found.least * 1e3, 4), round(rooms.greatest() * 1e3, 4)
+    ('does_not_fit', -1.8549, -1.6031)
+    """
+
+    mechanism: Mechanism
+    pin_circle_radius: float
+    pin_radius: float
+    eccentricity: float
+    clearance: float
+    deviations: Deviations = Deviations()
+
+    @cached_property
+    def _placed(self) -> tuple[Any, Any, FloatArray, FloatArray, FloatArray]:
+        """Pins P, holes H without their crank [K, N], differences of radii C [K, N], eccentricities
+        and crank angles [K].
+        """
+        pins, satellites = self.mechanism.pins, self.mechanism.satellites
+        rows = self.deviations.rows(pins, satellites)
+        own = {name: np.array(row) for name, row in rows._asdict().items()}
+        for name in ("hole_radial", "hole_tangential", "hole_radius"):
+            own[name] = own[name].reshape(satellites, pins)
+        outward = 1j * np.exp(2j * np.pi * np.arange(pins) / pins)
+        pin = (self.pin_circle_radius + own["pin_radial"] + 1j * own["pin_tangential"]) * outward
+        turned = own["disc_phase"] + own["crank_phase"] / self.mechanism.ratio
+        hole = self.pin_circle_radius + own["hole_radial"] + 1j * own["hole_tangential"]
+        hole = hole * outward * np.exp(1j * turned)[:, None]
+        gap = self.eccentricity + self.clearance + own["hole_radius"] - own["pin_radius"]
+        cranks = np.array(self.mechanism.crank_angles) + own["crank_phase"]
+        return pin, hole, gap, self.eccentricity + own["eccentricity"], cranks
+
+    @property
+    def even(self) -> bool:
+        """Whether the room is the clearance at all angles: no deviations, and more than one pin."""
+        return self.deviations == Deviations() and self.mechanism.pins > 1
+
+    def _pairs(self, wave: FloatArray, disc: int | None) -> tuple[FloatArray, ...]:
+        """Of each position and pair: distances p and h from the centre, lag at which the pin is
+        nearest to its hole's centre, C.
+        """
+        pin, hole, gap, eccentricity, cranks = self._placed
+        chosen = slice(None) if disc is None else slice(disc, disc + 1)
+        angle = np.add.outer(wave, cranks[chosen])
+        centre = hole[chosen] + (eccentricity[chosen] * 1j * np.exp(-1j * angle))[..., None]
+        nearest = np.angle(pin * centre.conj()).reshape(len(wave), -1)
+        first = nearest[:, :1]
+        nearest = first + np.remainder(nearest - first + np.pi, 2 * np.pi) - np.pi
+        h = np.abs(centre).reshape(len(wave), -1)
+        p = np.broadcast_to(np.abs(pin), centre.shape).reshape(len(wave), -1)
+        return p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape)
+
+    def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
+        """Least and largest lag at which all pins are in their holes.
+
+        ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))``, of all pairs the largest
+        least and the least largest.
+
+        Parameters
+        ----------
+        wave : array, shape (M,)
+            Wave angles psi, rad.
+        disc : int, optional
+            Of this satellite alone, from 0.
+
+        Returns
+        -------
+        low, high : array, shape (M,)
+            Lags, rad: low above high where there is none; infinite where a pair has none, or no
+            bound.
+        """
+        p, h, nearest, gap = self._pairs(wave, disc)
+        off = p - h
+        square = (gap - off) * (gap + off) / (4 * p * h)
+        half = 2 * np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0)))
+        half = np.where(gap >= p + h, np.inf, half)
+        half = np.where(gap < np.abs(off), -np.inf, half)
+        return (nearest - half).max(axis=1), (nearest + half).min(axis=1)
+
+    def rooms(
+        self, wave: FloatArray, disc: int | None = None
+    ) -> tuple[FloatArray, FloatArray]:
+        """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
+
+        Each distance falls up to its pair's own lag and rises after it: what is left to the worst
+        pair is largest where one of a rising and one of a falling pair are alike.
+
+        Parameters
+        ----------
+        wave : array, shape (M,)
+            Wave angles psi, rad.
+        disc : int, optional
+            Of this satellite alone, from 0.
+
+        Returns
+        -------
+        room : array, shape (M,)
+            m; negative where the pins have to shrink by as much.
+        lag : array, shape (M,)
+            Where, rad.
+        """
+        p, h, nearest, gap = self._pairs(wave, disc)
+        square, product, row = (p - h) ** 2, 4 * p * h, np.arange(len(wave))
+
+        def left(lag: FloatArray) -> FloatArray:
+            sine = np.sin((lag[:, None] - nearest) / 2)
+            return np.asarray(gap - np.sqrt(square + product * sine * sine))
+
+        low, high = nearest.min(axis=1), nearest.max(axis=1)
+        rising, falling = left(low).argmin(axis=1), left(high).argmin(axis=1)
+        for _ in range(STEPS):
+            # of the worst pairs of both ends alone
+            lag, two = _best_of_two(
+                low, high, *([each[row, pair] for each in (nearest, gap, square, product)]
+                             for pair in (rising, falling))
+            )  # fmt: skip
+            heights = left(lag)
+            worst = heights.argmin(axis=1)
+            room = heights[row, worst]
+            if (room >= two - self._rounding).all():
+                break
+            ahead = lag > nearest[row, worst]
+            low, rising = np.where(ahead, low, lag), np.where(ahead, rising, worst)
+            high, falling = np.where(ahead, lag, high), np.where(ahead, worst, falling)
+        return room, lag
+
+    @property
+    def _rounding(self) -> float:
+        return 4 * ROUNDING * self.pin_circle_radius
+
+    def _start(self) -> float:
+        return self.mechanism.initial_crank_angle
+
+    def _grid(self) -> FloatArray:
+        return self._start() + 2 * np.pi * np.arange(POSITIONS) / POSITIONS
+
+    def _narrowed(
+        self,
+        values: Callable[[FloatArray], FloatArray],
+        places: FloatArray,
+        width: FloatArray | float,
+        sign: int,
+    ) -> tuple[float, float]:
+        """First place and height of the largest value (sign 1) or the least near some places: the
+        best of some points, then of as many closer ones.
+        """
+        height = -np.inf * np.ones(len(places))
+        for _ in range(ZOOMS):
+            fine = np.add.outer(places, width * POINTS) if np.ndim(width) == 0 else (
+                places[:, None] + np.multiply.outer(width, POINTS))  # fmt: skip
+            found = sign * values(fine.ravel()).reshape(fine.shape)
+            best = found.argmax(axis=1)
+            row = np.arange(len(places))
+            places, height = fine[row, best], found[row, best]
+            width = width * (POINTS[1] - POINTS[0])
+        alike = places[height >= height.max() - TIE * self.eccentricity]
+        first = alike[((alike - self._start() + NEAR) % (2 * np.pi)).argmin()]
+        return float(first), float(sign * height.max())
+
+    def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
+                 ) -> tuple[float, float]:  # fmt: skip
+        """Place and height of the greatest room over the turn (sign 1), or of the least."""
+        signed, step = sign * heights, 2 * np.pi / len(grid)
+        best = signed.max()
+        tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
+        tops &= signed >= best - self._steepest * step / 2
+        place, height = self._narrowed(lambda wave: self.rooms(wave, disc)[0], grid[tops], step, sign)
+        return place, height
+
+    @property
+    def _steepest(self) -> float:
+        """How fast the room may change with the wave angle, m/rad: a hole moves on a circle of the
+        eccentricity."""
+        return float(np.abs(self._placed[3]).max())
+
+    def over_turn(self, disc: int | None = None) -> TurnRoom:
+        """The room over the turn, and where it is least.
+
+        Parameters
+        ----------
+        disc : int, optional
+            Of this satellite alone, from 0.
+
+        Returns
+        -------
+        TurnRoom
+
+        """
+        pin, hole, gap, eccentricity, _ = self._placed
+        if (gap >= np.abs(pin) + np.abs(hole) + eccentricity[:, None]).all():
+            return TurnRoom("no_bound", math.inf, None, ())
+        if self.even:
+            return self._turn_room(self.clearance, None, (), lambda: self.clearance)
+        grid = self._grid()
+        heights, _ = self.rooms(grid, disc)
+        least, greatest = float(heights.min()), float(heights.max())
+        flat = greatest - least <= TIE * self.eccentricity
+        if not flat:
+            place, least = self._extreme(grid, heights, -1, disc)
+        below = self._below(grid, heights, disc) if least >= 0 else None
+        if below is not None:  # between positions, where no least one was seen
+            place, least = self._narrowed(
+                lambda wave: self.rooms(wave, disc)[0], np.array([below]), 1e-3, -1
+            )
+        elif flat:
+            return self._turn_room(least, None, (), lambda: greatest)
+        return self._turn_room(
+            least,
+            self.crank_angle(place),
+            self._binding(place, disc),
+            lambda: self._extreme(grid, heights, 1, disc)[1],
+        )
+
+    def _turn_room(
+        self,
+        least: float,
+        angle: float | None,
+        binding: tuple[Binding, ...],
+        greatest: Callable[[], float],
+    ) -> TurnRoom:
+        state: State = "fits"
+        nothing = -FIT_TOLERANCE * (self.pin_radius + self.eccentricity)
+        if least < nothing:
+            state = "binds_in_turning" if greatest() >= nothing else "does_not_fit"
+        return TurnRoom(state, least, angle, binding)
+
+    def greatest(self) -> float:
+        """Greatest room over the turn, m.
+
+        Returns
+        -------
+        float
+        """
+        if self.even:
+            return self.clearance
+        grid = self._grid()
+        heights, _ = self.rooms(grid)
+        flat = float(np.ptp(heights)) <= TIE * self.eccentricity
+        return float(heights.max()) if flat else self._extreme(grid, heights, 1, None)[1]
+
+    def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
+        """A position without room between those of a grid that all have some, or None: intervals in
+        which the room may fall below 0 are halved.
+        """
+        low, step, rooms = grid, 2 * np.pi / len(grid), heights
+        following = np.roll(heights, -1)
+        while len(low) and 2 * np.pi / step < FINEST:
+            doubtful = (rooms + following) / 2 < self._steepest * step / 2
+            low, rooms, following = low[doubtful], rooms[doubtful], following[doubtful]
+            if not len(low):
+                return None
+            middle = low + step / 2
+            first, last = self.windows(middle, disc)
+            if (first > last).any():
+                return float(middle[(first > last).argmax()])
+            between, _ = self.rooms(middle, disc)
+            low = np.concatenate([low, middle])
+            rooms, following = np.concatenate([rooms, between]), np.concatenate([between, following])
+            step /= 2
+        return None
+
+    def _binding(self, wave: float, disc: int | None) -> tuple[Binding, ...]:
+        """The pairs that limit the room at a wave angle."""
+        where = np.array([wave])
+        (room,), (lag,) = self.rooms(where, disc)
+        p, h, nearest, gap = (row[0] for row in self._pairs(where, disc))
+        away = np.sin((lag - nearest) / 2)
+        left = gap - np.sqrt((p - h) ** 2 + 4 * p * h * away * away)
+        lever = p * h * np.sin(lag - nearest) / np.maximum(gap - left, 1e-300)
+        found = []
+        for i in np.flatnonzero(left <= room + TIE * self.eccentricity):
+            j, n = divmod(int(i), self.mechanism.pins)
+            side: Side = "driving" if lever[i] > 0 else "reverse"
+            if abs(lever[i]) <= RADIAL * self.pin_circle_radius:
+                side = "radial"
+            found.append(Binding((disc or 0) + j + 1, n + 1, side))
+        return tuple(found)
+
+    def crank_angle(self, wave: float) -> float:
+        """First crank angle >= 0 of a wave angle, rad."""
+        off = (wave - self._start()) % (2 * math.pi)
+        if off > 2 * math.pi - NEAR:
+            off = 0.0
+        return off / (1 + 1 / self.mechanism.ratio)
+
+    def discs(self) -> tuple[DiscRoom, ...]:
+        """Each satellite by itself.
+
+        Returns
+        -------
+        tuple of DiscRoom, K
+        """
+        pin, hole, *_ = self._placed
+        turned = np.angle((hole * pin.conj()).sum(axis=1))
+        return tuple(
+            DiscRoom(j + 1, self.over_turn(j).least, float(turned[j]))
+            for j in range(self.mechanism.satellites)
+        )
+
+    def play(self) -> tuple[float, float]:
+        """Least and greatest play of the unloaded output over the turn.
+
+        Returns
+        -------
+        least, greatest : float
+            Angles, rad; negative where the parts do not fit.
+        """
+        grid, step = self._grid(), 2 * np.pi / POSITIONS
+        pins, cranks = self.mechanism.pins, self._placed[4]
+        dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
+        near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
+        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel()
+        wave = np.unique(np.concatenate([grid, self._start() + (around - self._start()) % (2 * np.pi)]))
+
+        def height(places: FloatArray) -> FloatArray:
+            low, high = self.windows(places)
+            return np.asarray(high - low)
+
+        heights, ends = height(wave), []
+        following = np.append(wave[1:], wave[0] + 2 * np.pi)
+        before = np.insert(wave[:-1], 0, wave[-1] - 2 * np.pi)
+        for sign in (-1, 1):
+            signed = sign * heights
+            tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
+            width = np.maximum(following - wave, wave - before)[tops]
+            _, found = self._narrowed(height, wave[tops], width, sign)
+            ends.append(sign * max(sign * found, float(signed.max())))
+        return ends[0], ends[1]
+
+    def blocked(self) -> tuple[tuple[float, float], ...]:
+        """Stretches of the crank's turn in which there is no room.
+
+        Returns
+        -------
+        tuple of (float, float)
+            Crank angles from and to, rad, from 0 to the end of a turn of the wave; the last one may
+            go on beyond it.
+        """
+        grid = self._grid()
+        heights, _ = self.rooms(grid)
+        free = heights >= 0
+        if free.all() or not free.any():
+            return ()
+        step, ends = 2 * np.pi / POSITIONS, []
+        for i in np.flatnonzero(free != np.roll(free, -1)):
+            low, high = grid[i], grid[i] + step
+            for _ in range(STEPS):
+                middle = (low + high) / 2
+                inside = self.rooms(np.array([middle]))[0][0] >= 0
+                low, high = (middle, high) if inside == free[i] else (low, middle)
+            ends.append((self.crank_angle(high), bool(free[i])))
+        turn = self.mechanism.crank_angle_per_wave
+        starts = [angle for angle, begins in ends if begins]
+        stops = [angle for angle, begins in ends if not begins]
+        return tuple(
+            (start, min(stop + (0.0 if stop > start else turn) for stop in stops
+                        if stop > start or stop == min(stops)))
+            for start in starts
+        )  # fmt: skip
