@@ -61,8 +61,8 @@ IMPOSSIBLE = {
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
     "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
     "at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
-    "no_mechanism": "The holes do not hold their pins, which could pass from one into the next: they "
-    "are too large",
+    "no_mechanism": "The holes do not hold their pins, which could pass from one into the next: "
+    "they are too large",
     "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
     "deviation leaves nothing of a radius",
     "not_balanced": "The forces cannot be balanced within the range of numbers",

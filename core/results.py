@@ -15,8 +15,8 @@ NOTICES = {
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
     "output has turned through the lost motion, and the load sharing differs.",
-    "clearance_like_eccentricity": "The clearance is {ratio:.3g} of the eccentricity: such mechanisms "
-    "move, with very much play; clearances of working ones are near a hundredth.",
+    "clearance_like_eccentricity": "The clearance is {ratio:.3g} of the eccentricity: such "
+    "mechanisms move, with very much play; clearances of working ones are near a hundredth.",
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same "
     "numbers, but only small studies.",
     "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once "
@@ -30,8 +30,8 @@ NOTICES = {
     "interference would not be seen.",
     "eccentricity_doubled": "Is the eccentricity given twice as large, as the stroke? With "
     "{eccentricity:.6g} mm the parts fit.",
-    "eccentricity_forgotten": "Is the eccentricity left out of the hole? With a radius of {hole:.6g} mm "
-    "the parts fit.",
+    "eccentricity_forgotten": "Is the eccentricity left out of the hole? With a radius of "
+    "{hole:.6g} mm the parts fit.",
     "fatigue_no_basis": "Fatigue is not checked: no endurance limit is known. That of a steel "
     "follows from its tensile strength; else give the limit, and the tensile strength with it.",
     "fatigue_no_notch": "Fatigue is not checked: neither a notch nor its factor is "
@@ -60,12 +60,14 @@ NOTICES = {
     "to {high:.4g} MPa; of {value:.4g} MPa its end is taken.",
     "next_hole": "A satellite is turned by more than half the pitch of its holes: it is put on the "
     "pins by the holes next to them.",
+    "no_piece_fits": "None of the pieces fits: more of them would not help; larger clearances or "
+    "smaller tolerances do.",
     "no_ring_force": "The ring's force along the crank is left out: with involute teeth bearings "
     "carry more, with a ring of pins less.",
     "notch_beyond_strength": "The factor of the notch is a fit for tensile strengths of {low:.4g} "
     "to {high:.4g} MPa; of {value:.4g} MPa its end is taken.",
-    "pin_diameter_as_radius": "Is the pin's diameter given as its radius? With {pin:.6g} mm the parts "
-    "fit.",
+    "pin_diameter_as_radius": "Is the pin's diameter given as its radius? With {pin:.6g} mm the "
+    "parts fit.",
     "pin_bending_uncoupled": "A pin is loaded by several satellites at once: how each bends it for "
     "the others is left out, 1 to 2 % of the largest force.",
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life "
@@ -96,8 +98,9 @@ NOTICES = {
     "satellites more than it turns them.",
     "thin_without_sleeve": "The pin is thinner than what touches the holes, and there is no sleeve "
     "on it: losses and wear are those of a bare pin as thick as the contact.",
-    "twice_the_eccentricity": "Is twice the eccentricity in the radius of the hole? It takes it once: "
-    "{hole:.6g} mm; twice is meant of diameters.",
+    "too_few_fit": "Percentiles are left out for which {fits} pieces that fit are too few.",
+    "twice_the_eccentricity": "Is twice the eccentricity in the radius of the hole? It takes it "
+    "once: {hole:.6g} mm; twice is meant of diameters.",
     "unloaded_flank": "The limits of roller {roller} lie on the flank that the torque unloads: the "
     "loaded one is half a turn of phi further, with the same force.",
 }

@@ -215,7 +215,6 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
             solved.values["ideal"] = {"peak_force_N": peak}
             if "over_turn" in asked:
                 solved.values["ideal"]["ratio"] = turn.peak_force / peak
-        return solved
 
     def pairs_of_curves(self) -> list[Values]:
         """Numbers of the pairs, satellite by satellite."""

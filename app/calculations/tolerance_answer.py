@@ -44,17 +44,27 @@ class ContributionOut(ResponseModel):
     total_error: float = result("Standard error of the same.")
     first: float = result("Share of the variance that it explains alone.", symbol="S_1")
     first_error: float = result("Standard error of the same.")
-    percentile_without: PercentileOut = result(
-        "The highest percentile asked, with this tolerance at the middle of its limits."
+    percentile_without: Maybe[PercentileOut] = result(
+        "The highest percentile asked, with this tolerance at the middle of its limits.",
+        default=None,
+    )
+    fits_without: Maybe[EstimateOut] = result(
+        "Share of the pieces that fit, with this tolerance at the middle of its limits.",
+        default=None,
     )
 
 
 class QuantityOut(ResponseModel):
-    """One quantity of the pieces that can work; its name says the unit."""
+    """One quantity of the pieces that fit; its name says the unit."""
 
-    nominal: float = result("Of the piece at the middle of all limits.")
-    mean: float = result("Mean.")
-    percentiles: list[PercentileOut] = result("Percentiles, in the order asked.")
+    nominal: Maybe[float] = result(
+        "Of the piece at the middle of all limits; absent where that does not fit.", default=None
+    )
+    mean: Maybe[float] = result("Mean; absent where no piece fits.", default=None)
+    percentiles: list[PercentileOut] = result(
+        "Percentiles of the pieces that fit, in the order asked; without those for which too few "
+        "fit."
+    )
     angle_grid_error: float = result(
         "How much the crank angles miss of it, relative: a bias beside the sampling error, which "
         "more samples do not lower; the numbers are not corrected for it. Of the peak force a mean "
@@ -64,6 +74,7 @@ class QuantityOut(ResponseModel):
     kept: Maybe[YieldOut] = Field(
         default=None, alias="yield", description="Yield, where a limit is given."
     )
+    yield_of_fitting: Maybe[YieldOut] = result("The same of the pieces that fit.", default=None)
     histogram: Maybe[HistogramOut] = result("Histogram, where asked.", default=None)
     contributions: Maybe[list[ContributionOut]] = result(
         "What each tolerance does, the largest first, where asked: of the first quantity. Where "
@@ -108,13 +119,22 @@ class ToleranceStudyResponse(ResponseModel):
 
     quantities: QuantitiesOut = result("Each quantity asked, or with a limit.")
     samples: int = result("Pieces drawn.")
-    fits: int = result("Pieces that can be assembled without force, at all crank angles.")
+    fits: int = result("Pieces that have room at all crank angles, over the whole turn.")
+    binds_in_turning: int = result(
+        "Pieces that go together at some crank angles, and jam at others."
+    )
+    does_not_fit: int = result("Pieces that go together at no crank angle.")
     cannot_assemble: EstimateOut = result(
-        "Share of the pieces that press without load, with its interval. They stay in the "
-        "percentiles, pressed together, and fail the yield."
+        "Share of the pieces that do not fit, with its interval: they are not in the percentiles, "
+        "and fail the yield."
     )
     cannot_work: int = result(
-        "Pieces that cannot work at all: they are not in the percentiles, and fail the yield."
+        "Pieces that fit and cannot work: they are not in the percentiles, and fail the yield."
+    )
+    fit_contributions: Maybe[list[ContributionOut]] = result(
+        "What each tolerance does to whether the pieces fit, the largest first: in the place of "
+        "the contributions to a quantity, where fewer than 95 % of the pieces fit.",
+        default=None,
     )
     accuracy: StudyAccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, Literal
@@ -36,7 +37,7 @@ from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations
 from core.results import Accuracy, Notice
-from core.tolerance.contributions import contributions
+from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, percentile
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
 
@@ -156,7 +157,11 @@ class ToleranceStudyRequest(RealDesignFields):
         super().refuse_beyond(settings)
         self.refuse_other_shares(self.mechanism.satellites)
         self.refuse_longer(settings)
-        self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
+        for index, percent in enumerate(self.percentiles):
+            try:
+                percentile(values=range(self.samples), percent=percent)
+            except InvalidInput as error:
+                raise refusal(f"/percentiles/{index}", error.code) from error
 
     def refuse_longer(self, settings: Settings, times: int = 1) -> None:
         """Refuse more samples than there is time for, if all is done so many times over."""
@@ -186,16 +191,6 @@ class ToleranceStudyRequest(RealDesignFields):
     @staticmethod
     def _solves(names: list[str]) -> int:
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
-
-    def _estimated(self, estimate: Callable[[float], Estimate]) -> list[Estimate]:
-        """Estimates of the percentiles; a refusal names the one that needs more samples."""
-        made = []
-        for index, percent in enumerate(self.percentiles):
-            try:
-                made.append(estimate(percent))
-            except InvalidInput as error:
-                raise refusal(f"/percentiles/{index}", error.code) from error
-        return made
 
     @property
     def names(self) -> list[str]:
@@ -252,50 +247,81 @@ class ToleranceStudyRequest(RealDesignFields):
         study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}
-        if "contributions" in self.include:
-            quantities[self.names[0]]["contributions"] = self._contributions(study)
-        sampling = max(self._sampling_error(name, quantities, found) for name in self.names)
-        grid = max(found.angle_grid_error.values())
-        values = {
+        share = found.fits.mean()
+        values: Values = {
             "quantities": quantities,
             "samples": self.samples,
             "fits": int(found.fits.sum()),
+            "binds_in_turning": int(found.binds.sum()),
+            "does_not_fit": int((~found.fits & ~found.binds).sum()),
             "cannot_assemble": _estimate(found.cannot_assemble),
-            "cannot_work": int(np.isnan(found.values[:, 0]).sum()),
-            "accuracy": {"sampling_error": sampling, "angle_grid_error": grid},
+            "cannot_work": int((np.isnan(found.values[:, 0]) & found.fits).sum()),
         }
+        if "contributions" in self.include:
+            if share < MOST_FIT:
+                values["fit_contributions"] = self._contributions(study, to_fit=True)
+            else:
+                quantities[self.names[0]]["contributions"] = self._contributions(study)
+        sampling = max(self._sampling_error(name, quantities, found) for name in self.names)
+        grid = max(found.angle_grid_error.values())
+        values["accuracy"] = {"sampling_error": sampling, "angle_grid_error": grid}
+        notices = self._few(found)
         if now != "ready" and self.support is None:
-            values["warnings"] = [warning(Notice(f"compiled_{now}"))]
+            notices = (*notices, Notice(f"compiled_{now}"))
+        if notices:
+            values["warnings"] = [*map(warning, notices)]
         return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
+
+    def _few(self, found: ToleranceStudy) -> tuple[Notice, ...]:
+        """Percentiles that are left out since too few pieces fit."""
+        fits, asked = int(found.fits.sum()), len(self.percentiles)
+        if fits == 0:
+            return (Notice("no_piece_fits"),)
+        given = min(len(self._percentiles(name, found)) for name in self.names)
+        return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
+
+    def _percentiles(self, name: str, found: ToleranceStudy) -> list[Values]:
+        """The percentiles that the pieces which fit give."""
+        given = []
+        for percent in self.percentiles:
+            with suppress(InvalidInput):
+                each = found.percentile(quantity=core_name(name), percent=percent)
+                given.append({"percent": percent} | _estimate(each, name))
+        return given
 
     def _quantity(self, name: str, found: ToleranceStudy) -> Values:
         quantity = core_name(name)
         column = found.column(quantity)
-        estimates = self._estimated(
-            lambda percent: found.percentile(quantity=quantity, percent=percent)
-        )
-        values = {
-            "nominal": from_si(name, found.nominal[quantity]),
-            "mean": from_si(name, float(column.mean()) if len(column) else 0.0),
-            "percentiles": [
-                {"percent": percent} | _estimate(each, name)
-                for percent, each in zip(self.percentiles, estimates, strict=True)
-            ],
+        values: Values = {
+            "percentiles": self._percentiles(name, found),
             "angle_grid_error": found.angle_grid_error[quantity],
         }
+        if quantity in found.nominal:
+            values["nominal"] = from_si(name, found.nominal[quantity])
+        if len(column):
+            values["mean"] = from_si(name, float(column.mean()))
         limit = self.given_limits.get(name)
         if limit is not None:
-            kept = found.yield_within(quantity=quantity, limit=to_si(name, limit))
-            values["yield"] = {"limit": limit} | _estimate(kept)
-        if "histogram" in self.include:
+            asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit)}
+            values["yield"] = {"limit": limit} | _estimate(found.yield_within(**asked))
+            if found.fits.any():
+                of_fitting = found.yield_within(**asked, of_fitting=True)
+                values["yield_of_fitting"] = {"limit": limit} | _estimate(of_fitting)
+        if "histogram" in self.include and len(column):
             values["histogram"] = _histogram(from_si(name, column))
         return values
 
-    def _contributions(self, study: Study) -> list[Values]:
+    def _contributions(self, study: Study, to_fit: bool = False) -> list[Values]:
         first = replace(study, asked=replace(study.asked, quantities=study.asked.quantities[:1]))
         percent = max(self.percentiles, default=50.0)
         given = {core_name(name): name for name in type(self.tolerances).model_fields}
         given |= {"pin_radius": "pin_diameter", "hole_radius": "hole_diameter"}
+
+        def without(each: Estimate) -> Values:
+            if to_fit:
+                return {"fits_without": _estimate(each)}
+            return {"percentile_without": {"percent": percent} | _estimate(each, self.names[0])}
+
         return [
             {
                 "source": given[each.source],
@@ -303,10 +329,9 @@ class ToleranceStudyRequest(RealDesignFields):
                 "total_error": each.total_error,
                 "first": each.first,
                 "first_error": each.first_error,
-                "percentile_without": {"percent": percent}
-                | _estimate(each.percentile_without, self.names[0]),
+                **without(each.without),
             }
-            for each in contributions(study=first, percent=percent)
+            for each in contributions(study=first, percent=percent, to_fit=to_fit)
         ]
 
     def _sampling_error(
@@ -314,11 +339,8 @@ class ToleranceStudyRequest(RealDesignFields):
     ) -> float:
         """Largest relative half width of a quantity's percentiles; of its mean where none are."""
         column = found.column(core_name(name))
-        if self.percentiles:
-            return max(
-                _relative(each["high"] - each["low"], each["value"])
-                for each in quantities[name]["percentiles"]
-            )
+        if percentiles := quantities[name]["percentiles"]:
+            return max(_relative(each["high"] - each["low"], each["value"]) for each in percentiles)
         if len(column) < 2:
             return 1.0
         width = 2 * 1.96 * float(column.std(ddof=1)) / math.sqrt(len(column))
@@ -366,7 +388,10 @@ def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
         body = body.model_copy(update={"include": ["histogram"]})
     (values, _), _ = run(body, body.solve)
     name = body.names[0]
-    return tolerance_figure(name, values["quantities"][name], theme)
+    shown = values["quantities"][name]
+    if "fit_contributions" in values:
+        shown = shown | {"contributions": values["fit_contributions"]}
+    return tolerance_figure(name, shown, theme)
 
 
 CALCULATION = Calculation(

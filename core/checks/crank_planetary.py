@@ -228,7 +228,7 @@ def crank_checks(design: CrankDesign) -> Verdict:
         "load": not design.loaded,
         "contact": not design.touching,
         "satellite_body": not design.has_body,
-        "clearance": not real,
+        "clearance": not real and not (pressed and design.fit and design.fit.impossible),
         "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
         "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},

@@ -91,23 +91,23 @@ CHECK_SOURCES = {
 REASONS = {
     "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of "
     "its size",
-    "cannot_assemble": "The parts cannot be put together at any crank angle: pins and holes press by "
-    "more than they stand",
-    "clearance_like_eccentricity": "The clearance is nearly as large as the eccentricity: what moves "
-    "so is hardly meant",
+    "cannot_assemble": "The parts cannot be put together at any crank angle: pins and holes press "
+    "by more than they stand",
+    "clearance_like_eccentricity": "The clearance is nearly as large as the eccentricity: what "
+    "moves so is hardly meant",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
     "one",
     "cranks_deviate": "The balance is known of cranks without deviations only",
     "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
-    "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the holes "
-    "of one are turned against those of another",
+    "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "
+    "holes of one are turned against those of another",
     "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
     "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
     "strength where it is a steel",
-    "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the bearings on "
-    "the cranks lets the satellites move",
+    "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the "
+    "bearings on the cranks lets the satellites move",
     "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
     "against its crank",
     "force_law": "With clearance fewer pairs carry at once than the forces assume",

@@ -207,6 +207,8 @@ def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> 
         if design.eccentricity is None or design.pin_radius is None or design.hole_radius is None:
             return None
         before, after = design.hole_radius, design.pin_radius + design.eccentricity
+        if design.fit is not None:
+            after = design.fit.needed_hole_radius
     exact = Solution("solved", after, None, ((after, after),), None, True, 1)
     changed = replace(design, **{variable: after})  # type: ignore[arg-type]
     if code not in crank_tables(changed) or not before:

@@ -135,7 +135,6 @@ class Deviations:
             *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
         )
 
-
     def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":
         """The piece with each satellite put on the pins by the holes that lie next to them.
 
@@ -172,10 +171,10 @@ class Deviations:
 
         renumbered = replace(
             self,
-            disc_phase=tuple(
-                phase - by * pitch for phase, by in zip(phases, further, strict=True)
-            ),
-            **{name: moved(getattr(self, name)) for name in Errors._fields[3:6]},
+            disc_phase=tuple(phase - by * pitch for phase, by in zip(phases, further, strict=True)),
+            hole_radial=moved(self.hole_radial),
+            hole_tangential=moved(self.hole_tangential),
+            hole_radius=moved(self.hole_radius),
         )
         return renumbered, tuple(by % pins for by in further)
 
@@ -370,13 +369,13 @@ class RealMechanism:
         Raises
         ------
         ImpossibleMechanism
-            If no pair can drive, forces would not balance or not be stable, or a contact would be as
-            wide as its pin.
+            If no pair can drive, forces would not balance or not be stable, or a contact would be
+            as wide as its pin.
         """
         position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
         status = judged(position, setup, self.pairs, room)
         if status in REFUSALS:
-            params = {}
+            params: dict[str, Any] = {}
             if status == TOO_WIDE:
                 j, n = divmod(too_wide(self.pairs, room), setup.pins)
                 params = {"satellite": j + 1, "pin": n + 1}

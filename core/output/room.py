@@ -1,4 +1,4 @@
-"""The room that pins have in their holes, by geometry alone: whether the parts go together and turn.
+"""The room that pins have in their holes, by geometry alone: whether parts go together and turn.
 
 A pin at P and its hole's centre at H, with C the difference of their radii: at a lag of the output
 their centres lie ``|P*exp(-i*lag) - H|`` apart, which must not exceed C. All of it holds for
@@ -7,7 +7,7 @@ clearances and misfits of any size; no force is asked.
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal
 
@@ -165,7 +165,7 @@ class Rooms:
     pin_radius: float
     eccentricity: float
     clearance: float
-    deviations: Deviations = Deviations()
+    deviations: Deviations = field(default_factory=Deviations)
 
     @cached_property
     def _placed(self) -> tuple[Any, Any, FloatArray, FloatArray, FloatArray]:
@@ -233,9 +233,7 @@ class Rooms:
         half = np.where(gap < np.abs(off), -np.inf, half)
         return (nearest - half).max(axis=1), (nearest + half).min(axis=1)
 
-    def rooms(
-        self, wave: FloatArray, disc: int | None = None
-    ) -> tuple[FloatArray, FloatArray]:
+    def rooms(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
         """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
 
         Each distance falls up to its pair's own lag and rises after it: what is left to the worst
@@ -320,13 +318,13 @@ class Rooms:
         best = signed.max()
         tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
         tops &= signed >= best - self._steepest * step / 2
-        place, height = self._narrowed(lambda wave: self.rooms(wave, disc)[0], grid[tops], step, sign)
-        return place, height
+        return self._narrowed(lambda wave: self.rooms(wave, disc)[0], grid[tops], step, sign)
 
     @property
     def _steepest(self) -> float:
         """How fast the room may change with the wave angle, m/rad: a hole moves on a circle of the
-        eccentricity."""
+        eccentricity.
+        """
         return float(np.abs(self._placed[3]).max())
 
     def over_turn(self, disc: int | None = None) -> TurnRoom:
@@ -411,7 +409,8 @@ class Rooms:
                 return float(middle[(first > last).argmax()])
             between, _ = self.rooms(middle, disc)
             low = np.concatenate([low, middle])
-            rooms, following = np.concatenate([rooms, between]), np.concatenate([between, following])
+            following = np.concatenate([between, following])
+            rooms = np.concatenate([rooms, between])
             step /= 2
         return None
 
@@ -466,7 +465,9 @@ class Rooms:
         dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
         near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
         around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel()
-        wave = np.unique(np.concatenate([grid, self._start() + (around - self._start()) % (2 * np.pi)]))
+        wave = np.unique(
+            np.concatenate([grid, self._start() + (around - self._start()) % (2 * np.pi)])
+        )
 
         def height(places: FloatArray) -> FloatArray:
             low, high = self.windows(places)

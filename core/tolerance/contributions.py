@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.sharing_kernel import Errors
-from core.tolerance.quantiles import Estimate, percentile
+from core.output.sharing_kernel import FITS, Errors
+from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.study import Study
 
 
@@ -24,8 +24,9 @@ class Contribution:
         error.
     first, first_error : float
         Index S_1, what the source explains alone, and its standard error.
-    percentile_without : Estimate
-        Percentile with this source at the middle of its limits.
+    without : Estimate
+        With this source at the middle of its limits: the percentile, or the share of pieces that
+        fit.
     """
 
     source: str
@@ -33,10 +34,17 @@ class Contribution:
     total_error: float
     first: float
     first_error: float
-    percentile_without: Estimate
+    without: Estimate
 
 
-def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution, ...]:
+MOST_FIT = 0.95
+"""Share of pieces that fit below which what the tolerances do is asked of the fit: of a quantity
+two pieces that both fit would be needed each time."""
+
+
+def contributions(
+    *, study: Study, percent: float = 95.0, to_fit: bool = False
+) -> tuple[Contribution, ...]:
     """Contributions of the sources to the first quantity of a study, the largest first.
 
     Parameters
@@ -45,6 +53,8 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
         Design, tolerances, what is asked; n*(2*G + 2) pieces are calculated for G sources.
     percent : float
         Percentage of the percentile without each source.
+    to_fit : bool
+        Whether to the fit of the pieces instead: 1 where one fits, else 0.
 
     Returns
     -------
@@ -55,13 +65,15 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
     Jansen 1999, with two samples A and B and A with one source from B:
     ``S_T = mean((f_A - f_AB)^2)/(2*V)``, ``S_1 = 1 - mean((f_B - f_AB)^2)/(2*V)``. The peak force
     is even in most deviations, so correlations and straight fits say nothing. Where the totals add
-    up to more than 1, sources act together. Pieces that cannot work are left out. Each index is a
-    ratio of means, so that its standard error is that of ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over
-    V (Cochran 1977, Sampling Techniques, 6): V is estimated from the same pieces.
+    up to more than 1, sources act together. Pieces that do not fit or cannot work are left out.
+    Each index is a ratio of means, so that its standard error is that of
+    ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over V (Cochran 1977, Sampling Techniques, 6): V is
+    estimated from the same pieces.
     """
 
     def first_quantity(pieces: Errors[FloatArray]) -> FloatArray:
-        return study.values(pieces)[0][:, 0]
+        values, fits = study.values(pieces)
+        return np.where(fits == FITS, 1.0, 0.0) if to_fit else values[:, 0]
 
     sources = study.tolerances.sources
     one = first_quantity(study.pieces())
@@ -82,7 +94,10 @@ def contributions(*, study: Study, percent: float = 95.0) -> tuple[Contribution,
         total, first = index(one - mixed), index(other - mixed)
         left = study.pieces(tolerances=study.tolerances.without(source))
         rest = first_quantity(left)
-        without = percentile(values=rest[~np.isnan(rest)], percent=percent)
+        if to_fit:
+            without = share(successes=int(rest.sum()), count=len(rest))
+        else:
+            without = percentile(values=rest[~np.isnan(rest)], percent=percent)
         alone = 1 - first[0] if variance < math.inf else 0.0
         found.append(Contribution(source, *total, alone, first[1], without))
     return tuple(sorted(found, key=lambda each: -each.total))

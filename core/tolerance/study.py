@@ -12,7 +12,17 @@ from core.arrays import BoolArray, FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import PLAIN, at_hand
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
+from core.output.sharing_kernel import (
+    BINDS,
+    FITS,
+    FORCE,
+    LOST_MOTION,
+    Errors,
+    Load,
+    Pairs,
+    Pieces,
+    Room,
+)
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.tolerance.quantiles import Estimate, percentile, share
@@ -70,14 +80,15 @@ class ToleranceStudy:
     quantities : tuple of str
         What was asked.
     values : array, shape (samples, quantities)
-        SI units; NaN where a piece cannot work.
+        SI units; NaN where a piece does not fit or cannot work.
     fits : array of bool, shape (samples,)
-        Which pieces can be assembled without force; those that cannot have their values too, once
-        they are pressed together.
+        Which pieces have room at all positions of the turn.
+    binds : array of bool, shape (samples,)
+        Which have it at some positions only: they go together, and jam in turning.
     nominal : dict of str to float
-        Of the piece at the middle of all limits.
+        Of the piece at the middle of all limits; nothing where that does not fit.
     cannot_assemble : Estimate
-        Share of the pieces that cannot be assembled without force.
+        Share of the pieces that do not fit at all positions.
     angle_grid_error : dict of str to float
         How much the positions miss of each quantity, relative: a bias, of the largest values always
         low. Of the peak force the mean over the highest samples, each summit narrowed; of the
@@ -87,6 +98,7 @@ class ToleranceStudy:
     quantities: tuple[str, ...]
     values: FloatArray
     fits: BoolArray
+    binds: BoolArray
     nominal: dict[str, float]
     cannot_assemble: Estimate
     angle_grid_error: dict[str, float]
@@ -122,8 +134,8 @@ class ToleranceStudy:
         """
         return percentile(values=self.column(quantity), percent=percent)
 
-    def yield_within(self, *, quantity: str, limit: float) -> Estimate:
-        """Share of all pieces that keep a limit: of the stiffness a lower one, else an upper one.
+    def yield_within(self, *, quantity: str, limit: float, of_fitting: bool = False) -> Estimate:
+        """Share of pieces that keep a limit: of the stiffness a lower one, else an upper one.
 
         Parameters
         ----------
@@ -131,15 +143,17 @@ class ToleranceStudy:
             Its name.
         limit : float
             Its limit, SI units.
+        of_fitting : bool
+            Whether of the pieces that fit; else of all, of which those that do not fit fail.
 
         Returns
         -------
         Estimate
-            Pieces that cannot be assembled count as failures.
         """
         column = self.values[:, self.quantities.index(quantity)]
         kept = column >= limit if quantity == "stiffness_min" else column <= limit
-        return share(successes=int((kept & self.fits).sum()), count=len(column))
+        count = int(self.fits.sum()) if of_fitting else len(column)
+        return share(successes=int((kept & self.fits).sum()), count=count)
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,9 +212,9 @@ class Study:
             other=other,
         )
 
-    def values(self, pieces: Errors[FloatArray]) -> tuple[FloatArray, BoolArray]:
-        """Quantities of pieces, and which of them can be assembled; on all processors where the
-        loops are compiled, with the same bits however they are split.
+    def values(self, pieces: Errors[FloatArray]) -> tuple[FloatArray, FloatArray]:
+        """Quantities of pieces, and which of them fit; on all processors where the loops are
+        compiled, with the same bits however they are split.
 
         Parameters
         ----------
@@ -210,9 +224,9 @@ class Study:
         Returns
         -------
         values : array, shape (pieces, quantities)
-            SI units; NaN where a piece cannot work.
-        fits : array of bool, shape (pieces,)
-            Which can be assembled without force.
+            SI units; NaN where a piece does not fit or cannot work.
+        fits : array, shape (pieces,)
+            FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
         kernel, count = at_hand(), len(pieces.pin_radial)
         if self.real.shared is not None:
@@ -233,7 +247,7 @@ class Study:
         if "max_pressure" in self.asked.quantities:
             columns["max_pressure"] = np.sqrt(self._square_pressure * columns["max_pressure"])
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
-        return values, columns["fits"] == 1
+        return values, columns["fits"]
 
     def _block(self, kernel: Any, pieces: Errors[FloatArray]) -> Pieces:
         """Quantities of some pieces, in the kernel's rows."""
@@ -326,24 +340,29 @@ def tolerance_study(study: Study) -> ToleranceStudy:
     return ToleranceStudy(
         quantities=asked.quantities,
         values=values,
-        fits=fits,
-        nominal=dict(zip(asked.quantities, nominal, strict=True)),
-        cannot_assemble=share(successes=int((~fits).sum()), count=len(fits)),
+        fits=fits == FITS,
+        binds=fits == BINDS,
+        nominal=nominal,
+        cannot_assemble=share(successes=int((fits != FITS).sum()), count=len(fits)),
         angle_grid_error=_grid_errors(study, pieces, values),
     )
 
 
-def _nominal(study: Study) -> list[float]:
-    """Quantities of the piece that the study's mechanism is; a refusal where it cannot work."""
+def _nominal(study: Study) -> dict[str, float]:
+    """Quantities of the piece that the study's mechanism is; a refusal where it fits and cannot
+    work.
+    """
     real, asked = study.real, study.asked
     rows = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
     quiet = replace(study, progress=lambda done: None)
-    (values,), _ = quiet.values(Errors(*[np.array([row]) for row in rows]))
+    (values,), (fits,) = quiet.values(Errors(*[np.array([row]) for row in rows]))
+    if fits != FITS:
+        return {}
     if np.isnan(values).any():
         turn = Turn(real, asked.output_torque, asked.lost_motion_share)
         for kind in (FORCE, LOST_MOTION):
             turn.values(kind, _places(asked.positions))
-    return [*map(float, values)]
+    return dict(zip(asked.quantities, map(float, values), strict=True))
 
 
 def _places(positions: int) -> list[float]:
