@@ -53,6 +53,8 @@ REFUSALS = {
 """What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
 
 IMPOSSIBLE = {
+    "beyond_first_order": "The output would turn by more than a radian, of which first order says "
+    "nothing: the contacts are too soft or the position is a dead centre",
     "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
     "pin: Hertz's law of contact does not reach so far",
     "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "

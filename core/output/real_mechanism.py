@@ -40,6 +40,7 @@ from core.output.sharing_kernel import (
     NOT_SOLVED,
     NOT_STABLE,
     RIGID,
+    TOO_FAR,
     TOO_WIDE,
     Errors,
     Law,
@@ -58,6 +59,7 @@ REFUSALS = {
     NOT_STABLE: "not_stable",
     NOT_SOLVED: "not_balanced",
     TOO_WIDE: "beyond_hertz",
+    TOO_FAR: "beyond_first_order",
 }
 """What a position is refused as that cannot be."""
 

@@ -22,7 +22,7 @@ LINEAR, POWER, HERTZ = 0, 1, 2
 RIGID, CRANK, MESH = 0, 1, 2
 """What of the satellites gives: nothing, the bearings on their cranks, their mesh with the ring."""
 
-SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(5)
+SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
 LIMIT_TORQUE = 8
 """What is looked at over the turn; of the pressure the force over the reduced radius."""
@@ -49,6 +49,9 @@ FITS, BINDS, NOWHERE = 2, 1, 0
 FIT_POSITIONS = 720
 """Positions of the turn at which that is looked at. Its least room is a smooth minimum, which they
 miss by no more than the eccentricity times (pi/720)^2/2, 1e-5 of it."""
+
+RADIAN = 1.0
+"""Lag beyond which first order says nothing; by exact geometry pins would be in the next holes."""
 
 JUST = 1e-9
 """Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
@@ -821,6 +824,8 @@ def judged(position: Position, setup: Setup, pairs: Pairs, room: Room) -> int:
     """Whether a position can be, as `solve` left the room: a status."""
     if position.status == NO_DRIVE:
         return NO_DRIVE
+    if abs(position.lag) > RADIAN:
+        return NOT_STABLE if setup.exact else TOO_FAR
     if position.status != SOLVED:
         return position.status
     if not math.isfinite(position.force_error):

@@ -130,7 +130,7 @@ def test_a_refusal_says_why_in_both(loaded: bool) -> None:
     ):
         with pytest.raises(ImpossibleMechanism) as caught:
             calculate()
-        assert caught.value.code == "lost_in_space"
+        assert caught.value.code == "not_stable"
 
 
 def test_a_study_of_satellites_that_give_is_that_of_its_pieces() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from core.errors import InvalidInput
+from core.output.fit import Fit
 from core.output.real_mechanism import Deviations
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
@@ -141,9 +142,7 @@ def test_the_widest_zone_contributes_most() -> None:
     found = contributions(study=Study(design(), LOOSE, ASKED, samples=64, seed=1), percent=50)
     assert found[0].source == "hole_position"
     assert found[0].total > 0.7 > 0.2 > found[-1].total
-    assert found[0].percentile_without.value < min(
-        each.percentile_without.value for each in found[1:]
-    )
+    assert found[0].without.value < min(each.without.value for each in found[1:])
     for each in found:
         assert each.total >= -1e-12 and each.total_error >= 0 and each.first_error >= 0
 
@@ -182,14 +181,28 @@ def test_the_errors_of_the_indices_are_as_large_as_they_say() -> None:
             assert stated.mean() == pytest.approx(off.std(), rel=0.12), (name, index)
 
 
-def test_pieces_that_press_are_counted_and_fail() -> None:
+def test_pieces_that_do_not_fit_are_counted_and_left_out() -> None:
     tight = replace(design(), clearance=8e-6)
     asked = replace(ASKED, quantities=("peak_force", "stiffness_min"))
-    found = tolerance_study(Study(tight, LOOSE, asked, samples=40))
+    study = Study(tight, LOOSE, asked, samples=40)
+    found = tolerance_study(study)
     assert 0.2 < found.cannot_assemble.value < 1
-    assert not np.isnan(found.values).any()
+    assert (np.isnan(found.values).all(axis=1) == ~found.fits).all()
     kept = found.yield_within(quantity="peak_force", limit=1e9)
     assert kept.value == pytest.approx(1 - found.cannot_assemble.value)
+    fitting = found.yield_within(quantity="peak_force", limit=1e9, of_fitting=True)
+    assert fitting.value == 1
+    # as each piece by itself
+    pieces = study.pieces()
+    states = [Fit(study.piece(pieces, i)).room.state for i in range(40)]
+    assert [state == "fits" for state in states] == found.fits.tolist()
+    assert [state == "binds_in_turning" for state in states] == found.binds.tolist()
+
+
+def test_what_each_tolerance_does_to_the_fit() -> None:
+    tight = replace(design(), clearance=8e-6)
+    found = contributions(study=Study(tight, LOOSE, ASKED, samples=64), to_fit=True)
+    assert found[0].source == "hole_position" and found[0].without.value == 1
 
 
 def test_every_quantity_of_an_exact_piece_is_that_of_the_nominal() -> None:

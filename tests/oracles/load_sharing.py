@@ -36,7 +36,10 @@ def exact_position(real: RealMechanism, crank_angle: float, torque: float) -> Ex
 
 
 def _position(real: RealMechanism, crank_angle: mpf, torque: mpf) -> Exact:
-    held, far = _held(real), mpf(real.eccentricity) / real.pin_circle_radius * 2
+    held, far = (
+        _held(real),
+        (mpf(real.eccentricity) + max(real.clearance, 0)) / real.pin_circle_radius * 3,
+    )
     satellites = _pairs(real, crank_angle)
     if isinstance(held, Shares):
         shares = [*map(mpf, held.shares)]

@@ -52,18 +52,13 @@ def test_loads_over_many_decades(torque: float, exact: bool) -> None:
         assert abs(force - expected) <= 1e-13 * largest
 
 
-@pytest.mark.parametrize("clearance", [0.0, 1e-12, 1e-6, 1e-4, 1e-3, 1.4e-3])
-def test_clearance_up_to_the_eccentricity(clearance: float) -> None:
+@pytest.mark.parametrize(
+    "clearance", [0.0, 1e-12, 1e-6, 1e-4, 1e-3, 1.4e-3, 1.5e-3, 1.6e-3, 3e-3, 4e-3]
+)
+def test_nothing_happens_where_the_clearance_passes_the_eccentricity(clearance: float) -> None:
     found = solved(design(clearance=clearance), 0.1, 1.0)
     exact = exact_position(design(clearance=clearance), 0.1, 1.0)
     assert flat(found) == pytest.approx(list(map(float, exact.force)), abs=1e-12)
-
-
-@pytest.mark.parametrize("clearance", [1.5e-3, 2e-3])
-def test_clearance_beyond_the_eccentricity_is_refused(clearance: float) -> None:
-    with pytest.raises(ImpossibleMechanism) as refusal:
-        solved(design(clearance=clearance), 0.1, 1.0)
-    assert refusal.value.code == "lost_in_space"
 
 
 @pytest.mark.parametrize("exact", [False, True])
@@ -121,4 +116,4 @@ def test_one_pin_and_two_have_a_right_answer_or_a_refusal(pins: int, exact: bool
         for force, expected in zip(flat(found), known.force, strict=True):
             assert abs(force - expected) <= found.force_error
         answered += 1
-    assert answered >= 3 and codes <= {"dead_centre", "lost_in_space", "not_stable"}
+    assert answered >= 3 and codes <= {"dead_centre", "beyond_first_order", "not_stable"}
