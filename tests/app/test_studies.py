@@ -134,7 +134,7 @@ async def test_what_cannot_work_is_the_last_line(api):
     answer = await api.post(PATH, json=soft, headers={"accept": LINES})
     assert answer.status_code == 200
     problem = json.loads(answer.text.splitlines()[-1])["problem"]
-    assert (problem["status"], problem["errors"][0]["code"]) == (422, "lost_in_space")
+    assert (problem["status"], problem["errors"][0]["code"]) == (422, "not_stable")
 
 
 async def test_more_time_is_given_than_to_an_answer_at_once(api):
