@@ -110,7 +110,6 @@ REASONS = {
     "bearings on the cranks lets the satellites move",
     "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
     "against its crank",
-    "force_law": "With clearance fewer pairs carry at once than the forces assume",
     "jams": "The parts go together, but jam in a part of the turn",
     "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
     "which are meant for teeth",
@@ -132,7 +131,6 @@ REASONS = {
     "pressed_without_load": "With these deviations pins and holes press without load",
     "pressure_error": "The limit lies within the error of the value",
     "rating_unknown": "No load rating of the bearing is given",
-    "real_forces": "The forces are those with clearance: it is in every other check",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
     "one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "

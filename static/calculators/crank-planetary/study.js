@@ -58,7 +58,9 @@ export function quantityOf(name, of) {
   const unit = unitOf(name);
   const amount = (value) => formatQuantity(value, unit, 4);
   const marks = [
-    { id: "nominal", title: message("study.nominal"), at: of.nominal, value: amount(of.nominal), interval: "" },
+    ...(of.nominal === undefined ? [] : [
+      { id: "nominal", title: message("study.nominal"), at: of.nominal, value: amount(of.nominal), interval: "" },
+    ]),
     ...of.percentiles.map((one) => ({
       id: `p${one.percent}`, title: message("study.percentile", { percent: formatNumber(one.percent) }), at: one.value, ...estimate(one, unit),
     })),
@@ -91,7 +93,7 @@ export function barsOf({ edges, counts }, marks) {
 export function ranked(name, { contributions = [], percentiles }) {
   const unit = unitOf(name);
   const at = ({ percent }) => percentiles.find((one) => one.percent === percent)?.value;
-  return contributions.map(({ source, total, total_error: error, first, percentile_without: without }) => ({
+  return contributions.filter((one) => one.percentile_without).map(({ source, total, total_error: error, first, percentile_without: without }) => ({
     source,
     title: sourceTitle(source),
     total: Math.max(total, 0),
@@ -123,13 +125,13 @@ export function advice(name, of) {
 }
 
 /** How exact the numbers of a quantity are, in words, and which pieces are no good. */
-export function exactness(name, of, { samples, cannot_assemble: pressed, cannot_work: broken, most }, { crank_angles: angles }) {
+export function exactness(name, of, { samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken, most }, { crank_angles: angles }) {
   const error = Math.max(...of.percentiles.map(({ value, low, high }) => Math.min((high - low) / 2 / Math.abs(value), 1) || 0));
   const quantity = titleOf(name);
   return [
     of.percentiles.length > 0 && ["", message("study.sampling", { quantity, error: share(error, 2), samples })],
     ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2), angles })],
-    pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2) })],
+    pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2), binds })],
     broken > 0 && ["bad", message("study.broken", { count: broken })],
     most !== undefined && ["warning", message("study.most", { most })],
   ].filter(Boolean);
