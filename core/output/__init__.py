@@ -26,6 +26,8 @@ compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
+room                the room of pins in their holes over the turn, by geometry alone
+fit                 whether the parts go together, and what elasticity takes up of a misfit
 loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
