@@ -20,7 +20,7 @@ from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cycl
 from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
-from app.calculations.load_sharing_answer import OverTurnOut
+from app.calculations.load_sharing_answer import FitOut, OverTurnOut
 from app.calculations.mechanism import MAX_PAIRS, Angle
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
@@ -452,6 +452,11 @@ class CrankPlanetaryResponse(JudgedResponse):
     crankshaft: Maybe[CrankshaftResponse] = result(
         "As `/crankshaft` answers, under the torque without its factor.", default=None
     )
+    fit: Maybe[FitOut] = result(
+        "How the pins fit into their holes, whichever sections are asked, where their sizes and "
+        "their circle are given.",
+        default=None,
+    )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
     warnings: Maybe[list[WarningOut]] = Field(
         default=None,
@@ -537,8 +542,11 @@ def solve(body: CrankPlanetaryRequest) -> Values:
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
-    fit, _ = run(body, body.solve_fit)
-    notices = (() if fit is None else fit.notices) + (
+    sizes, _ = run(body, body.solve_fit)
+    fit, _ = run(body, lambda: body.design.fit)
+    if fit is not None:
+        sections["fit"] = FitOut.values(fit)
+    notices = (() if sizes is None else sizes.notices) + (
         () if body.contact is None else body.contact.material_notices()
     )
     if "pin_strength" not in asked:  # which tells it itself

@@ -102,7 +102,7 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     finally:
         for each in patches:
             each.stop()
-    judged = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
+    judged = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts", "fit"}
     assert response.status_code == 200
     assert set(response.json()) == set(asked) | judged | {"not_considered"}
 

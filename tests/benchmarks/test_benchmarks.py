@@ -11,6 +11,7 @@ import pytest
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {
     "batches": "more than",
+    "fit": "fit: 0 misses",
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",
     "honesty": "\nhonest",

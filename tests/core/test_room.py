@@ -17,7 +17,8 @@ from core.output.pin_geometry import slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.room import Rooms
 from core.output.satellite_support import CrankSupport
-from tests.oracles.room import Sizes, highest, room
+from tests.oracles.misfits import drawn
+from tests.oracles.room import highest, room
 
 MM, ARCMIN = 1e-3, math.pi / 10_800
 
@@ -117,39 +118,6 @@ def test_where_it_binds_and_is_blocked() -> None:
     assert [math.degrees(end) for each in behind for end in each] == pytest.approx(
         [205.717509001, 230.397320825, 260.468113318, 284.737915994], abs=1e-6
     )
-
-
-def drawn(rng: random.Random) -> tuple[Rooms, Sizes]:
-    """A mechanism with misfits from 1 um to 10 mm, and the same for plain distances."""
-    pins, satellites, radius = rng.randint(1, 8), rng.randint(1, 3), rng.uniform(20, 60) * MM
-    eccentricity = rng.uniform(0.5, 3) * MM
-    misfit = 10 ** rng.uniform(-6, -2)
-    clearance = rng.choice([0.0, 1.0, 10 ** rng.uniform(-2, 1)]) * misfit
-    ratio = rng.uniform(2, 60)
-
-    def row(count: int, size: float = misfit) -> tuple[float, ...]:
-        return tuple(rng.uniform(-1, 1) * size for _ in range(count))
-
-    def table() -> tuple[tuple[float, ...], ...]:
-        return tuple(row(pins) for _ in range(satellites))
-
-    kinds = {
-        "pin_radial": lambda: row(pins),
-        "pin_tangential": lambda: row(pins),
-        "pin_radius": lambda: row(pins, min(misfit, 1e-3)),
-        "hole_radial": table,
-        "hole_tangential": table,
-        "hole_radius": table,
-        "eccentricity": lambda: row(satellites, min(misfit, eccentricity / 3)),
-        "crank_phase": lambda: row(satellites, misfit / radius),
-        "disc_phase": lambda: row(satellites, misfit / radius / 4),
-    }
-    off = {name: make() for name, make in kinds.items() if rng.random() < 0.4}
-    mechanism = Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=ratio)
-    pin = 4 * MM
-    own = Rooms(mechanism, radius, pin, eccentricity, clearance, Deviations(**off))
-    hole = pin + eccentricity + clearance
-    return own, Sizes(pins, mechanism.crank_angles, ratio, radius, pin, eccentricity, hole, off)
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -1,0 +1,45 @@
+"""The room of pins in their holes against plain distances, over random mechanisms with misfits from
+1 um to 10 mm: `make accuracy` runs it.
+"""
+
+import math
+import random
+import sys
+
+import numpy as np
+
+from tests.oracles.misfits import drawn
+from tests.oracles.room import room
+
+TOLERANCE = 3e-8
+"""Of the room, m: the scan of the distances is no finer."""
+
+
+def misses(mechanisms: int, seed: int = 20261125) -> list[str]:
+    """What is said of one position of each mechanism and is not so."""
+    found = []
+    for index in range(mechanisms):
+        rng = random.Random(seed + index)
+        own, sizes = drawn(rng)
+        wave = rng.uniform(0, 2 * math.pi)
+        (ours,), _ = own.rooms(np.array([wave]))
+        known = room(sizes, wave, 1.0)
+        (low,), (high,) = own.windows(np.array([wave]))
+        if abs(ours - known) > TOLERANCE:
+            found.append(f"{index}: room {ours:.9e} m, by distances {known:.9e} m")
+        if (low <= high) != (ours >= 0) and abs(ours) > 1e-9:
+            found.append(f"{index}: a window of {high - low:.3e} rad, a room of {ours:.3e} m")
+    return found
+
+
+def main(mechanisms: int) -> None:
+    """Print every miss, and how many there are."""
+    found = misses(mechanisms)
+    for each in found:
+        print(each)
+    print(f"fit: {len(found)} misses in {mechanisms} random mechanisms")
+    sys.exit(bool(found))
+
+
+if __name__ == "__main__":
+    main(20 if "--smallest" in sys.argv else 2000)
