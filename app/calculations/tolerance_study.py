@@ -27,7 +27,7 @@ from app.model import (
     warning,
 )
 from app.problems import not_prepared, refusal
-from app.running import run
+from app.running import Result, run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -37,7 +37,7 @@ from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations
 from core.results import Accuracy, Notice
 from core.tolerance.contributions import contributions
-from core.tolerance.quantiles import Estimate, percentile
+from core.tolerance.quantiles import Estimate, refuse_few
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
 
 Name = Literal[
@@ -156,7 +156,7 @@ class ToleranceStudyRequest(RealDesignFields):
         super().refuse_beyond(settings)
         self.refuse_other_shares(self.mechanism.satellites)
         self.refuse_longer(settings)
-        self._estimated(lambda percent: percentile(values=range(self.samples), percent=percent))
+        self._estimated(lambda percent: refuse_few(count=self.samples, percent=percent))
 
     def refuse_longer(self, settings: Settings, times: int = 1) -> None:
         """Refuse more samples than there is time for, if all is done so many times over."""
@@ -187,7 +187,7 @@ class ToleranceStudyRequest(RealDesignFields):
     def _solves(names: list[str]) -> int:
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
 
-    def _estimated(self, estimate: Callable[[float], Estimate]) -> list[Estimate]:
+    def _estimated(self, estimate: Callable[[float], Result]) -> list[Result]:
         """Estimates of the percentiles; a refusal names the one that needs more samples."""
         made = []
         for index, percent in enumerate(self.percentiles):
