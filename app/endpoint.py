@@ -46,16 +46,18 @@ LINES = "application/x-ndjson"
 LIGHT_BYTES = 16_384
 LIGHT_POINTS = 20_000
 """What a request may have to be answered in the event loop: bytes, and points by `points`. It then
-holds the loop for some 10 ms; to hand it over costs half of one."""
+holds the loop for less than 30 ms; to hand it over costs half of one."""
 
 COUNTS = {"pins": 1, "satellites": 2, "revolutions": 1, "rollers": 1, "rollers_total": 1}
 """Fields that count what is calculated, each with its power."""
 
-SIZES = {*COUNTS, "samples", "ratio", "ring_teeth", "satellite_teeth"}
+SIZES = {*COUNTS, "samples", "force_exponent", "ratio", "ring_teeth", "satellite_teeth"}
 """Fields on which the size of a request hangs."""
 
-ELEMENT_POINTS, DRAWN_POINTS = 20, 100
-"""Points of a pair or a roller of which no curve is asked, and of one that is drawn."""
+PAIR_POINTS, ROLLER_POINTS = 240, 400
+"""Points of a pair, whose forces are searched and integrated over the turn, and of a roller, with
+the nodes of its contact line; of a curve with more samples as many as these.
+"""
 
 MAX_NESTED = 1000
 """Most lists and objects in a request: they cost a hundred times as much to read as numbers do. The
@@ -118,7 +120,7 @@ class CalculationRoute(APIRoute):
             body = None
             if len(sent) <= LIGHT_BYTES:
                 body = read_body(calculation, sent, record.settings)
-            if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
+            if body is not None and points(body) <= LIGHT_POINTS:
                 content = _content(calculation, body, theme, zipped)
             else:
                 asked = name, sent, theme, zipped, record.settings
@@ -131,28 +133,26 @@ class CalculationRoute(APIRoute):
         return handle
 
 
-def points(body: RequestModel, *, drawn: bool) -> float:
-    """How many points a request asks for, by the counts that it states: the one rule for what
-    leaves the event loop.
+def points(body: RequestModel) -> float:
+    """How many points a request asks for, by what it states: the one rule for what leaves the event
+    loop.
 
     Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, of
-    its figure.
+    others) times turns, or rollers; and of each the samples of its curve. Forces by an exponent
+    above 1 are as much sharper over the turn, and are looked at in as many more places.
     """
     stated = _stated(body)
     asked = stated.pop("include", ())
     if body.long or "fixes" in asked:
         return math.inf
-    size = DRAWN_POINTS if drawn else ELEMENT_POINTS
-    if not stated:
-        return float(size)
+    size: float = PAIR_POINTS * max(1.0, stated.get("force_exponent", 1.0))
+    if stated.get("rollers") or stated.get("rollers_total"):
+        size = ROLLER_POINTS
     if "curves" in asked or "points" in asked:
         size = max(size, stated["samples"])
     for name, count in stated.items():
         if power := COUNTS.get(name):
-            size *= (len(count) or 1 if isinstance(count, list) else count) ** power
-    if stated.get("rollers") or stated.get("rollers_total"):
-        size *= ELEMENT_POINTS  # nodes of its contact line
+            size *= max(1, len(count) if isinstance(count, list) else count) ** power
     teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
     turns = max(1.0, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
     return float(size * turns)

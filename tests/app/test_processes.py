@@ -5,6 +5,8 @@ import json
 import os
 import random
 import signal
+from contextlib import suppress
+from copy import deepcopy
 
 import httpx
 import pytest
@@ -12,11 +14,21 @@ from pydantic import TypeAdapter
 
 from app import endpoint, jobs
 from app.calculations.contact_force import ContactForceRequest
-from app.endpoint import LIGHT_BYTES, LIGHT_POINTS, points
+from app.endpoint import (
+    LIGHT_BYTES,
+    LIGHT_POINTS,
+    PAIR_POINTS,
+    ROLLER_POINTS,
+    points,
+    read_body,
+)
 from app.examples import REQUESTS
 from app.main import create_app
+from app.problems import Problem
 from app.registry import CALCULATIONS
 from app.settings import Settings
+from core.errors import ImpossibleMechanism
+from tests.oracles.work import steps
 from tests.running_service import lives
 
 pytestmark = pytest.mark.anyio
@@ -210,14 +222,76 @@ def test_usual_designs_run_at_once(exponent, include):
     request = ContactForceRequest(
         pins=6, satellites=3, ratio=20.0, force_exponent=exponent, include=include, **LOAD
     )
-    assert points(request, drawn=False) <= LIGHT_POINTS
+    assert points(request) <= LIGHT_POINTS
 
 
 def test_long_calculations_are_known_beforehand():
-    assert points(ContactForceRequest(**SLOW), drawn=False) > 100 * LIGHT_POINTS
+    assert points(ContactForceRequest(**SLOW)) > 100 * LIGHT_POINTS
     study = TypeAdapter(CALCULATIONS["work-precision"].request)
     asked = study.validate_python(REQUESTS["work-precision"])
-    assert points(asked, drawn=False) == float("inf")
+    assert points(asked) == float("inf")
+
+
+MOST_STEPS = 3_000_000
+"""Calls, and numbers in arrays, of what is calculated in the event loop: some 30 ms."""
+
+
+def largest(name, satellites, exponent):
+    """An example with as many pins or rollers as the event loop takes, and at an exponent."""
+    body = deepcopy(REQUESTS[name])
+    for other in ("pin", "deviations", "tolerances"):
+        body.pop(other, None)
+    mechanism, load = body.get("mechanism", body), body.get("load", body)
+    if "pins" in mechanism:
+        mechanism.pop("crank_spacing_deg", None)
+        mechanism["satellites"] = satellites
+        mechanism["crank_angles_deg"] = [97.3 * each for each in range(satellites)]
+        sharp = max(1.0, exponent) if "output_torque_Nm" in load else 1.0
+        most = LIGHT_POINTS / (PAIR_POINTS * satellites**2 * sharp)
+        mechanism["pins"] = max(1, int(most))
+        if "output_torque_Nm" in load:
+            load["force_exponent"] = exponent
+    if "wheel" in body:
+        body["wheel"]["rollers_total"] = int(LIGHT_POINTS / ROLLER_POINTS)
+    return body
+
+
+@pytest.mark.parametrize("exponent", [0.0, 0.3, 0.9, 1.0, 1.5, 4.3, 30.5, 1e3, 1e6])
+@pytest.mark.parametrize("name", CALCULATIONS)
+def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(name, exponent):
+    calculation, admitted = CALCULATIONS[name], 0
+    for satellites in (1, 3, 9):
+        content = json.dumps(largest(name, satellites, exponent)).encode()
+        try:
+            if points(read_body(calculation, content, Settings())) > LIGHT_POINTS:
+                continue
+        except Problem:
+            assert name in ("pin-strength", "crankshaft", "tolerance-study")  # never there
+            continue
+        admitted += 1
+        for theme in (None, "light") if calculation.figure else (None,):
+
+            def answer(content=content, theme=theme):
+                with suppress(Problem, ImpossibleMechanism):
+                    body = read_body(calculation, content, Settings())
+                    endpoint._content(calculation, body, theme, zipped=True)
+
+            assert steps(answer) < MOST_STEPS
+    by_exponent = {"contact-force", "crank-planetary", "output-efficiency", "satellite-bearing"}
+    if name in by_exponent:
+        assert admitted == (3 if exponent <= 1 else 2 if exponent < 10 else exponent < 100)
+
+
+@pytest.mark.parametrize("name", ["pin-strength", "crankshaft"])
+def test_what_is_searched_over_the_turn_leaves_the_event_loop(name):
+    read = TypeAdapter(CALCULATIONS[name].request).validate_python(REQUESTS[name])
+    assert points(read) > LIGHT_POINTS
+
+
+def test_less_than_one_turn_is_no_less_work():
+    request = TypeAdapter(CALCULATIONS["cyclogram"].request)
+    many = {"pins": 16, "satellites": 100, "ratio": 20.0}
+    assert points(request.validate_python(many | {"revolutions": 1e-8})) > LIGHT_POINTS
 
 
 async def test_a_large_body_is_read_in_a_process(monkeypatch):

@@ -20,7 +20,7 @@ from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import InvalidInput
 from core.tolerance.quantiles import percentile
-from tests.oracles.work import calls
+from tests.oracles.work import steps
 
 pytestmark = pytest.mark.anyio
 
@@ -371,7 +371,7 @@ def test_a_study_is_read_and_refused_without_going_through_its_samples(samples):
                 read_body(CALCULATIONS[PATH], content, settings)
 
         read()
-        assert calls(read) < 500
+        assert steps(read) < 500
 
 
 def test_deviations_do_not_belong_to_it():
