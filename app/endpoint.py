@@ -21,6 +21,7 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
+from app.middleware import PART_BYTES
 from app.model import Calculation, RequestModel
 from app.problems import (
     REFUSED,
@@ -72,11 +73,11 @@ GZIP = b"\x1f\x8b"
 COMPRESS_LEVEL = 3
 """On curves, half the time of zlib's usual level for 2 % more bytes."""
 
+AS_IT_COMES = {"x-accel-buffering": "no"}
+"""Headers of what is sent as it is done: a proxy is not to wait for the whole."""
+
 PROGRESS_S = 0.25
 """How often a client is told how much of a study is done, seconds."""
-
-PART_BYTES = 1 << 18
-"""Size of what is sent at once."""
 
 MOST_WAITING_BYTES = 1 << 27
 """Most bytes of large answers that wait in a worker for clients to take them."""
@@ -217,7 +218,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
         except (*REFUSED,) as error:
             yield _line({"problem": problem_of(error).body()})
 
-    return StreamingResponse(lines(), media_type=LINES)
+    return StreamingResponse(lines(), headers=AS_IT_COMES, media_type=LINES)
 
 
 def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
@@ -345,8 +346,8 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
 
 
 class Answer(Response):
-    """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
-    it, and refused where too much waits for clients already.
+    """Answer of JSON, which may be compressed. What is large is refused where too much waits for
+    clients already.
     """
 
     waiting_bytes: ClassVar[int] = 0
@@ -369,9 +370,7 @@ class Answer(Response):
         try:
             start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
             await send(start)
-            for sent in range(0, size, PART_BYTES):
-                part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
-                await send({"type": "http.response.body", "body": part, "more_body": more})
+            await send({"type": "http.response.body", "body": self.body})
         finally:
             Answer.waiting_bytes -= size
 

@@ -8,9 +8,11 @@ import httpx
 import pytest
 
 from app.batch import answers
+from app.endpoint import LINES
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.main import PRELOAD, create_app
+from app.middleware import PART_BYTES
 from app.record import Record
 from app.settings import Settings
 from tests.app import jobs_to_run
@@ -280,3 +282,45 @@ async def test_the_service_answers_others_while_a_batch_runs(api, held):
     assert not asked.done()
     held.let()
     assert len((await asked).json()["results"]) == 300
+
+
+async def test_a_slow_client_is_sent_small_parts_one_after_the_other():
+    """Each has its own time: none is sent before the client has taken the one before."""
+    large = REQUESTS["contact-force"] | {"pins": 20, "include": ["curves"], "samples": 2000}
+    content = json.dumps({"calculation": "contact-force", "requests": [large] * 8}).encode()
+    messages, taken, waiting = [{"type": "http.request", "body": content}], [], []
+
+    async def receive():
+        if messages:
+            return messages.pop()
+        await asyncio.Event().wait()
+
+    async def send(message):
+        assert not waiting
+        waiting.append(message)
+        await asyncio.sleep(0)  # as a connection that is not written to any more
+        taken.append(waiting.pop().get("body", b""))
+
+    path = "/api/v1/batch"
+    scope = {
+        "type": "http",
+        "method": "POST",
+        "path": path,
+        "raw_path": path.encode(),
+        "query_string": b"",
+        "headers": [(b"content-type", b"application/json")],
+    }
+    app = create_app(Settings(processes=1))
+    for sent in (scope, scope | {"path": "/static/vendor/plotly/plotly-basic.min.js"}):
+        taken.clear()
+        await app(sent | ({} if sent is scope else {"method": "GET"}), receive, send)
+        assert max(map(len, taken)) == PART_BYTES
+        assert len(b"".join(taken)) > 4 * PART_BYTES
+        if sent is scope:
+            assert len(json.loads(b"".join(taken))["results"]) == 8
+
+
+@pytest.mark.parametrize("path", ["batch", "tolerance-study"])
+async def test_no_proxy_waits_for_the_whole_of_what_is_sent_as_it_is_done(api, path):
+    answer = await api.post(path, json=REQUESTS[path], headers={"accept": LINES})
+    assert answer.status_code == 200 and answer.headers["x-accel-buffering"] == "no"

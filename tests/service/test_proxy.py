@@ -11,6 +11,7 @@ from pathlib import Path
 import httpx
 import pytest
 
+from app.registry import CALCULATIONS
 from tests.running_service import eventually
 
 DEPLOY = Path(__file__).parent.parent.parent / "deploy"
@@ -104,15 +105,22 @@ def test_a_batch_comes_through_line_by_line(proxied):
         assert sum(1 for _ in answer.iter_lines()) == 500
 
 
-def test_a_client_that_asks_for_too_much_is_told_so(proxied):
+def test_all_that_is_long_is_limited_as_such():
+    (named,) = re.findall(r"/api/v1/\(([^)]*)\)", (DEPLOY / "nginx.conf").read_text())
+    told = {name for name, each in CALCULATIONS.items() if each.reporting is not None}
+    assert {*named.split("|")} == told | {"batch", "solve", "work-precision"}
+
+
+@pytest.mark.parametrize("path", ["api/v1/batch", "api/v1/tolerance-study"])
+def test_a_client_that_asks_for_too_much_is_told_so(proxied, path):
     """Eight that send their requests by and by, and one more, however fast they come."""
     _, client = proxied
-    assert client.post("api/v1/batch", json={}).status_code == 422
+    assert eventually(lambda: client.post(path, json={}).status_code == 422)
     with ExitStack() as asking:
         for _ in range(8):
             asking.enter_context(sending(client.base_url))
-        assert eventually(lambda: client.post("api/v1/batch", json={}).status_code == 429)
-    assert eventually(lambda: client.post("api/v1/batch", json={}).status_code == 422)
+        assert eventually(lambda: client.post(path, json={}).status_code == 429)
+    assert eventually(lambda: client.post(path, json={}).status_code == 422)
 
 
 def sending(url):
