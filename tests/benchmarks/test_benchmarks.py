@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {
+    "attacks": "left as they are",
     "batches": "more than",
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",
