@@ -15,7 +15,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 
 .DEFAULT_GOAL := help
 .PHONY: help run check test lint types fast slow node page accuracy bench bench-page \
-	requirements audit fuzz image soak load clients picture
+	requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
@@ -103,6 +103,9 @@ image:  ## build the container by buildah on a Debian base of its own, and run i
 
 soak: .venv/test  ## 20 minutes of mixed traffic: memory and processes, drawn in docs/soak.svg
 	PYTHONPATH=. $(BIN)/python -m benchmarks.soak
+
+attacks: .venv/test  ## repeat what has held or broken the service once, in variants; count what holds
+	PYTHONPATH=. $(BIN)/python -m benchmarks.attacks
 
 load: .venv/test  ## load the service from 1,000 connections, kill a worker, stop it; count losses
 	PYTHONPATH=. $(BIN)/python -m benchmarks.load

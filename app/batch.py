@@ -14,6 +14,7 @@ from pydantic import FailFast, Field, StringConstraints, ValidationError
 from pydantic_core import from_json, to_json
 
 from app.endpoint import (
+    AS_IT_COMES,
     COMPRESS_LEVEL,
     JSON,
     LINES,
@@ -161,7 +162,7 @@ async def batch(request: Request) -> Response:
         first = await anext(done)  # without which there is nothing to answer
     lines_asked = by_lines(record)
     written = _written(first, done, ids, lines=lines_asked)
-    headers = {"vary": "accept-encoding"}
+    headers = AS_IT_COMES | {"vary": "accept-encoding"}
     if takes_gzip(record.headers):
         headers["content-encoding"] = "gzip"
         written = _zipped(written)

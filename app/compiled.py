@@ -14,7 +14,7 @@ import platform
 import sys
 import time
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -139,6 +139,8 @@ async def prepared() -> AsyncIterator[None]:
         yield
     finally:
         preparing.cancel()
+        with suppress(asyncio.CancelledError):
+            await preparing
 
 
 async def _keep_prepared() -> None:
@@ -157,6 +159,7 @@ async def _prepare_beside() -> bool:
     finally:
         if process.returncode is None:
             process.kill()
+            await process.wait()
     if process.returncode == 0:
         LOG.info("the load sharing is compiled")
     else:

@@ -21,6 +21,7 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
+from app.middleware import PART_BYTES
 from app.model import Calculation, RequestModel
 from app.problems import (
     REFUSED,
@@ -46,16 +47,18 @@ LINES = "application/x-ndjson"
 LIGHT_BYTES = 16_384
 LIGHT_POINTS = 20_000
 """What a request may have to be answered in the event loop: bytes, and points by `points`. It then
-holds the loop for some 10 ms; to hand it over costs half of one."""
+holds the loop for less than 30 ms; to hand it over costs half of one."""
 
 COUNTS = {"pins": 1, "satellites": 2, "revolutions": 1, "rollers": 1, "rollers_total": 1}
 """Fields that count what is calculated, each with its power."""
 
-SIZES = {*COUNTS, "samples", "ratio", "ring_teeth", "satellite_teeth"}
+SIZES = {*COUNTS, "samples", "force_exponent", "ratio", "ring_teeth", "satellite_teeth"}
 """Fields on which the size of a request hangs."""
 
-ELEMENT_POINTS, DRAWN_POINTS = 20, 100
-"""Points of a pair or a roller of which no curve is asked, and of one that is drawn."""
+PAIR_POINTS, ROLLER_POINTS = 240, 400
+"""Points of a pair, whose forces are searched and integrated over the turn, and of a roller, with
+the nodes of its contact line; of a curve with more samples as many as these.
+"""
 
 MAX_NESTED = 1000
 """Most lists and objects in a request: they cost a hundred times as much to read as numbers do. The
@@ -70,11 +73,11 @@ GZIP = b"\x1f\x8b"
 COMPRESS_LEVEL = 3
 """On curves, half the time of zlib's usual level for 2 % more bytes."""
 
+AS_IT_COMES = {"x-accel-buffering": "no"}
+"""Headers of what is sent as it is done: a proxy is not to wait for the whole."""
+
 PROGRESS_S = 0.25
 """How often a client is told how much of a study is done, seconds."""
-
-PART_BYTES = 1 << 18
-"""Size of what is sent at once."""
 
 MOST_WAITING_BYTES = 1 << 27
 """Most bytes of large answers that wait in a worker for clients to take them."""
@@ -118,7 +121,7 @@ class CalculationRoute(APIRoute):
             body = None
             if len(sent) <= LIGHT_BYTES:
                 body = read_body(calculation, sent, record.settings)
-            if body is not None and points(body, drawn=drawn) <= LIGHT_POINTS:
+            if body is not None and points(body) <= LIGHT_POINTS:
                 content = _content(calculation, body, theme, zipped)
             else:
                 asked = name, sent, theme, zipped, record.settings
@@ -131,28 +134,26 @@ class CalculationRoute(APIRoute):
         return handle
 
 
-def points(body: RequestModel, *, drawn: bool) -> float:
-    """How many points a request asks for, by the counts that it states: the one rule for what
-    leaves the event loop.
+def points(body: RequestModel) -> float:
+    """How many points a request asks for, by what it states: the one rule for what leaves the event
+    loop.
 
     Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve. With `drawn`, of
-    its figure.
+    others) times turns, or rollers; and of each the samples of its curve. Forces by an exponent
+    above 1 are as much sharper over the turn, and are looked at in as many more places.
     """
     stated = _stated(body)
     asked = stated.pop("include", ())
     if body.long or "fixes" in asked:
         return math.inf
-    size = DRAWN_POINTS if drawn else ELEMENT_POINTS
-    if not stated:
-        return float(size)
+    size: float = PAIR_POINTS * max(1.0, stated.get("force_exponent", 1.0))
+    if stated.get("rollers") or stated.get("rollers_total"):
+        size = ROLLER_POINTS
     if "curves" in asked or "points" in asked:
         size = max(size, stated["samples"])
     for name, count in stated.items():
         if power := COUNTS.get(name):
-            size *= (len(count) or 1 if isinstance(count, list) else count) ** power
-    if stated.get("rollers") or stated.get("rollers_total"):
-        size *= ELEMENT_POINTS  # nodes of its contact line
+            size *= max(1, len(count) if isinstance(count, list) else count) ** power
     teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
     turns = max(1.0, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
     return float(size * turns)
@@ -217,7 +218,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
         except (*REFUSED,) as error:
             yield _line({"problem": problem_of(error).body()})
 
-    return StreamingResponse(lines(), media_type=LINES)
+    return StreamingResponse(lines(), headers=AS_IT_COMES, media_type=LINES)
 
 
 def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
@@ -345,8 +346,8 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
 
 
 class Answer(Response):
-    """Answer of JSON, which may be compressed. What is large is sent by and by, as its client takes
-    it, and refused where too much waits for clients already.
+    """Answer of JSON, which may be compressed. What is large is refused where too much waits for
+    clients already.
     """
 
     waiting_bytes: ClassVar[int] = 0
@@ -369,9 +370,7 @@ class Answer(Response):
         try:
             start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
             await send(start)
-            for sent in range(0, size, PART_BYTES):
-                part, more = self.body[sent : sent + PART_BYTES], sent + PART_BYTES < size
-                await send({"type": "http.response.body", "body": part, "more_body": more})
+            await send({"type": "http.response.body", "body": self.body})
         finally:
             Answer.waiting_bytes -= size
 

@@ -30,6 +30,10 @@ HEADERS = [
 ]
 """Headers of every answer."""
 
+PART_BYTES = 1 << 18
+"""Most bytes that are sent at once: as long as a client may take for some of its answer, it may for
+so many."""
+
 REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
 """Request ids of clients that are taken over: nothing that could break a log line or a header."""
 
@@ -72,7 +76,14 @@ class Requests:
                     message["headers"].append((b"server-timing", _timing(record)))
             elif head:
                 message["body"] = b""
-            return send(message)
+            return send(message) if len(message.get("body", b"")) <= PART_BYTES else parts(message)
+
+        async def parts(message: Message) -> None:
+            body, more = message["body"], message.get("more_body", False)
+            for start in range(0, len(body), PART_BYTES):
+                end = start + PART_BYTES
+                further = more or end < len(body)
+                await send({**message, "body": body[start:end], "more_body": further})
 
         try:
             await self.app(scope, receive, with_headers)

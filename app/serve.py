@@ -6,6 +6,8 @@ import logging.config
 import os
 import platform
 import resource
+import socket
+import stat
 import sys
 import tempfile
 from contextlib import ExitStack
@@ -51,6 +53,31 @@ def connections_within(most: int) -> int:
     return max(1, min(most, needed - OTHER_FILES))
 
 
+def refuse_taken(path: str) -> None:
+    """Refuse to listen at what is no socket, and at one that somebody listens at; one that was left
+    behind is removed.
+
+    Raises
+    ------
+    ValueError
+        If there is such.
+    """
+    if not os.path.lexists(path):
+        return
+    if not stat.S_ISSOCK(os.lstat(path).st_mode):
+        raise ValueError(f"{PREFIX}UNIX_SOCKET: {path} is there, and no socket")
+    with socket.socket(socket.AF_UNIX) as asking:
+        asking.setblocking(False)  # a queue that is full is somebody's
+        try:
+            asking.connect(path)
+        except ConnectionRefusedError:
+            os.unlink(path)
+            return
+        except OSError:
+            pass
+    raise ValueError(f"{PREFIX}UNIX_SOCKET: somebody listens at {path}")
+
+
 def main() -> None:
     """Serve until stopped; requests in flight are answered first."""
     parser = argparse.ArgumentParser(prog="python -m app.serve", description=__doc__)
@@ -62,6 +89,8 @@ def main() -> None:
             os.environ[PREFIX + name.upper()] = text  # for the workers too
     try:
         settings = Settings.from_environment()
+        if settings.unix_socket:
+            refuse_taken(settings.unix_socket)
     except ValueError as error:
         sys.exit(str(error))
     connections = connections_within(settings.max_connections)

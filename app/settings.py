@@ -80,7 +80,7 @@ class Settings(BaseSettings):
     max_connections: int = Field(2_000, ge=1, le=1_000_000)
     """open connections, a worker"""
     receive_seconds: Seconds = 10.0
-    """longest time to send a request, or to take more of an answer, s"""
+    """longest time to send a request, or to take 256 kB of an answer, s"""
     keep_alive_seconds: WholeSeconds = 5
     """how long an idle connection is kept, whole s"""
     stop_seconds: WholeSeconds = 30

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import threading
@@ -84,6 +85,10 @@ class Service:
         self.process.stdout.close()
 
 
+GONE = FileNotFoundError, ProcessLookupError
+"""What /proc says of a process that has ended, and of one that ends as it is read."""
+
+
 def family(pid: int) -> list[int]:
     """A process and all that it and they have started."""
     started: list[str] = []
@@ -91,7 +96,7 @@ def family(pid: int) -> list[int]:
         for thread in os.listdir(f"/proc/{pid}/task"):
             with open(f"/proc/{pid}/task/{thread}/children") as listed:
                 started += listed.read().split()
-    except FileNotFoundError:  # it has ended meanwhile
+    except GONE:  # it has ended meanwhile
         return []
     return [pid, *(each for child in started for each in family(int(child)))]
 
@@ -101,7 +106,7 @@ def lives(pid: int) -> bool:
     try:
         with open(f"/proc/{pid}/stat") as stat:
             return stat.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except FileNotFoundError:
+    except GONE:
         return False
 
 
@@ -109,10 +114,30 @@ def calculators(pid: int) -> set[int]:
     """Processes for calculations of a worker: all that its fork server has started."""
     servers = []
     for child in family(pid)[1:]:
-        with suppress(FileNotFoundError), open(f"/proc/{child}/cmdline", "rb") as command:
+        with suppress(*GONE), open(f"/proc/{child}/cmdline", "rb") as command:
             if b"forkserver" in command.read():
                 servers.append(child)
     return {child for server in servers for child in family(server)[1:] if lives(child)}
+
+
+@contextmanager
+def nothing_is_calculated(service: Service, processes: int) -> Iterator[Callable[[], None]]:
+    """What is long in a service, which has so many processes for it, waits until what this gives is
+    called.
+    """
+    assert eventually(lambda: len(calculators(service.process.pid)) == processes)
+    stopped = calculators(service.process.pid)
+
+    def signalled(number: int) -> None:
+        for pid in stopped:
+            with suppress(ProcessLookupError):
+                os.kill(pid, number)
+
+    signalled(signal.SIGSTOP)
+    try:
+        yield lambda: signalled(signal.SIGCONT)
+    finally:
+        signalled(signal.SIGCONT)
 
 
 def eventually(holds: Callable[[], bool]) -> bool:

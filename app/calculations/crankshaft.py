@@ -81,6 +81,11 @@ class CrankshaftRequest(CrankedRequest):
 
     crankshaft: CrankshaftFields
 
+    @property
+    def long(self) -> bool:
+        """Always: the loads of its bearings are searched over the turn."""
+        return True
+
     def parts(self) -> dict[str, Any]:
         """Pin, ring and shaft in SI units."""
         return super().parts() | {"crankshaft": self.crankshaft.to_shaft()}

@@ -224,8 +224,8 @@ class DesignFields(GivingFields):
 
     @property
     def long(self) -> bool:
-        """Whether the forces of the mechanism as it is made are solved."""
-        return self.as_made
+        """Whether the forces of the mechanism as it is made are solved, or its pins bend."""
+        return self.as_made or self.pin is not None
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in pairs, and lists of deviations or shares

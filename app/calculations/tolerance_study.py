@@ -28,7 +28,7 @@ from app.model import (
     warning,
 )
 from app.problems import not_prepared, refusal
-from app.running import run
+from app.running import Result, run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -38,7 +38,7 @@ from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations
 from core.results import Accuracy, Notice
 from core.tolerance.contributions import MOST_FIT, contributions
-from core.tolerance.quantiles import Estimate, percentile
+from core.tolerance.quantiles import Estimate, refuse_few
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
 
 Name = Literal[
@@ -159,7 +159,7 @@ class ToleranceStudyRequest(RealDesignFields):
         self.refuse_longer(settings)
         for index, percent in enumerate(self.percentiles):
             try:
-                percentile(values=range(self.samples), percent=percent)
+                refuse_few(count=self.samples, percent=percent)
             except InvalidInput as error:
                 raise refusal(f"/percentiles/{index}", error.code) from error
 

@@ -28,13 +28,67 @@ class Estimate:
     high: float
 
 
+REACH = 12.0
+"""Standard deviations from the mean beyond which a binomial distribution has nothing: less than
+1e-11 of it, also where the mean is a few successes.
+"""
+
+
+def _reached(count: int, p: float) -> tuple[int, int]:
+    """Numbers of successes of so many trials below and above which there is nothing."""
+    mean, reach = count * p, REACH * (math.sqrt(count * p * (1 - p)) + 1)
+    return max(0, math.floor(mean - reach)), min(count, math.ceil(mean + reach))
+
+
 def _below(count: int, p: float) -> FloatArray:
-    """Probabilities of at most 0, 1, ... successes of so many trials."""
-    k = np.arange(count + 1)
-    logs = np.array([math.lgamma(each + 1) for each in range(count + 1)])
-    with np.errstate(divide="ignore"):
-        terms = logs[-1] - logs - logs[::-1] + k * math.log(p) + (count - k) * math.log1p(-p)
-    return np.cumsum(np.exp(terms))
+    """Probabilities of at most so many successes, of the numbers that are reached; each term
+    follows from the one before.
+    """
+    first, last = _reached(count, p)
+    k = np.arange(first + 1, last + 1)
+    logs = np.concatenate([[0.0], np.cumsum(np.log((count - k + 1) / k) + math.log(p / (1 - p)))])
+    below: FloatArray = np.cumsum(np.exp(logs - logs.max()))
+    below /= below[-1]
+    return below
+
+
+def _most(tail: int, count: int, p: float) -> float:
+    """Probability of at most so many successes."""
+    first, last = _reached(count, p)
+    if first <= tail < last:
+        return float(_below(count, p)[tail - first])
+    return float(tail >= last)
+
+
+def refuse_few(*, count: int, percent: float) -> None:
+    """Refuse a percentage whose percentile has no interval in a sample of this size: as all values
+    may lie on one side of it.
+
+    Parameters
+    ----------
+    count : int
+        Size of the sample, n.
+    percent : float
+        Percentage, between 0 and 100.
+
+    Raises
+    ------
+    InvalidInput
+        If p^n or (1 - p)^n exceeds 2.5 %, or there is no such percentage.
+
+    Examples
+    --------
+    >>> refuse_few(count=368, percent=99)
+    >>> refuse_few(count=367, percent=99)
+    Traceback (most recent call last):
+    core.errors.InvalidInput: percent = 99 needs a larger sample
+    """
+    if not 0 < percent < 100:
+        limit = 0 if percent <= 0 else 100
+        raise InvalidInput("percent", percent, "greater_than" if limit == 0 else "less_than",
+                           limit=limit)  # fmt: skip
+    if max(percent, 100 - percent) / 100 > ((1 - CONFIDENCE) / 2) ** (1 / max(count, 1)):
+        raise InvalidInput("percent", percent, "too_few")
 
 
 def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estimate:
@@ -66,17 +120,13 @@ def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estim
     >>> percentile(values=range(1, 1001), percent=50)
     Estimate(value=500.0, low=469.0, high=532.0)
     """
-    if not 0 < percent < 100:
-        limit = 0 if percent <= 0 else 100
-        raise InvalidInput("percent", percent, "greater_than" if limit == 0 else "less_than",
-                           limit=limit)  # fmt: skip
+    refuse_few(count=len(values), percent=percent)
     ordered = np.sort(np.asarray(values, dtype=float))
     count, exact = len(ordered), Fraction(repr(percent)) / 100
-    below = _below(count, float(exact)) if count else np.zeros(1)
-    low = int(np.searchsorted(below, (1 - CONFIDENCE) / 2))
-    high = int(np.searchsorted(below, (1 + CONFIDENCE) / 2)) + 1
-    if low < 1 or high > count:
-        raise InvalidInput("percent", percent, "too_few")
+    first, _ = _reached(count, float(exact))
+    below = _below(count, float(exact))
+    low = max(first + int(np.searchsorted(below, (1 - CONFIDENCE) / 2)), 1)
+    high = min(first + int(np.searchsorted(below, (1 + CONFIDENCE) / 2)) + 1, count)
     rank = math.ceil(count * exact)
     return Estimate(*(float(ordered[each - 1]) for each in (rank, low, high)))
 
@@ -105,7 +155,7 @@ def share(*, successes: int, count: int) -> Estimate:
         low, high = 0.0, 1.0
         for _ in range(60):
             p = (low + high) / 2
-            most = float(_below(count, p)[tail])
+            most = _most(tail, count, p)
             if (1 - most < rest) if above else (most > rest):
                 low = p
             else:

@@ -1,10 +1,16 @@
-"""The API in the same process."""
+"""The API in the same process; what is slow there, is slow as long as a test says."""
+
+import asyncio
+import os
+from functools import partial
 
 import httpx
 import pytest
 
+from app import processes
 from app.main import create_app
 from app.settings import Settings
+from tests.app import jobs_to_run
 
 APP = create_app(Settings(max_seconds=300))  # a busy machine is no reason to fail
 
@@ -20,3 +26,69 @@ async def api():
     transport = httpx.ASGITransport(app=APP)
     async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
         yield client
+
+
+class Gate:
+    """Where jobs in processes wait until a test lets them pass, however quick the machine is.
+
+    Its two files reach every process: one grows with each that comes, the other is as large as the
+    number that may pass.
+    """
+
+    def __init__(self, folder):
+        self.path = folder / "gate"
+
+    def came(self):
+        """How many have come to it."""
+        return self.path.stat().st_size if self.path.exists() else 0
+
+    def let(self, count=1_000_000):
+        """Let so many pass in all."""
+        let = self.path.with_suffix(jobs_to_run.LET)
+        let.touch()
+        os.truncate(let, count)
+
+    @property
+    def held(self):
+        """A job that waits at it."""
+        return partial(jobs_to_run.held, self.path)
+
+
+@pytest.fixture
+def gate(tmp_path):
+    """A gate that is closed; what waits there at the end passes."""
+    closed = Gate(tmp_path)
+    yield closed
+    closed.let()
+
+
+@pytest.fixture
+def held(gate, monkeypatch):
+    """A closed gate before all that services in this process hand to others."""
+    monkeypatch.setattr(processes, "_told", partial(jobs_to_run.told_when_let, gate.path))
+    return gate
+
+
+class Clock:
+    """The limits of jobs, which are over when a test says so."""
+
+    def __init__(self):
+        self.ends, self._timeout_at = [], asyncio.timeout_at
+
+    def timeout_at(self, end):
+        """Stands in for that of asyncio: notes the end, and waits for ever."""
+        self.ends.append(end)
+        self.last = self._timeout_at(None)
+        return self.last
+
+    def run_out(self):
+        """The time of the job that was last waited for is over."""
+        self.last.reschedule(0.0)
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """The clock of jobs."""
+    stopped = Clock()
+    monkeypatch.setattr(asyncio, "timeout_at", stopped.timeout_at)
+    return stopped

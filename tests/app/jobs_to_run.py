@@ -9,11 +9,15 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
+from app import batch, endpoint, processes
 from app.batch import lines
 from app.calculations.hertz import HertzRequest
 from app.model import Values
 from app.processes import Tell
 from app.registry import CALCULATIONS
+
+LET = ".let"
+"""How the file of a gate is called whose size is how many may pass."""
 
 
 def counts(tell, last):
@@ -21,23 +25,57 @@ def counts(tell, last):
         tell(number)
 
 
-def sleeps_after(tell, file: Path, seconds):
-    """From when a file is there."""
-    while not file.exists():
+def wait_at(gate: Path) -> None:
+    """Until as many may pass a gate as have come to it: `tests.app.conftest.Gate`."""
+    with gate.open("a") as came:
+        came.write("|")
+        came.flush()
+        place = came.tell()
+    let = gate.with_suffix(LET)
+    while not let.exists() or let.stat().st_size < place:
         time.sleep(0.01)
-    time.sleep(seconds)
-    tell(None)
 
 
-def sleeps(tell, seconds):
-    time.sleep(seconds)
+def held(gate: Path, tell, job=None, *asked):
+    """Another job, or the number of this process, once a test lets it pass."""
+    wait_at(gate)
+    if job is None:
+        tell(os.getpid())
+    else:
+        job(tell, *asked)
+
+
+def told_when_let(gate: Path, *asked: Any) -> None:
+    """What the service does in a process, once a test lets it pass."""
+    wait_at(gate)
+    processes._told(*asked)
+
+
+def told_half_way(gate: Path, *asked: Any) -> None:
+    """The same of a study that tells that half of it is done before it waits."""
+    study = CALCULATIONS["tolerance-study"]
+
+    def half(body: Any, report: Callable[[float], None]) -> Values:
+        report(0.5)
+        wait_at(gate)
+        assert study.reporting is not None
+        return study.reporting(body, lambda share: None)
+
+    with (
+        patch.dict(CALCULATIONS, {study.name: replace(study, reporting=half)}),
+        patch.object(endpoint, "PROGRESS_S", -1.0),
+    ):
+        processes._told(*asked)
+
+
+def pid_of(tell):
     tell(os.getpid())
 
 
-def tells_then_sleeps(tell, count, seconds):
+def tells_then_blocks(tell, count):
+    """For ever."""
     counts(tell, count)
-    time.sleep(seconds)
-    tell("awake")
+    signal.pause()
 
 
 def tells_then_dies(tell, count):
@@ -55,11 +93,9 @@ def length(tell, content):
 
 
 def noted(file: Path, body: HertzRequest) -> Values:
-    """Notes each evaluation; a force below 1 N is its time in seconds, 13 N kills."""
+    """Notes each evaluation; a force of 13 N kills."""
     with file.open("a") as notes:
         notes.write(f"{body.force_N:g}\n")
-    if body.force_N < 1:
-        time.sleep(body.force_N)
     if body.force_N == 13:
         os.kill(os.getpid(), signal.SIGKILL)
     return {"force_N": body.force_N}
@@ -69,11 +105,12 @@ def endless(file: Path, body: HertzRequest) -> Values:
     """The same, but a force of 666 N takes for ever."""
     values = noted(file, body)
     if body.force_N == 666:
-        time.sleep(3600)
+        signal.pause()
     return values
 
 
 def lines_of(tell: Tell, *asked: Any, solve: Callable[[HertzRequest], Values]) -> None:
-    """The job of a batch of one of these."""
-    with patch.dict(CALCULATIONS, hertz=replace(CALCULATIONS["hertz"], solve=solve)):
+    """The job of a batch of one of these; the time of a slice is over after each."""
+    stand_in = replace(CALCULATIONS["hertz"], solve=solve)
+    with patch.dict(CALCULATIONS, hertz=stand_in), patch.object(batch, "SLICE_S", -1.0):
         lines(tell, *asked, name="hertz")

@@ -57,39 +57,48 @@ async def test_parts_come_in_their_order_however_many_or_large(started):
 
 async def test_no_more_processes_than_there_are_to_be_and_all_are_used(started):
     used = await asyncio.gather(
-        *(all_of(started, jobs_to_run.sleeps, 0.2, limit_s=60) for _ in range(5))
+        *(all_of(started, jobs_to_run.pid_of, limit_s=60) for _ in range(5))
     )
     assert {pid for (pid,) in used} == pids(started)
     assert len(pids(started)) == 2
 
 
-async def test_waiting_is_not_counted(started):
-    """Each takes 0.5 s of its 2 s; the last begins after 2.5 s."""
-    jobs = (all_of(started, jobs_to_run.sleeps, 0.5, limit_s=2, admitted=True) for _ in range(12))
-    assert len(await asyncio.gather(*jobs)) == 12
+async def test_waiting_is_not_counted(started, gate, clock):
+    """The time of what waits begins with its turn, when others have been let pass."""
+    running = [
+        asyncio.create_task(all_of(started, gate.held, limit_s=2, admitted=True)) for _ in range(12)
+    ]
+    await until(lambda: gate.came() == 2)
+    let = asyncio.get_running_loop().time()
+    assert max(clock.ends) < let + 2
+    gate.let()
+    assert len(await asyncio.gather(*running)) == 12
+    # of each of the ten others as it is sent, and as it is waited for
+    assert sum(end >= let + 2 for end in clock.ends) >= 20
 
 
-async def test_a_full_queue_refuses_at_once_and_says_when_to_come_again(started):
+async def test_a_full_queue_refuses_at_once_and_says_when_to_come_again(started, gate):
     running = []
     for _ in range(6):
-        running.append(asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60)))
+        running.append(asyncio.create_task(all_of(started, gate.held, limit_s=60)))
         await asyncio.sleep(0)
-    for refused in (all_of(started, jobs_to_run.sleeps, 1, limit_s=60) for _ in range(3)):
+    for refused in (all_of(started, gate.held, limit_s=60) for _ in range(3)):
         with pytest.raises(Busy) as busy:
             await refused
         assert 1 <= busy.value.retry_after_s <= 3
     assert not any(each.done() for each in running)
-    part_of_more = all_of(started, jobs_to_run.sleeps, 0, limit_s=60, admitted=True)
+    part_of_more = all_of(started, gate.held, limit_s=60, admitted=True)
+    gate.let()
     await asyncio.gather(*running, part_of_more)
     started.admit()
 
 
-async def test_clients_take_turns_and_none_takes_all_the_room(tmp_path):
-    done, go = [], tmp_path / "go"
+async def test_clients_take_turns_and_none_takes_all_the_room(gate):
+    done = []
     jobs = Jobs(processes=1, waiting=9, preload=PRELOAD)
 
     async def ask(client, job):
-        await all_of(jobs, jobs_to_run.sleeps_after, go, 0, limit_s=60, client=client)
+        await all_of(jobs, gate.held, limit_s=60, client=client)
         done.append((client, job))
 
     def refused(client):
@@ -107,30 +116,36 @@ async def test_clients_take_turns_and_none_takes_all_the_room(tmp_path):
             asking.append(asyncio.create_task(ask(client, job)))
             await asyncio.sleep(0)
         assert [refused(client) for client in (1, 2, 3, 4)] == [True, True, True, False]
-        go.touch()
+        gate.let()
         await asyncio.gather(*asking)
     assert done[:6] == [(1, 0), (1, 1), (2, 0), (3, 0), (1, 2), (2, 1)]
     assert done[6:] == [(1, 3), (1, 4), (1, 5)]
     assert not jobs._waiting
 
 
-async def test_what_takes_too_long_ends_and_what_it_had_done_is_kept(started):
+async def test_what_takes_too_long_ends_and_what_it_had_done_is_kept(started, clock):
     before = pids(started)
     told = []
+    blocked = all_of(started, jobs_to_run.tells_then_blocks, 100, limit_s=1, told=told)
+    asked = asyncio.create_task(blocked)
+    await until(lambda: len(told) == 100)
+    clock.run_out()
     with pytest.raises(TooLong):
-        await all_of(started, jobs_to_run.tells_then_sleeps, 100, 3600, limit_s=1, told=told)
+        await asked
     assert told == list(range(100))
     await until(lambda: len(pids(started)) == 2)
     (killed,) = before - pids(started)
     await until(lambda: not lives(killed))
 
 
-async def test_a_process_that_dies_costs_its_own_job_only(started):
-    other = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60))
+async def test_a_process_that_dies_costs_its_own_job_only(started, gate):
+    other = asyncio.create_task(all_of(started, gate.held, limit_s=60))
+    await until(lambda: gate.came() == 1)
     told = []
     with pytest.raises(Stopped):
         await all_of(started, jobs_to_run.tells_then_dies, 100, limit_s=60, told=told)
     assert told == list(range(100))
+    gate.let()
     assert len(await other) == 1
     await until(lambda: len(pids(started)) == 2)
 
@@ -144,38 +159,39 @@ async def test_a_process_that_dies_idle_is_replaced(started):
 
 
 async def test_cancelled_jobs_leave_nothing_behind(started):
+    """At any time: before, while and after they are done, whichever a machine makes of it."""
     descriptors = len(os.listdir("/proc/self/fd"))
     r = random.Random(1)
     for _ in range(50):
-        job = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 0.05, limit_s=60))
-        await asyncio.sleep(r.uniform(0, 0.1))
+        job = asyncio.create_task(all_of(started, jobs_to_run.pid_of, limit_s=60))
+        await asyncio.sleep(r.choice([0, 1e-3, 0.1]) * r.random())
         job.cancel()
         assert len(pids(started)) <= 2
-    assert len(await all_of(started, jobs_to_run.sleeps, 0, limit_s=60)) == 1
+    assert len(await all_of(started, jobs_to_run.pid_of, limit_s=60)) == 1
     await until(lambda: len(pids(started)) == 2)
     await until(lambda: pids(started) <= calculators(os.getpid()))
     await until(lambda: len(os.listdir("/proc/self/fd")) <= descriptors)
 
 
-async def test_jobs_that_are_cancelled_while_they_wait_leave_the_queue(started):
-    running = [
-        asyncio.create_task(all_of(started, jobs_to_run.sleeps, 0.5, limit_s=60)) for _ in range(6)
-    ]
+async def test_jobs_that_are_cancelled_while_they_wait_leave_the_queue(started, gate):
+    running = [asyncio.create_task(all_of(started, gate.held, limit_s=60)) for _ in range(6)]
     await asyncio.sleep(0)
     with pytest.raises(Busy):
         started.admit()
     running[-1].cancel()
     await asyncio.sleep(0)
     started.admit()
+    gate.let()
     assert len(await asyncio.gather(*running[:-1])) == 5
 
 
-async def test_signals_to_the_group_do_not_end_a_job(started):
-    job = asyncio.create_task(all_of(started, jobs_to_run.sleeps, 1, limit_s=60))
-    await asyncio.sleep(0.3)
+async def test_signals_to_the_group_do_not_end_a_job(started, gate):
+    job = asyncio.create_task(all_of(started, gate.held, limit_s=60))
+    await until(lambda: gate.came() == 1)
     for pid in pids(started):
         os.kill(pid, signal.SIGTERM)
         os.kill(pid, signal.SIGINT)
+    gate.let()
     ((pid,),) = [await job]
     assert pid in pids(started)
 
@@ -201,11 +217,11 @@ async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(mo
     assert not jobs.ready
 
 
-async def test_processes_end_with_their_jobs():
+async def test_processes_end_with_their_jobs(gate):
     async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
         await until(lambda: len(pids(jobs)) == 2)
-        running = asyncio.create_task(all_of(jobs, jobs_to_run.sleeps, 3600, limit_s=7200))
-        await asyncio.sleep(0.1)
+        running = asyncio.create_task(all_of(jobs, gate.held, limit_s=7200))
+        await until(lambda: gate.came() == 1)
         before = pids(jobs)
     await until(lambda: not any(map(lives, before)))
     with pytest.raises(Stopped):

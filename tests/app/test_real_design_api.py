@@ -285,6 +285,6 @@ def test_only_what_solves_or_searches_over_the_turn_is_long():
         (changed(IDEAL, requirements={"max_lost_motion_arcmin": 1}), True),
     ):
         read = CrankPlanetaryRequest.model_validate(body)
-        assert (points(read, drawn=False) > LIGHT_POINTS) == long, body
+        assert (points(read) > LIGHT_POINTS) == long, body
     read = CrankPlanetaryRequest.model_validate(changed(load=None, include=None))
-    assert points(read, drawn=False) <= LIGHT_POINTS  # without a load there is nothing to solve
+    assert points(read) <= LIGHT_POINTS  # without a load there is nothing to solve

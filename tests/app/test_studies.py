@@ -4,10 +4,11 @@ result, refusals, and nothing left running where the client goes.
 
 import asyncio
 import json
+from functools import partial
 
 import pytest
 
-from app import endpoint
+from app import endpoint, processes
 from app.calculations.tolerance_study import ToleranceStudyRequest, reporting
 from app.endpoint import LINES
 from app.examples import REQUESTS
@@ -24,7 +25,6 @@ pytestmark = pytest.mark.anyio
 
 PATH = "tolerance-study"
 STUDY = REQUESTS[PATH]
-LONG = STUDY | {"samples": 50_000, "crank_angles": 12, "quantities": ["peak_force_N"]}
 HEADERS = {"accept": LINES, "content-type": "application/json"}
 
 
@@ -69,11 +69,14 @@ def processes_of(app):
     return {child.process.pid for child in app.state.jobs._children}
 
 
-async def test_progress_comes_before_the_end_and_leaving_ends_the_study():
+async def test_progress_comes_before_the_end_and_leaving_ends_the_study(gate, monkeypatch):
     app = create_app(Settings(processes=1, max_study_seconds=300))
-    client = Client(app, LONG)
-    first = await client.lines.get()
-    assert 0 < first["progress"] < 1 and not client.answering.done()
+    half_way = partial(jobs_to_run.told_half_way, gate.path)
+    with monkeypatch.context() as patched:
+        patched.setattr(processes, "_told", half_way)
+        client = Client(app, STUDY)
+        first = await client.lines.get()
+    assert first == {"progress": 0.5} and not client.answering.done()
     assert (client.status, client.kind) == (200, LINES)
     (busy,) = processes_of(app)
     client.gone.set()
@@ -146,26 +149,28 @@ async def test_more_time_is_given_than_to_an_answer_at_once(api):
 
 
 @pytest.mark.parametrize(
-    ("job", "said"), [("tells_then_sleeps", "2 s"), ("tells_then_dies", "stopped")]
+    ("job", "said"), [("tells_then_blocks", "2 s"), ("tells_then_dies", "stopped")]
 )
-async def test_what_does_not_come_to_its_end_has_given_what_it_had(job, said):
+async def test_what_does_not_come_to_its_end_has_given_what_it_had(clock, job, said):
     async def stays():
         await asyncio.Event().wait()
 
-    got, asked = [], (3, 60) if job == "tells_then_sleeps" else (3,)
+    got = []
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
         record = Record(receive=stays)
-        # The first job of a process may have to load the compiled loops.
-        first = in_parts(jobs, jobs_to_run.counts, 1, record=record, limit_s=60)
-        assert [part async for part in first] == [0]
-        parts = in_parts(jobs, getattr(jobs_to_run, job), *asked, record=record, limit_s=2)
+        parts = in_parts(jobs, getattr(jobs_to_run, job), 3, record=record, limit_s=2)
 
         async def take():
             async for part in parts:
                 got.append(part)
 
+        taking = asyncio.create_task(take())
+        while len(got) < 3:
+            await asyncio.sleep(0.02)
+        if job == "tells_then_blocks":
+            clock.run_out()
         with pytest.raises((TooLong, Stopped)) as error:
-            await take()
+            await taking
     problem = problem_of(error.value)
     assert got == [0, 1, 2]
     assert problem.status == 503 and said in problem.detail

@@ -2,7 +2,9 @@
 refusals, and the ISO 286 table.
 """
 
+import json
 import math
+from contextlib import suppress
 from copy import deepcopy
 from itertools import pairwise
 
@@ -11,12 +13,14 @@ import pytest
 from pydantic import ValidationError
 
 from app.calculations.tolerance_study import POSITIONS_PER_SECOND, ToleranceStudyRequest
+from app.endpoint import read_body
 from app.examples import REQUESTS
 from app.problems import Problem
 from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import InvalidInput
 from core.tolerance.quantiles import percentile
+from tests.oracles.work import steps
 
 pytestmark = pytest.mark.anyio
 
@@ -415,6 +419,20 @@ def test_the_percentile_is_judged_by_its_own_number():
         body["samples"] += 1
         ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=100))
         percentile(values=range(samples + 1), percent=percent)
+
+
+@pytest.mark.parametrize("samples", [300, 138_000])
+def test_a_study_is_read_and_refused_without_going_through_its_samples(samples):
+    settings, percentiles = Settings(max_seconds=1e4), [50.0 + each for each in range(20)]
+    for asked in (percentiles, [*percentiles[1:], 99.999]):
+        content = json.dumps(CHECKED | {"samples": samples, "percentiles": asked}).encode()
+
+        def read(content=content):
+            with suppress(Problem):
+                read_body(CALCULATIONS[PATH], content, settings)
+
+        read()
+        assert steps(read) < 500
 
 
 def test_deviations_do_not_belong_to_it():

@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {
+    "attacks": "left as they are",
     "batches": "more than",
     "fit": "fit: 0 misses",
     "front": "| shaft deflection |",

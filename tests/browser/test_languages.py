@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.calculator_page import box, foreign, settled, show
+from tests.running_service import eventually
 
 CALCULATORS = {
     "crank-planetary": "contact.pin_radius_mm",
@@ -30,11 +31,10 @@ def test_nothing_is_left_in_english(
     settled(page)
     assert page.evaluate("() => document.documentElement.lang") == language
     expect(page.locator(".js-plotly-plot .xtitle").first).to_be_attached()
-    page.wait_for_timeout(300)
     page.evaluate(
         "() => document.querySelectorAll('.outputs details').forEach((d) => d.open = true)"
     )
-    assert foreign(page) == set()
+    assert eventually(lambda: foreign(page) == set()), foreign(page)
 
     def numbers(texts: list[str]) -> list[str]:
         return [text.replace(".", ",") for text in texts if re.fullmatch(r"[\d.,\s\u2212]+", text)]

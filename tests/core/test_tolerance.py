@@ -1,7 +1,9 @@
 """Tolerances: classes against their formulas, draws, intervals, contributions."""
 
+import itertools
 import math
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from statistics import NormalDist
 from types import SimpleNamespace
 
@@ -14,7 +16,7 @@ from core.output.real_mechanism import Deviations
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
-from core.tolerance.quantiles import percentile, share
+from core.tolerance.quantiles import percentile, refuse_few, share
 from core.tolerance.study import QUANTITIES, Evaluation, Study, tolerance_study
 from core.tolerance.tolerances import Tolerances
 from tests.oracles.real_mechanisms import STEEL, design
@@ -121,6 +123,50 @@ def test_rare_percentiles_need_the_samples_that_they_need() -> None:
     percentile(values=range(368), percent=99)
     with pytest.raises(InvalidInput):
         percentile(values=range(367), percent=99)
+
+
+def exactly_below(count: int, p: Fraction) -> list[Fraction]:
+    """Probabilities of at most 0, 1, ... of so many, by their definition."""
+    terms = (math.comb(count, k) * p**k * (1 - p) ** (count - k) for k in range(count + 1))
+    return [*itertools.accumulate(terms)]
+
+
+@pytest.mark.parametrize("percent", [0.01, 1, 3.5, 50, 66.6, 95, 99])
+def test_ends_of_intervals_are_the_binomial_quantiles(percent: float) -> None:
+    for count in (1, 2, 5, 6, 19, 72, 73, 104, 367, 368, 369, 500):
+        below = exactly_below(count, Fraction(repr(percent)) / 100)
+        low = sum(each < Fraction(25, 1000) for each in below)
+        high = sum(each < Fraction(975, 1000) for each in below) + 1
+        values = range(1, count + 1)
+        if low < 1 or high > count:
+            with pytest.raises(InvalidInput, match="needs a larger sample"):
+                refuse_few(count=count, percent=percent)
+            with pytest.raises(InvalidInput, match="needs a larger sample"):
+                percentile(values=values, percent=percent)
+            continue
+        refuse_few(count=count, percent=percent)
+        found = percentile(values=values, percent=percent)
+        assert (found.low, found.high) == (low, high)
+
+
+def test_ends_of_shares_are_those_of_clopper_and_pearson() -> None:
+    for count in (1, 7, 60, 300):
+        for successes in {0, 1, count // 3, count - 1, count}:
+            found = share(successes=successes, count=count)
+            if successes:
+                below = exactly_below(count, Fraction(found.low))[successes - 1]
+                assert float(1 - below) == pytest.approx(0.025, rel=1e-9)
+            if successes < count:
+                below = exactly_below(count, Fraction(found.high))[successes]
+                assert float(below) == pytest.approx(0.025, rel=1e-9)
+
+
+def test_no_sample_is_gone_through_to_see_whether_it_is_large_enough() -> None:
+    """Nor is more of the binomial than its ends: ten thousand million pieces have a share."""
+    refuse_few(count=10**18, percent=99.99)
+    found = share(successes=10**6, count=10**10)
+    assert found.value == 1e-4
+    assert (found.high - found.low) / 2 == pytest.approx(1.96 * 1e-7, rel=1e-3)
 
 
 def test_no_failure_is_no_proof() -> None:

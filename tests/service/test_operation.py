@@ -1,36 +1,27 @@
 """Stopping, several workers, logs and metrics of a running service."""
 
 import os
-import random
 import signal
 import threading
-import time
 from contextlib import suppress
 
 import httpx
 import pytest
 
-from tests.running_service import eventually, family, lives
+from tests.running_service import eventually, family, lives, nothing_is_calculated
 
 LOAD = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0}
-angles = random.Random(6)
-LONG = {
-    "pins": 100,
-    "satellites": 100,
-    "ratio": 20.0,
-    "crank_angles_deg": [angles.uniform(0, 360) for _ in range(100)],
-    "force_exponent": 30.5,
-    **LOAD,
-}
-"""A force whose peak takes about a second, in a process of its own."""
-
-QUICK = LONG | {"satellites": 15, "crank_angles_deg": LONG["crank_angles_deg"][:15]}
-"""One that is there at once, from a process as well."""
+LONG = {"pins": 100, "satellites": 15, "ratio": 20.0, "force_exponent": 30.5, **LOAD}
+"""A force whose peak is calculated in a process of its own, and is there at once."""
 
 
 @pytest.mark.parametrize(("workers", "whole_group"), [(1, True), (2, False)])
 def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, workers, whole_group):
-    with serve(workers=workers, max_seconds=60) as service:
+    settings = {"processes": 1, "max_seconds": 60}
+    with (
+        serve(workers=workers, **settings) as service,
+        nothing_is_calculated(service, workers) as go_on,
+    ):
         answers = []
         client = httpx.Client(base_url=service.url, timeout=60)
 
@@ -45,6 +36,7 @@ def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, worker
         started = family(service.process.pid)
         for pid in started if whole_group else [service.process.pid]:
             os.kill(pid, signal.SIGTERM)
+        go_on()
         for each in asking:
             each.join()
         client.close()
@@ -57,11 +49,11 @@ def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, worker
 
 
 def test_a_stopping_service_waits_only_so_long(serve):
-    different = [
-        LONG | {"crank_angles_deg": [each, *LONG["crank_angles_deg"][1:]]} for each in range(60)
-    ]
-    endless = {"calculation": "contact_force", "requests": different}
-    with serve(max_seconds=60, stop_seconds=1) as service:
+    endless = {"calculation": "contact_force", "requests": [LONG]}
+    with (
+        serve(processes=1, max_seconds=60, stop_seconds=1) as service,
+        nothing_is_calculated(service, 1),
+    ):
         broken = []
 
         def ask():
@@ -84,13 +76,16 @@ def test_a_stopping_service_waits_only_so_long(serve):
 
 
 def test_no_process_outlives_a_worker_that_is_killed(serve):
-    with serve() as service:
+    """Not even one that has something to do."""
+    with serve(processes=1) as service, nothing_is_calculated(service, 1) as go_on:
         started = family(service.process.pid)
         asking = threading.Thread(target=ask_for_long, args=(service.url,))
         asking.start()
-        time.sleep(0.3)
+        while "khv_requests_in_flight 2.0" not in httpx.get(f"{service.url}/metrics").text:
+            assert asking.is_alive()
         service.process.kill()
         asking.join()
+        go_on()
         assert len(started) >= 4
         assert eventually(lambda: not any(map(lives, started)))
 
@@ -114,7 +109,7 @@ def test_each_request_is_one_line_without_its_body(service):
         client.get("/livez", headers={"x-request-id": "first"})
         assert eventually(lambda: any(line.get("id") == "first" for line in service.log()))
         before = len(service.log())  # with all that was asked before
-        client.post("/api/v1/contact-force", json=QUICK, headers={"x-request-id": "abc-1"})
+        client.post("/api/v1/contact-force", json=LONG, headers={"x-request-id": "abc-1"})
         client.get("/static/main.js")
         client.get("/api/v1/health", headers={"x-request-id": "bad id"})
         client.get("/secret-path/zebra")
@@ -138,7 +133,7 @@ def test_each_request_is_one_line_without_its_body(service):
     assert 0 < parts <= first["total_ms"]
     assert health["id"] != "bad id" and len(health["id"]) == 24
     assert "zebra" not in "".join(service.lines[before:])
-    assert "crank_angles" not in "".join(service.lines[before:])
+    assert "force_exponent" not in "".join(service.lines[before:])
 
 
 def test_metrics_of_all_workers_are_added_up(serve):

@@ -3,12 +3,15 @@
 import re
 import shutil
 import socket
+import ssl
 import subprocess
+from contextlib import ExitStack
 from pathlib import Path
 
 import httpx
 import pytest
 
+from app.registry import CALCULATIONS
 from tests.running_service import eventually
 
 DEPLOY = Path(__file__).parent.parent.parent / "deploy"
@@ -102,7 +105,30 @@ def test_a_batch_comes_through_line_by_line(proxied):
         assert sum(1 for _ in answer.iter_lines()) == 500
 
 
-def test_a_client_that_asks_for_too_much_is_told_so(proxied):
+def test_all_that_is_long_is_limited_as_such():
+    (named,) = re.findall(r"/api/v1/\(([^)]*)\)", (DEPLOY / "nginx.conf").read_text())
+    told = {name for name, each in CALCULATIONS.items() if each.reporting is not None}
+    assert {*named.split("|")} == told | {"batch", "solve", "work-precision"}
+
+
+@pytest.mark.parametrize("path", ["api/v1/batch", "api/v1/tolerance-study"])
+def test_a_client_that_asks_for_too_much_is_told_so(proxied, path):
+    """Eight that send their requests by and by, and one more, however fast they come."""
     _, client = proxied
-    answers = [client.post("api/v1/batch", json={}).status_code for _ in range(60)]
-    assert {*answers} == {422, 429}
+    assert eventually(lambda: client.post(path, json={}).status_code == 422)
+    with ExitStack() as asking:
+        for _ in range(8):
+            asking.enter_context(sending(client.base_url))
+        assert eventually(lambda: client.post(path, json={}).status_code == 429)
+    assert eventually(lambda: client.post(path, json={}).status_code == 422)
+
+
+def sending(url):
+    """A connection over which a part of a batch has been sent."""
+    context = ssl.create_default_context()
+    context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+    connection = context.wrap_socket(socket.create_connection((url.host, url.port)))
+    connection.sendall(
+        b"POST /reducers/api/v1/batch HTTP/1.1\r\nhost: x\r\ncontent-length: 100\r\n\r\n"
+    )
+    return connection

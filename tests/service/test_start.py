@@ -52,6 +52,42 @@ def test_a_unix_socket_and_the_addresses_that_its_proxy_names(serve, tmp_path):
     assert [line["client"] for line in lines] == ["192.0.2.7"] * 2
 
 
+@pytest.mark.parametrize("what", ["file", "link to a file", "directory", "live socket"])
+def test_what_is_no_socket_and_what_answers_is_not_listened_at(tmp_path, what):
+    path, file = tmp_path / "socket", tmp_path / "file"
+    file.write_text("kept")
+    with socket.socket(socket.AF_UNIX) as other:
+        if what == "file":
+            path = file
+        elif what == "directory":
+            path.mkdir()
+        elif what == "live socket":
+            other.bind(str(path))
+            other.listen(1)
+        else:
+            path.symlink_to(file)
+        environment = os.environ | {"PYTHONPATH": ".", "KHV_UNIX_SOCKET": str(path)}
+        ended = subprocess.run(
+            [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
+        )
+    assert ended.returncode == 1 and ended.stdout == ""
+    (line,) = ended.stderr.splitlines()
+    assert line.startswith("KHV_UNIX_SOCKET: ") and str(path) in line
+    assert path.exists() and file.read_text() == "kept"
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_socket_that_was_left_behind_is_taken(serve, tmp_path, workers):
+    path = str(tmp_path / "socket")
+    with socket.socket(socket.AF_UNIX) as gone:
+        gone.bind(path)
+    with (
+        serve(unix_socket=path, workers=workers),
+        httpx.Client(transport=httpx.HTTPTransport(uds=path), base_url="http://x") as client,
+    ):
+        assert client.get("/livez").status_code == 200
+
+
 def test_only_a_trusted_proxy_names_the_client(serve, service):
     names = {"x-forwarded-for": "192.0.2.7", "x-request-id": "proxied"}
     with serve(trusted_proxies="10.0.0.0/8") as other:
