@@ -81,6 +81,8 @@ NOTICES = {
     "centrifugally cast CuSn12-C-GZ is a material of its own.",
     "size_beyond_range": "The factor of the size is stated for diameters of {low:.4g} to "
     "{high:.4g} mm; it is {value:.4g} mm.",
+    "satellite_idle": "Satellite {satellite} carries nothing over the whole turn, as others touch "
+    "before it: its bearing has no life, and that of all together is theirs.",
     "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a "
     "short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly "

@@ -202,12 +202,17 @@ class SatelliteBearingResponse(ResponseModel):
         cls, result: SatelliteBearings, run_time_us: float | None = None, **given: Any
     ) -> Values:
         """Values of the core's arrays, a row for each satellite."""
+        carries = result.peak_load > 0
         columns = {
-            name: from_si(name, values).tolist()
+            name: from_si(name, np.where(carries, values, 0.0)).tolist()
             for name, field in COLUMNS.items()
             if (values := getattr(result, field)) is not None
         }
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+        for row, loaded in zip(rows, carries.tolist(), strict=True):
+            if not loaded:
+                for name in ENDLESS:
+                    row.pop(name, None)
         return super().values(result, run_time_us, satellites=rows, **given)
 
 
@@ -220,6 +225,8 @@ COLUMNS = {
     "life_h": "life",
     "static_safety_factor": "static_safety_factor",
 }
+ENDLESS = ("basic_life_h", "life_h", "static_safety_factor")
+"""What the bearing of a satellite that carries nothing has none of."""
 
 
 def load_figure(

@@ -28,7 +28,7 @@ from app.model import (
     warning,
 )
 from app.problems import not_prepared, refusal
-from app.running import Result, run
+from app.running import run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme

@@ -44,15 +44,21 @@ def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBeari
     return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
 
 
-def _left_out(force: float, load: float, *, short: bool, power: float = 1.0) -> float:
-    """Relative error of a life, or of a safety with a power of 1, by a force that the load of the
-    bearing leaves out, whatever its direction: with it the load is at most their sum and, which
-    counts where the life is too short, at least their difference.
+def _left_out(
+    force: float,
+    load: float | FloatArray,
+    *,
+    short: bool,
+    of: Callable[[FloatArray], FloatArray],
+) -> float:
+    """Relative error of a number of bearings, as of a life, by a force that their loads leave out,
+    whatever its direction: with it a load is at most their sum and, which counts where the number
+    is too small, at least their difference.
     """
-    if not short:
-        return float(1 - (1 + force / load) ** -power)
-    least = abs(1 - force / load)
-    return float(max(least**-power - 1, 0.0)) if least else math.inf
+    loads = np.asarray(load)
+    with np.errstate(divide="ignore"):  # without a load a bearing lasts for ever
+        moved = float(of(np.abs(loads - force) if short else loads + force) / of(loads))
+    return max(moved - 1, 0.0) if short else 1 - moved
 
 
 def _equivalent(design: CrankDesign) -> float:
@@ -83,7 +89,7 @@ def _life(design: CrankDesign) -> Check:
             _equivalent(design),
             float(found.equivalent_load[worst]),
             short=value < limit,
-            power=power,
+            of=lambda load: load**-power,
         ),
         rough=design.as_made,
         at={"satellite": worst + 1},
@@ -112,7 +118,12 @@ def _static(design: CrankDesign) -> Check:
             value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
         ),
         error=4 * error
-        + _left_out(design.centrifugal, design.bearing.static_rating / value, short=value < limit),
+        + _left_out(
+            design.centrifugal,
+            design.bearing.static_rating / value,
+            short=value < limit,
+            of=lambda load: 1 / load,
+        ),
         rough=design.as_made,
         limit_source=source,
         at={"satellite": worst + 1},
@@ -132,13 +143,14 @@ def _system(design: CrankDesign) -> Check:
         return _no_life(design, code, limit, design.bearing)
     value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
     error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
-    error += _left_out(
-        _equivalent(design), float(found.equivalent_load.min()), short=value < limit, power=power
-    )
+
+    def lasting(loads: FloatArray) -> FloatArray:
+        return np.asarray(system_life(lives=loads**-power, weibull_slope=slope))
+
+    error += _left_out(_equivalent(design), found.equivalent_load, short=value < limit, of=lasting)
 
     def together(factors: FloatArray) -> FloatArray:
-        lives = design.moved_loads(factors, power) ** -power
-        return np.asarray(system_life(lives=lives, weibull_slope=slope)) ** (-1 / power)
+        return lasting(design.moved_loads(factors, power)) ** (-1 / power)
 
     reserve = design.reserve((value / limit) ** (1 / power), together)
     return judged(code, value, limit, reserve=reserve, error=error, rough=design.as_made)
@@ -216,12 +228,15 @@ def _shaft_life(design: CrankDesign) -> Check:
     loads = zip(found.equivalent_reaction.tolist(), reserves, strict=True)
     allowed = [load * reserve if load else math.inf for load, reserve in loads]
 
+    def lasting(power: float) -> Callable[[FloatArray], FloatArray]:
+        return lambda load: load**-power
+
     left_out = 0.0
     if found.balance is not None:  # what balances the satellites is what presses the bearings
         assert design.input_speed is not None
         speed = design.input_speed
         left_out = max(
-            _left_out(each.unbalance * speed**2, load, short=value < limit, power=power)
+            _left_out(each.unbalance * speed**2, load, short=value < limit, of=lasting(power))
             for each, load, power in zip(
                 found.balance.corrections, found.equivalent_reaction.tolist(), powers, strict=True
             )

@@ -62,16 +62,18 @@ class SatelliteBearings:
     peak_ring_force : array, shape (..., K)
         Largest resultant of the ring's forces on the satellite, N.
     basic_life : array, shape (..., K) or None
-        Time that 90 % of such bearings reach, s, where rating and speed are known.
+        Time that 90 % of such bearings reach, s, where rating and speed are known; infinite of a
+        satellite that carries nothing.
     life : array, shape (..., K) or None
         The same at the reliability asked.
     static_safety_factor : array, shape (..., K) or None
-        Static rating over the largest load, where that rating is known.
+        Static rating over the largest load, where that rating is known; infinite likewise.
     system_life : array, shape (...) or None
         Life of all of them together at that reliability, s, where the slope of the distribution is
         given.
     accuracy : Accuracy
-        Of all numbers; where there are lives, the error of the loads times their exponent.
+        Of all numbers, over those of the satellite that carries most; where there are lives, the
+        error of the loads times their exponent.
     notices : tuple of Notice
         Assumptions that are strained.
     """
@@ -231,13 +233,17 @@ def satellite_bearings(
     if dynamic_rating is not None and relative_speed is not None:
         rating = np.asarray(dynamic_rating, dtype=np.float64)[..., None]
         turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
-        basic = turning * rating_life(load=equivalent, rating=rating, kind=kind)
+        carrying = equivalent > 0
+        load = np.where(carrying, equivalent, rating)
+        basic = turning * rating_life(load=load, rating=rating, kind=kind)
+        basic = np.where(carrying, basic, math.inf)
         life = factor * basic
         if weibull_slope is not None:
             together = system_life(lives=life, weibull_slope=weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
-        safety = np.asarray(static_rating, dtype=np.float64)[..., None] / static
+        rating = np.asarray(static_rating, dtype=np.float64)[..., None]
+        safety = np.where(static > 0, rating / np.where(static > 0, static, rating), math.inf)
     error = loads.accuracy.relative_error
     if basic is not None:
         error = max(error, EXPONENTS[kind] * loads.mean_error)
@@ -255,7 +261,7 @@ def satellite_bearings(
         static_safety_factor=safety,
         system_life=together,
         accuracy=accuracy,
-        notices=(*mesh.notices, *poorly_known(accuracy)),
+        notices=(*mesh.notices, *_idle(loads), *poorly_known(accuracy)),
     )
 
 
@@ -271,6 +277,12 @@ class _Loads:
     ring: FloatArray
     mean_error: float
     accuracy: Accuracy
+
+
+def _idle(loads: _Loads) -> list[Notice]:
+    """Which satellites carry nothing."""
+    idle = np.flatnonzero((loads.most == 0).reshape(-1, loads.most.shape[-1]).any(axis=0))
+    return [Notice("satellite_idle", {"satellite": j + 1}) for j in idle.tolist()]
 
 
 def _ideal_loads(
@@ -316,26 +328,25 @@ def _ideal_loads(
 
 
 def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: float) -> _Loads:
-    """Loads of the mechanism as it is made; of both directions the worse."""
-    loads, rings, means, error = [], [], [], 0.0
+    """Loads of the mechanism as it is made; of both directions the worse. What is within their
+    error nothing, is 0.
+    """
+    loads, rings, means, missed = [], [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
         load = np.abs(parts.load)
         loads.append(load)
         rings.append(np.abs(parts.ring))
         means.append(turn.mean(load**exponent) ** (1 / exponent))
-        off = turn.missed(parts.load) / load.max(axis=1).min()
-        off += mesh.error * max(1.0, abs(float(mesh.radial_force_ratio)))
-        error = max(error, off + turn.error)
-    every = np.concatenate(loads, axis=1)
-    return _Loads(
-        every.max(axis=1),
-        every.min(axis=1),
-        np.maximum.reduce(means),
-        np.concatenate(rings, axis=1).max(axis=1),
-        error,
-        Accuracy("sampling", error, sum(turn.evaluations for turn in turns)),
-    )
+        missed.append(turn.missed(parts.load) / load.max() + turn.error)
+    error = max(missed) + mesh.error * max(1.0, abs(float(mesh.radial_force_ratio)))
+    every, ring = np.concatenate(loads, axis=1), np.concatenate(rings, axis=1).max(axis=1)
+    most = every.max(axis=1)
+    carrying = most > error * most.max()
+    least, mean = every.min(axis=1), np.maximum.reduce(means)
+    most, least, mean, ring = (np.where(carrying, each, 0.0) for each in (most, least, mean, ring))
+    evaluations = sum(turn.evaluations for turn in turns)
+    return _Loads(most, least, mean, ring, error, Accuracy("sampling", error, evaluations))
 
 
 @dataclass(frozen=True, slots=True)

@@ -921,6 +921,12 @@ export default {
       why: "A half-space stands for the hole only there; the stiffness is off elsewhere.",
       mend: "Take a depth of half to one and a half hole radii, or leave it out.",
     },
+    satellite_idle: {
+      title: "A satellite that carries nothing",
+      tests: "Whether every satellite carries somewhere over the turn.",
+      why: "Other satellites touch before it all the way round: they take its share, and its bearing has no life.",
+      mend: "Tighten the tolerances of place, turn the disc to the others, or let the satellites give way.",
+    },
     sand_cast: {
       title: "Sand-cast bronze",
       tests: "Whether the bronze is the centrifugally cast one, whose limit is known.",

@@ -116,6 +116,7 @@ export default {
     "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
     "size_beyond_range": "The factor of the size is stated for diameters of {low} to {high} mm; it is {value} mm.",
+    "satellite_idle": "Satellite {satellite} carries nothing over the whole turn, as others touch before it: its bearing has no life, and that of all together is theirs.",
     "short_pin": "A satellite lies within half a pin diameter of the carrier: shear governs such a short pin, and its seat gives way more than it bends.",
     "short_roller": "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and at its clamping, so the stiffness is a rough guide.",
     "short_shaft": "The shaft is short for its diameter: shear, which the formulas leave out, adds more than 5 % to its deflection.",
