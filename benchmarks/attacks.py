@@ -38,6 +38,9 @@ VARIANTS, CLIENTS = 20, 8
 HELD_S, ADMITTED_S, LIVEZ_S = 0.1, 0.03, 0.25
 """Longest that the loop may be held, by what is let in, and slowest `/livez` of a hundred."""
 
+RECEIVE_S = 4
+"""Time for a part of an answer: long for 256 kB, short for a slice of a batch."""
+
 TIMES = 3
 """How often each is sent alone: the least counts, as a busy machine only adds."""
 
@@ -54,7 +57,8 @@ def named(r: random.Random, body: Body) -> Body:
 def study(r: random.Random) -> Body:
     """Many samples and percentiles."""
     body = deepcopy(REQUESTS["tolerance-study"])
-    body |= {"samples": int(10 ** r.uniform(4, 5.2)), "crank_angles": 12}
+    body |= {"samples": int(10 ** r.uniform(4, 5.14)), "crank_angles": 12}
+    body["mechanism"] |= {"pins": 3, "satellites": 1}  # else so many are refused for their pairs
     highest = r.choice([99.0, 99.9, 99.99])
     body["percentiles"] = [round(r.uniform(1, highest), 2) for _ in range(20)]
     return named(r, body)
@@ -137,11 +141,13 @@ def crowd(url: str, asked: list[tuple[str, Body]]) -> list[float]:
 
 
 def whole(port: int, r: random.Random, quick: bool) -> bool:
-    """Whether a client that takes some MB a second gets the whole of a large batch."""
+    """Whether a client that takes some MB a second gets the whole of a large batch, or is told to
+    come again.
+    """
     large = REQUESTS["contact-force"] | {"pins": 50, "include": ["curves"]}
-    requests = [large | {"samples": r.randint(1000, 2000)} for _ in range(r.randint(3, 9))]
+    requests = [large | {"samples": r.randint(1000, 2000)} for _ in range(r.randint(5, 15))]
     content = json.dumps({"calculation": "contact-force", "requests": requests}).encode()
-    rate = 5e7 if quick else r.uniform(5e5, 3e6)
+    rate = 5e7 if quick else r.uniform(1e6, 3e6)
     received = b""
     with socket.socket() as slow:
         slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 16)
@@ -154,7 +160,7 @@ def whole(port: int, r: random.Random, quick: bool) -> bool:
         while part := slow.recv(1 << 16):
             received += part
             time.sleep(len(part) / rate)
-    return received.endswith(b"0\r\n\r\n")
+    return received.startswith(b"HTTP/1.1 503") or received.endswith(b"0\r\n\r\n")
 
 
 def kept(r: random.Random) -> bool:
@@ -173,7 +179,7 @@ def kept(r: random.Random) -> bool:
             env=os.environ | {"KHV_UNIX_SOCKET": str(path)},
             capture_output=True,
         )
-        there = path.is_socket() if is_live else path.read_bytes() == content
+        there = path.exists() and (is_live or path.read_bytes() == content)
         return there and ended.returncode == 1
 
 
@@ -216,6 +222,7 @@ def faults(variants: int, seed: int, smallest: bool) -> Iterator[str]:
 def main(variants: int, seed: int, smallest: bool = False) -> int:
     """Run the attacks; 1 if the service did not hold."""
     print(f"{variants} variants, seed {seed}", flush=True)
+    os.environ["KHV_RECEIVE_SECONDS"] = str(RECEIVE_S)
     found = [*faults(variants, seed, smallest)]
     for fault in found:
         print(f"FAULT: {fault}")
