@@ -503,7 +503,10 @@ def judgement(
     values: list[Values] | None = None
     if checks:
         inputs = _inputs(body.shape)
-        values = [check_values(each, body, inputs[each.code]) for each in verdict.checks]
+        shown = verdict.checks
+        if verdict.impossible:  # no torque to be factors of
+            shown = tuple(each._replace(torque_reserve=None) for each in shown)
+        values = [check_values(each, body, inputs[each.code]) for each in shown]
     return {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
