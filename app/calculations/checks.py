@@ -9,6 +9,7 @@ from pydantic import Field
 
 from app.model import (
     SIZE,
+    AssumingResponse,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -304,7 +305,7 @@ class FixOut(ResponseModel):
     side_effects: list[SideEffectOut] = Field(description="Other checks that change.")
 
 
-class JudgedResponse(ResponseModel):
+class JudgedResponse(AssumingResponse):
     """An answer with a verdict."""
 
     verdict: Outcome = Field(

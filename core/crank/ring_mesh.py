@@ -146,9 +146,7 @@ def cycloid_mesh(
     if not every(shortened):
         least = eccentricity * (ratio + 1)
         given = ring_pin_circle_radius
-        refuse(
-            "ring_pin_circle_radius", given, shortened, "no_cycloid", limit=least, field="ratio"
-        )
+        refuse("ring_pin_circle_radius", given, shortened, "no_cycloid", limit=least, field="ratio")
     orders = np.arange(1, TERMS)
     small = np.minimum(k, SERIES)[..., None]
     summed = 4 / np.pi * (small ** (2 * orders - 1) / (4 * orders**2 - 1)).sum(axis=-1)

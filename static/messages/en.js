@@ -801,6 +801,18 @@ export default {
       why: "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
       mend: "Use the exact peak force; the approximation is only shown beside it.",
     },
+    ratio_not_whole: {
+      title: "Ratio of a cycloid",
+      tests: "Whether the ratio of a cycloid disc with one lobe less than the ring has pins is whole.",
+      why: "Such a disc has as many lobes as its ratio says.",
+      mend: "Give the teeth, or a whole ratio.",
+    },
+    ratio_sign: {
+      title: "Sign of the ratio",
+      tests: "Whether the ratio is given without a sign.",
+      why: "The output of every such mechanism turns against the crank: the sign is known.",
+      mend: "Nothing, if it is meant so.",
+    },
     clearance_like_eccentricity: {
       title: "Clearance like the eccentricity",
       tests: "Whether the clearance is less than half of the eccentricity.",

@@ -69,6 +69,7 @@ export default {
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
+    "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its inverse is {offered}; a coupling without reduction is not calculated yet",
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
@@ -113,6 +114,8 @@ export default {
     "low_cycle_fatigue": "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the mechanism can be assembled only by force.",
+    "ratio_not_whole": "The ratio {ratio} is no whole number: a cycloid disc with one lobe less than the ring has pins has as many lobes as its ratio says.",
+    "ratio_sign": "The ratio is taken as {ratio}: its sign says that the output turns the other way, which that of every such mechanism does.",
     "reference_depth": "The reference depth is {ratio} times the hole's radius; from {low} to {high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast CuSn12-C-GZ is a material of its own.",
     "size_beyond_range": "The factor of the size is stated for diameters of {low} to {high} mm; it is {value} mm.",
@@ -785,7 +788,7 @@ export default {
     ],
     "ratio": [
       "Ratio",
-      "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂)."
+      "Speed of the crank over speed of the output, u = z₂/(z₃ − z₂), at least 1; a sign is that of the output, which turns the other way."
     ],
     "ratio_u12": [
       "Ratio",
