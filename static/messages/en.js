@@ -351,6 +351,8 @@ export default {
     at: "satellite {satellite}, pin {pin}, φ = {angle}",
     enter: "Enter:",
     more: { one: "{count} more check", other: "{count} more checks" },
+    assumed: "Assumed, as it is not given: {what}.",
+    assumedOne: "{title}: {value}",
     notConsidered: "Not looked at: {what}.",
     standard: "standard",
     secondary: "secondary sources",
