@@ -245,7 +245,7 @@ def _line(
         if len(request) > settings.max_body_bytes:
             raise Problem("too-large", f"The body exceeds {settings.max_body_bytes} bytes")
         body = read_body(calculation, request, settings)
-        return b'{"result":' + encoded(calculation.solve(body)) + b"}", 0
+        return b'{"result":' + encoded(calculation.answered(body)) + b"}", 0
     except ImpossibleMechanism as error:
         problem = impossible(error)
     except Problem as refused:

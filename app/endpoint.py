@@ -181,7 +181,7 @@ def _content(
 ) -> bytes:
     """The answer of a calculation, compressed where it is large and the client takes that."""
     if theme is None:
-        content = encoded(calculation.solve(body))
+        content = encoded(calculation.answered(body))
     else:
         assert calculation.figure is not None
         content = encoded(with_words(calculation.figure(body, theme)))
@@ -224,8 +224,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
 def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
     """Lines of a study in a process, behind an empty one where the request is right."""
     calculation = CALCULATIONS[name]
-    body, reporting = read_body(calculation, sent, settings), calculation.reporting
-    assert reporting is not None
+    body = read_body(calculation, sent, settings)
     tell(b"")
     last = time.monotonic()
 
@@ -235,7 +234,7 @@ def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
             last = time.monotonic()
             tell(_line({"progress": share}))
 
-    tell(b'{"result":' + encoded(reporting(body, report)) + b"}\n")
+    tell(b'{"result":' + encoded(calculation.answered(body, report)) + b"}\n")
 
 
 def _line(values: dict[str, Any]) -> bytes:

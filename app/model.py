@@ -215,6 +215,27 @@ class RequestModel(BaseModel):
             if (value := own[name]) is not None
         }
 
+    ASSUMED: ClassVar[tuple[str, ...]] = ()
+    """Fields whose default decides about the answer, which says so where they are not given."""
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """What is assumed, since it is not given: the path of each field, and its value."""
+        for name in self.ASSUMED:
+            if name not in self.model_fields_set and (value := getattr(self, name)) is not None:
+                yield (name,), value
+        for name, value in self:
+            if isinstance(value, RequestModel):
+                yield from (((name, *path), inner) for path, inner in value.assumed())
+
+    def without(self, path: tuple[str, ...]) -> "Values":
+        """What the answer would be without an assumption, where that is soon said."""
+        return {}
+
+    def notices(self) -> tuple[Notice, ...]:
+        """What of the request is taken otherwise than it is typed."""
+        within = (value.notices() for _, value in self if isinstance(value, RequestModel))
+        return tuple(chain.from_iterable(within))
+
     @property
     def long(self) -> bool:
         """Whether it takes long whatever its counts are."""
@@ -424,6 +445,30 @@ class Calculation:
     batched: bool = True
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
+    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
+        """Values of the answer to a request, with what was assumed and taken otherwise than typed.
+
+        Parameters
+        ----------
+        body : RequestModel
+            The request.
+        report : callable, optional
+            What is told how much is done, from 0 to 1.
+
+        Returns
+        -------
+        dict
+        """
+        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
+        if assumed := [
+            {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
+            for path, value in body.assumed()
+        ]:
+            values["assumed"] = assumed
+        if notices := body.notices():
+            values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+        return values
+
 
 NEGLECTED = {
     "bearing_elasticity": "play and elasticity of the bearings",
@@ -470,7 +515,7 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
         [
             (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings", *given)
+            if name not in ("accuracy", "warnings", "assumed", *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,
@@ -512,6 +557,25 @@ def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:
         "evaluations": accuracy.evaluations,
         "run_time_us": run_time_us,
     }
+
+
+class AssumedOut(BaseModel):
+    """What was not given, and decides."""
+
+    pointer: str = Field(description="JSON pointer to the field.")
+    value: float | str | dict[str, Any] = Field(description="What is taken for it.")
+    without: Maybe[dict[str, float]] = Field(
+        default=None,
+        description="Of the number of satellites: the peak force of one, by the ideal forces.",
+    )
+
+
+class AssumingResponse(ResponseModel):
+    """An answer that says what it assumes."""
+
+    assumed: Maybe[list[AssumedOut]] = Field(
+        default=None, description="What was not given and decides; absent where all was."
+    )
 
 
 class WarningOut(BaseModel):

@@ -72,6 +72,8 @@ TEXTS = (
         "not_valid": "is not valid",
         "of_another_kind": "does not belong to the kind {kind}",
         "only_one": "excludes {field}: give one of them",
+        "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
+        "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
         "service_limit": "must be at most {limit}: this service takes no more",
         "string_type": "must be a text",
         "string_unicode": "is not valid text",

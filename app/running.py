@@ -19,11 +19,15 @@ COMPARING = frozenset(
         "beyond_support",
         "greater_than",
         "greater_than_equal",
+        "in_carrier",
         "less_than",
         "less_than_equal",
+        "no_cycloid",
         "no_mesh",
+        "no_sleeve",
         "other_pitch",
         "too_near",
+        "too_thick",
     }
 )
 """Refusals whose `limit` is a value of the refused field, in its unit."""

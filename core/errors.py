@@ -18,20 +18,22 @@ REFUSALS = {
     "in exact geometry",
     "greater_than": "must be larger than {limit:g}",
     "greater_than_equal": "must be at least {limit:g}",
-    "in_carrier": "must be at least half of {field}: the contact would reach into the carrier",
+    "in_carrier": "must be at least {limit:.9g}, half of {field}: the contact would reach into the "
+    "carrier",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
     "infinitely long there",
     "larger_than": "must be larger than {field}",
     "less_than": "must be smaller than {limit:g}",
     "less_than_equal": "must be at most {limit:g}",
-    "no_cycloid": "must be larger than eccentricity times {field} + 1: there is no such cycloid",
+    "no_cycloid": "must be larger than {limit:.9g}, eccentricity times ({field} + 1): there is no "
+    "such cycloid",
     "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
-    "no_sleeve": "must be smaller than twice {field}: there is no room for a sleeve",
+    "no_sleeve": "must be smaller than {limit:.9g}, twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_zero": "must not be 0",
     "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
@@ -48,7 +50,8 @@ REFUSALS = {
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",
     "too_short_range": "must be larger: no driving phase is that short",
-    "too_thick": "must be at most twice {field}: thicker, the pin itself would touch the hole",
+    "too_thick": "must be at most {limit:.9g}, twice {field}: thicker, the pin itself would touch "
+    "the hole",
 }
 """What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
 

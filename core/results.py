@@ -75,6 +75,10 @@ NOTICES = {
     "pins_overlap": "Neighbouring pins overlap: there is no room for them on their circle.",
     "pressed_without_load": "Pins and holes press without load: there is no play, and the "
     "mechanism can be assembled only by force.",
+    "ratio_not_whole": "The ratio {ratio:.6g} is no whole number: a cycloid disc with one lobe "
+    "less than the ring has pins has as many lobes as its ratio says.",
+    "ratio_sign": "The ratio is taken as {ratio:.6g}: its sign says that the output turns the "
+    "other way, which that of every such mechanism does.",
     "reference_depth": "The reference depth is {ratio:.3g} times the hole's radius; from {low} to "
     "{high} a half-space stands for a hole.",
     "sand_cast": "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the "

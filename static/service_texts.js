@@ -61,10 +61,10 @@ function ofPointer({ name, row }, words, titles) {
   return row === undefined ? ofTitle(title, words) : message("rows.problem", { row, title, words });
 }
 
-/** Where a mechanism cannot work, `{API name: value}`, as the end of a sentence. */
+/** Where a mechanism cannot work, `{API name: value}`, as the end of a sentence; what has no title is in the sentence itself. */
 function placeText(where, titles) {
-  const places = Object.entries(where).map(([name, value]) =>
-    `${titles.get(name) ?? name} = ${formatQuantity(value, unitOf(name))}`);
+  const places = Object.entries(where).filter(([name]) => titles.has(name)).map(([name, value]) =>
+    `${titles.get(name)} = ${formatQuantity(value, unitOf(name))}`);
   return places.length > 0 ? ` (${places.join("; ")})` : "";
 }
 

@@ -9,6 +9,7 @@ from pydantic import Field
 
 from app.model import (
     SIZE,
+    AssumingResponse,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -304,7 +305,7 @@ class FixOut(ResponseModel):
     side_effects: list[SideEffectOut] = Field(description="Other checks that change.")
 
 
-class JudgedResponse(ResponseModel):
+class JudgedResponse(AssumingResponse):
     """An answer with a verdict."""
 
     verdict: Outcome = Field(
@@ -503,7 +504,10 @@ def judgement(
     values: list[Values] | None = None
     if checks:
         inputs = _inputs(body.shape)
-        values = [check_values(each, body, inputs[each.code]) for each in verdict.checks]
+        shown = verdict.checks
+        if verdict.impossible:  # no torque to be factors of
+            shown = tuple(each._replace(torque_reserve=None) for each in shown)
+        values = [check_values(each, body, inputs[each.code]) for each in shown]
     return {
         "verdict": verdict.verdict,
         "governing": verdict.governing,

@@ -11,6 +11,7 @@ from app.calculations.mechanism import MechanismFields
 from app.model import (
     SIZE,
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Forms,
     Maybe,
@@ -40,7 +41,7 @@ from app.theme import (
 )
 from app.units import from_si, rounded, to_si
 from core.arrays import FloatArray
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import (
     ContactForce,
     ForceCurves,
@@ -247,8 +248,27 @@ class LoadFields(CurveFields, TorqueFields):
         return replace(force, curves=curves), switching
 
 
+def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
+    """The peak force of one satellite alone, which answers say where their number is assumed."""
+    one = mechanism.model_copy(update={"satellites": 1, "crank_spacing_deg": None}).mechanism()
+    try:
+        found = contact_force(
+            mechanism=one,
+            output_torque=load.torque(one),
+            pin_circle_radius=to_si("pin_circle_radius_mm", load.pin_circle_radius_mm),
+            force_exponent=load.force_exponent,
+        )
+    except ImpossibleMechanism:  # at a dead centre of fewer pairs
+        return {}
+    return {"without": {"peak_force_N": from_si("peak_force_N", found.peak_force)}}
+
+
 class ContactForceRequest(MechanismFields, LoadFields):
     """A mechanism and its load."""
+
+    def without(self, path: tuple[str, ...]) -> Values:
+        """The peak force of one satellite, where their number is assumed."""
+        return force_of_one(self, self)
 
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""
@@ -280,7 +300,7 @@ class ForceCurvesOut(ResponseModel):
         return super().values(result, run_time_us, force_N=forces, **given)
 
 
-class ContactForceResponse(ResponseModel):
+class ContactForceResponse(AssumingResponse):
     """The exact peak of the contact force, and what was asked besides."""
 
     reference_force_N: float = result(

@@ -197,6 +197,10 @@ class CrankPlanetaryRequest(DesignFields):
             value = None if value is None else getattr(value, name)
         return value is not None
 
+    def without(self, path: tuple[str, ...]) -> Values:
+        """The peak force of one satellite, where forces are asked and their number is assumed."""
+        return super().without(path) if "contact_force" in self.sections else {}
+
     @property
     def long(self) -> bool:
         """Whether the forces of the mechanism as it is made are solved, or moments and loads are

@@ -11,6 +11,7 @@ from app.calculations.satellite_bearing import CrankedRequest, ShaftBearingField
 from app.model import (
     SIZE,
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
@@ -130,7 +131,7 @@ class BalanceOut(ResponseModel):
     corrections: list[CorrectionOut]
 
 
-class CrankshaftResponse(ResponseModel):
+class CrankshaftResponse(AssumingResponse):
     """Reactions of the shaft's bearings, and its balance."""
 
     forces: ForcesUsed = forces_used()

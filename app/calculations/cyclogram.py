@@ -5,6 +5,7 @@ import math
 from app.calculations.mechanism import MechanismFields
 from app.model import (
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
@@ -113,7 +114,7 @@ class AssemblyAngleOut(ResponseModel):
     identical: bool = result("Whether it may be made like the first satellite.")
 
 
-class CyclogramResponse(ResponseModel):
+class CyclogramResponse(AssumingResponse):
     """Which pairs drive, when, how many together."""
 
     working_phase_deg: float = result(

@@ -3,14 +3,19 @@ load, contact, and the forces that follow.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, Literal, Self, TypeVar, cast
 
 from pydantic import ConfigDict, model_validator
 
-from app.calculations.contact_force import LoadFields, application_factor, peak_torque
+from app.calculations.contact_force import (
+    LoadFields,
+    application_factor,
+    force_of_one,
+    peak_torque,
+)
 from app.calculations.hertz import MaterialFields, material_of
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinMaterial, Place, pin_places, strengths_of
@@ -21,6 +26,7 @@ from app.calculations.real_mechanism import (
     ContactLawFields,
     DeviationsFields,
     GivingFields,
+    assumed_pin,
     torque_direction,
 )
 from app.model import (
@@ -43,6 +49,7 @@ from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import FIT_TOLERANCE, PinFit, pin_fit
 from core.output.sampled_turn import Direction
+from core.results import Notice
 
 ForcesUsed = Literal["ideal", "real"]
 
@@ -216,6 +223,26 @@ class DesignFields(GivingFields):
         )
         sections = (self.contact_law, self.deviations, self.support)
         return loose or any(each is not None for each in sections)
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also the material of the pins, which is that of the contact."""
+        yield from super().assumed()
+        yield from assumed_pin(self.pin, self.contact)
+
+    def without(self, path: tuple[str, ...]) -> dict[str, Any]:
+        """The ideal peak force of one satellite, where their number is assumed."""
+        if path != ("mechanism", "satellites") or self.load is None:
+            return {}
+        return force_of_one(self.mechanism, self.load)
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also a ratio that no cycloid disc with one lobe less has."""
+        gear, ratio = getattr(self, "gear", None), self.mechanism.ratio
+        found = super().notices()
+        cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
+        if cycloid and ratio is not None and not ratio.is_integer():
+            found += (Notice("ratio_not_whole", {"ratio": abs(ratio)}),)
+        return found
 
     @property
     def forces(self) -> ForcesUsed:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
 
@@ -10,6 +10,7 @@ from app.model import (
     SIZE,
     UNION_TAGS,
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
@@ -198,6 +199,8 @@ class ContactFields(RequestModel):
         help="Factor of uneven load sharing between the pairs.",
     )
 
+    ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
+
     def limits(self) -> list[tuple[str, float]]:
         """Body and limit of its pressure, Pa, of each body whose limit is known."""
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
@@ -323,7 +326,7 @@ def _judged_by(body: str, limit: ContactLimit) -> Values:
     return {name: value for name, value in values.items() if value is not None}
 
 
-class HertzResponse(ResponseModel):
+class HertzResponse(AssumingResponse):
     """Stress of the line contact of pin and hole."""
 
     max_pressure_MPa: float = result(

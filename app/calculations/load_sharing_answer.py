@@ -3,7 +3,15 @@
 from typing import Any, Literal
 
 from app.calculations.contact_force import PairOut
-from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
+from app.model import (
+    AccuracyOut,
+    AssumingResponse,
+    Maybe,
+    ResponseModel,
+    Values,
+    WarningOut,
+    result,
+)
 from app.units import from_si
 from core.output.fit import Fit
 
@@ -215,7 +223,7 @@ class FitOut(ResponseModel):
         return found
 
 
-class LoadSharingResponse(ResponseModel):
+class LoadSharingResponse(AssumingResponse):
     """What is asked of the mechanism as it is made."""
 
     positions: Maybe[list[PositionOut]] = result("At the crank angles.", default=None)

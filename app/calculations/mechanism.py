@@ -10,6 +10,7 @@ from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism, ratio_from_teeth
+from core.results import Notice
 
 MAX_PAIRS = 10_000
 """Most pairs (pins times satellites) of one mechanism."""
@@ -72,10 +73,12 @@ class MechanismFields(RequestModel):
         symbol="u",
         group="mechanism",
         default=None,
-        ge=1e-6,
+        ge=-1e9,
         le=1e9,
         step=1,
-        help="Speed of the crank over speed of the output, u = z₂/(z₃ − z₂).",
+        schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]},
+        help="Speed of the crank over speed of the output, u = z₂/(z₃ − z₂), at least 1; a sign is "
+        "that of the output, which turns the other way.",
     )
     satellite_teeth: Maybe[Whole] = quantity(
         "Satellite teeth",
@@ -107,6 +110,19 @@ class MechanismFields(RequestModel):
         help="0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what "
         "reversing the torque does.",
     )
+
+    ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
+
+    @model_validator(mode="after")
+    def _reduces(self) -> Self:
+        ratio, teeth = self.ratio, self.satellite_teeth
+        if ratio == 0:
+            raise field_error("ratio", "not_zero")
+        if ratio is not None and abs(ratio) < 1:
+            raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
+        if teeth is not None and self.ring_teeth is not None and self.ring_teeth > 2 * teeth:
+            raise field_error("ring_teeth", "less_than_equal", limit=2 * teeth)
+        return self
 
     @model_validator(mode="after")
     def _counts(self) -> Self:
@@ -163,6 +179,11 @@ class MechanismFields(RequestModel):
             return None
         return self.ring_teeth - self.satellite_teeth
 
+    def notices(self) -> tuple[Notice, ...]:
+        """A ratio with the sign of the output."""
+        signed = self.ratio is not None and self.ratio < 0
+        return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
+
     def ratio_given(self) -> float:
         """Ratio u, as such or by the numbers of teeth.
 
@@ -172,7 +193,7 @@ class MechanismFields(RequestModel):
             If no ratio has such teeth.
         """
         if self.ratio is not None:
-            return self.ratio
+            return abs(self.ratio)
         assert self.satellite_teeth is not None and self.ring_teeth is not None
         return ratio_from_teeth(satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth)
 

@@ -20,6 +20,7 @@ from app.model import (
     NO_DUST,
     SIZE,
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Forms,
     Maybe,
@@ -155,7 +156,7 @@ class LossCurvesOut(ResponseModel):
     efficiency: list[float] = result("Efficiency", "η", "Output over output and loss.")
 
 
-class OutputEfficiencyResponse(ResponseModel):
+class OutputEfficiencyResponse(AssumingResponse):
     """Sliding speed, loss, efficiency, pv and wear of the pins."""
 
     forces: ForcesUsed = forces_used()

@@ -1,5 +1,6 @@
 """Pin, hole and crank with their clearance, as a request gives them: what follows from what."""
 
+from collections.abc import Iterator
 from decimal import Decimal
 from typing import Annotated, Any, ClassVar, Self
 
@@ -63,6 +64,14 @@ class PinContactFields(ContactFields):
             expected = float(Decimal(repr(hole)) - off)
             raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
         return self
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Materials of pins and holes, where there are any; the eccentricity of a hole alone."""
+        if self.pin_radius_mm is None:
+            return
+        yield from super().assumed()
+        if self.eccentricity_mm is None:
+            yield ("eccentricity_mm",), float(self._sum("hole_radius_mm") - self._sum(*RADII[:1]))
 
     def _sum(self, *names: str) -> Decimal:
         """Sum of sizes, of what is not given none, in decimals as they were typed: no digit is

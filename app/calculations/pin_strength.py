@@ -21,6 +21,7 @@ from app.calculations.design import (
 from app.calculations.fatigue import FactorsOut, PinFatigueFields
 from app.model import (
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
@@ -204,7 +205,7 @@ class SupportBoundOut(PinStrengthOut):
     support: Support = result("At both ends free to tilt (supported), or built in (fixed).")
 
 
-class PinStrengthResponse(PinStrengthOut):
+class PinStrengthResponse(PinStrengthOut, AssumingResponse):
     """Bending, shear, static safety, fatigue and deflection of the pins."""
 
     forces: ForcesUsed = forces_used()

@@ -1,5 +1,6 @@
 """A mechanism, its load and its contact as the parts are made: what its calculations share."""
 
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, Literal, Self
 
@@ -15,6 +16,7 @@ from app.calculations.real_mechanism import (
     GivingFields,
     RealContactFields,
     RealLoadFields,
+    assumed_pin,
 )
 from app.model import Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
@@ -91,6 +93,11 @@ class RealDesignFields(GivingFields):
             beside = "satellite_coupling" if self.coupled else "crank_support"
             raise field_error("geometry", "first_order_only", field=beside)
         return self
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also the material of the pins, which is that of the contact."""
+        yield from super().assumed()
+        yield from assumed_pin(self.pin, self.contact)
 
     @property
     def times_as_long(self) -> int:

@@ -254,6 +254,16 @@ class BentPinFields(HeldPinFields):
         )
 
 
+def assumed_pin(
+    pin: BentPinFields | None, contact: PinContactFields | None
+) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """The material of pins where it is not given: that of the contact."""
+    if pin is not None and pin.material is None and contact is not None:
+        given = contact.pin_material
+        values = given if isinstance(given, str) else given.model_dump(exclude_none=True)
+        yield ("pin", "material"), values
+
+
 class CrankSupportFields(RequestModel):
     """Bearings of the satellites on their cranks. The gear's force on them is left out."""
 

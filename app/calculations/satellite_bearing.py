@@ -17,6 +17,7 @@ from app.calculations.ring import RingFields
 from app.model import (
     SIZE,
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Forms,
     Maybe,
@@ -173,7 +174,7 @@ class SatelliteBearingOut(ResponseModel):
     )
 
 
-class SatelliteBearingResponse(ResponseModel):
+class SatelliteBearingResponse(AssumingResponse):
     """Loads and lives of the satellites' bearings."""
 
     forces: ForcesUsed = forces_used()

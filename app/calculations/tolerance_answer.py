@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from app.model import AccuracyOut, Maybe, ResponseModel, WarningOut, result
+from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
 
 
 class EstimateOut(ResponseModel):
@@ -114,7 +114,7 @@ class StudyAccuracyOut(AccuracyOut):
     )
 
 
-class ToleranceStudyResponse(ResponseModel):
+class ToleranceStudyResponse(AssumingResponse):
     """What tolerances do to the pieces."""
 
     quantities: QuantitiesOut = result("Each quantity asked, or with a limit.")

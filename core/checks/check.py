@@ -229,7 +229,7 @@ class Verdict:
         Code of the check that decides of those that are made: the worst failing one, else the one
         next to its limit.
     torque_reserve : float or None
-        Factor on the torque at which the first check fails.
+        Factor on the torque at which the first check fails; None of what cannot exist.
     largest_torque_known : bool
         Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
         that is known, and nothing is unknown.
@@ -252,9 +252,19 @@ class Verdict:
     not_considered: tuple[str, ...]
     checks: tuple[Check, ...]
 
+    @property
+    def impossible(self) -> bool:
+        """Whether such a design cannot exist or move."""
+        return _cannot_be(self.checks)
+
     def __getitem__(self, code: str) -> Check:
         """The check of a code."""
         return next(each for each in self.checks if each.code == code)
+
+
+def _cannot_be(checks: Iterable[Check]) -> bool:
+    """Whether a check says that the design cannot exist or move."""
+    return any(each.impossible and each.status == "fail" for each in checks)
 
 
 def _rank(check: Check) -> tuple[float, ...]:
@@ -304,7 +314,7 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         for each in decided
         if each.torque_reserve is not None and not each.warning
     ]
-    least = min(reserves, default=None)
+    least = None if _cannot_be(ranked) else min(reserves, default=None)
     outcome: Outcome = "pass"
     if counts["fail"]:
         outcome = "fail"
@@ -317,7 +327,7 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         verdict=outcome,
         governing=decided[0].code if decided else None,
         torque_reserve=least,
-        largest_torque_known=bool(reserves) and not stuck and not counts["not_checked"],
+        largest_torque_known=least is not None and not stuck and not counts["not_checked"],
         largest_torque_estimated=any(
             each.rough and (each.status == "fail" or each.torque_reserve == least)
             for each in decided

@@ -83,11 +83,13 @@ def _first(found: Verdict) -> str:
 
 
 def _settled(found: Verdict, reserve: float, first: str, *, rough: bool) -> Verdict:
-    """The verdict with the reserve of the check that fails first, no other one below it."""
+    """The verdict with the reserve of the check that fails first, no other one below it that could
+    fail: a warning may come at less.
+    """
 
     def settled(check: Check) -> Check:
         known = check.torque_reserve
-        if known is None or not check.rough:
+        if known is None or not check.rough or check.warning:
             return check
         own = reserve if check.code == first else max(known, reserve)
         status = check.status

@@ -1,5 +1,5 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
-import { message, said } from "../messages/index.js";
+import { fieldWords, message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
 import { formatNumber, formatQuantity, unitOf } from "./format.js";
 
@@ -7,7 +7,7 @@ const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "wa
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
-  "largest_torque_Nm", "largest_torque_estimated",
+  "largest_torque_Nm", "largest_torque_estimated", "assumed", "fit",
 ];
 /** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
 export function flattened(section) {
@@ -151,6 +151,17 @@ export function groupsOf({ checks = [] }) {
 export function notConsidered({ not_considered: codes = [] }) {
   if (codes.length === 0) return "";
   return message("checks.notConsidered", { what: codes.map((code) => said("notConsidered", code) ?? code).join("; ") });
+}
+
+/** What was not given and is assumed, in words. */
+export function assumedIn({ assumed = [] }) {
+  if (assumed.length === 0) return "";
+  const what = assumed.map(({ pointer, value }) => {
+    const [name, group] = pointer.split("/").reverse();
+    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? "";
+    return message("checks.assumedOne", { title: (fieldWords(name, group) ?? [name])[0], value: shown });
+  });
+  return message("checks.assumed", { what: what.join("; ") });
 }
 
 /** Why a verdict's word is what it is, in words. */

@@ -351,6 +351,8 @@ export default {
     at: "satellite {satellite}, pin {pin}, φ = {angle}",
     enter: "Enter:",
     more: { one: "{count} more check", other: "{count} more checks" },
+    assumed: "Assumed, as it is not given: {what}.",
+    assumedOne: "{title}: {value}",
     notConsidered: "Not looked at: {what}.",
     standard: "standard",
     secondary: "secondary sources",
@@ -800,6 +802,18 @@ export default {
       tests: "Whether the approximate peak is asked for where it is stated: 3 to 5 pins, 1 or 2 satellites evenly spaced, linear contact.",
       why: "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
       mend: "Use the exact peak force; the approximation is only shown beside it.",
+    },
+    ratio_not_whole: {
+      title: "Ratio of a cycloid",
+      tests: "Whether the ratio of a cycloid disc with one lobe less than the ring has pins is whole.",
+      why: "Such a disc has as many lobes as its ratio says.",
+      mend: "Give the teeth, or a whole ratio.",
+    },
+    ratio_sign: {
+      title: "Sign of the ratio",
+      tests: "Whether the ratio is given without a sign.",
+      why: "The output of every such mechanism turns against the crank: the sign is known.",
+      mend: "Nothing, if it is meant so.",
     },
     clearance_like_eccentricity: {
       title: "Clearance like the eccentricity",

@@ -2,7 +2,7 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
+import { assumedIn, checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
 import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -96,7 +96,8 @@ export function createNumbers({ calculator }) {
       // One line that is always there: the problem, the first warning, or that there is none.
       say.dataset.level = level;
       fill(say, html`${sign(level)}<span>${text}</span>`);
-      aside.textContent = shown ? notConsidered(judgedOf(calculator, shown.answer) ?? {}) : "";
+      const judged = shown ? judgedOf(calculator, shown.answer) ?? {} : {};
+      aside.textContent = [assumedIn(judged), notConsidered(judged)].filter(Boolean).join(" ");
       keepAside();
     }),
   };

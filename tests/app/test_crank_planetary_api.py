@@ -73,6 +73,7 @@ async def test_only_what_is_asked_is_in_the_answer(api):
         "peak_force_ratio",
         "peak_crank_angle_deg",
         "peak_pair",
+        "assumed",
         "accuracy",
     }
     assert "null" not in (await api.post("hertz", json={**CONTACT, "force_N": 1000})).text
@@ -102,7 +103,15 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     finally:
         for each in patches:
             each.stop()
-    judged = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts", "fit"}
+    judged = {
+        "verdict",
+        "governing",
+        "torque_reserve",
+        "largest_torque_Nm",
+        "counts",
+        "fit",
+        "assumed",
+    }
     assert response.status_code == 200
     assert set(response.json()) == set(asked) | judged | {"not_considered"}
 
@@ -138,6 +147,7 @@ async def test_sections_agree_with_their_own_endpoints(api):
     force = alone["contact_force"]["peak_force_N"]
     alone["hertz"] = (await api.post("hertz", json={**CONTACT, "force_N": force})).json()
     for section, answer in alone.items():
+        answer.pop("assumed", None)  # which a design says once
         for given in (answer, job[section]):
             del given["accuracy"]["run_time_us"]
         assert job[section] == answer
@@ -445,7 +455,7 @@ async def test_angles_of_a_cyclogram_are_within_their_error(api, seed):
     r = random.Random(seed)
     angles = [r.choice([r.uniform(-3600, 3600), 15.0 * r.randint(-240, 240)]) for _ in range(3)]
     start = r.choice([0.0, 180.0, r.uniform(-3600, 3600)])
-    ratio, turns = 10 ** r.uniform(-1, 4), r.choice([1.0, 10 ** r.uniform(-3, 2)])
+    ratio, turns = 10 ** r.uniform(0, 4), r.choice([1.0, 10 ** r.uniform(-3, 2)])
     body = {"pins": r.randint(1, 9), "ratio": ratio, "crank_angles_deg": angles}
     body |= {"revolutions": turns, "initial_crank_angle_deg": start}
     answer = (await api.post("cyclogram", json=body)).json()

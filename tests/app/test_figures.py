@@ -146,8 +146,8 @@ async def test_a_cyclogram_of_any_length_is_drawn(api, revolutions):
     assert axes["range"] == pytest.approx([0, 360 * revolutions])
 
 
-@pytest.mark.parametrize("job", [{"revolutions": 1000}, {"ratio": 1e-3}])
-async def test_too_many_driving_phases_to_draw_are_refused_by_field(api, job):
+async def test_too_many_driving_phases_to_draw_are_refused_by_field(api):
+    job = {"revolutions": 1000}
     response = await api.post("cyclogram/chart", json={"pins": 3, "ratio": 20} | job)
     assert response.status_code == 422
     assert response.json()["errors"][0]["pointer"] == "/revolutions"

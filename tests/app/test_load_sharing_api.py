@@ -49,7 +49,9 @@ async def test_case(api, case):
     answer = await api.post(PATH, json=case["body"])
     assert answer.status_code == 200, answer.text
     close(answer.json(), case["expect"])
-    assert set(answer.json()) - {"accuracy", "warnings", "fit"} == {*case["body"]["include"]}
+    assert set(answer.json()) - {"accuracy", "warnings", "fit", "assumed"} == {
+        *case["body"]["include"]
+    }
 
 
 async def test_what_others_found(api):
@@ -70,12 +72,20 @@ async def test_what_others_found(api):
 
 async def test_only_what_is_asked_is_sent(api):
     answer = (await api.post(PATH, json=changed())).json()
-    assert set(answer) == {"positions", "fit", "accuracy"}
+    assert set(answer) == {"positions", "fit", "assumed", "accuracy"}
     assert "pressure_MPa" not in answer["positions"][0]
     named = ["over_turn", "curves", "stiffness_curve", "ideal", "pressure"]
     body = changed(include=named, samples=5)
     answer = (await api.post(PATH, json=body)).json()
-    assert set(answer) == {"over_turn", "curves", "stiffness_curve", "ideal", "fit", "accuracy"}
+    assert set(answer) == {
+        "over_turn",
+        "curves",
+        "stiffness_curve",
+        "ideal",
+        "fit",
+        "assumed",
+        "accuracy",
+    }
     turn = answer["over_turn"]
     assert max(map(max, turn["pressure_MPa"])) == pytest.approx(turn["max_pressure_MPa"], rel=1e-9)
     ideal = answer["ideal"]

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 
@@ -152,3 +152,12 @@ for (const language of ["uk", "ru"]) {
     }
   });
 }
+
+test("what is assumed is said with its title, in the user's words", async () => {
+  const assumed = [{ pointer: "/mechanism/satellites", value: 2 }, { pointer: "/contact/pin_material", value: "steel_bearing" }];
+  assert.equal(assumedIn({}), "");
+  assert.equal(assumedIn({ assumed }), "Assumed, as it is not given: Satellites: 2; Pin material: Bearing steel (100Cr6, hardened).");
+  await useLanguage("uk");
+  assert.doesNotMatch(assumedIn({ assumed }), /steel|_/);
+  await useLanguage("en");
+});

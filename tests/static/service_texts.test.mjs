@@ -46,6 +46,19 @@ test("limits get the unit of their field, other fields their titles", () => {
   assert.equal(problemText(refusal, TITLES), "Pin radius: must be at least 0.5\u00a0mm; x: must be larger than “Pin radius”");
 });
 
+test("no name of the API stands in a sentence: what has no title is said by the words themselves", async () => {
+  for (const [language, pattern] of [["en", /^The contact line of roller 1 /], ["uk", /^Ролик 1: /], ["ru", /^Ролик 1: /]]) {
+    await useLanguage(language);
+    const refusal = new Problem({
+      status: 422, where: { roller: 1, z_mm: 0 },
+      errors: [{ pointer: "", code: "no_lever", params: { roller: 1, z: 0, z_mm: 0 }, detail: "" }],
+    });
+    const text = problemText(refusal, TITLES);
+    assert.match(text, pattern);
+    assert.doesNotMatch(text, /_mm|roller =/);
+  }
+});
+
 test("a mechanism that cannot work is a sentence with its place", async () => {
   const refusal = new Problem({
     status: 422, where: { crank_angle_deg: 85.714285714 },

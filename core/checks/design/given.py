@@ -211,7 +211,8 @@ class GivenDesign:
         """No pin is thicker than what touches the hole."""
         pin, radius = self.pin, self.pin_radius
         if pin is not None and radius is not None and pin.diameter > 2 * radius * (1 + SAME):
-            raise InvalidInput("pin.diameter", pin.diameter, "too_thick", field="pin_radius")
+            most = {"limit": 2 * radius, "field": "pin_radius"}
+            raise InvalidInput("pin.diameter", pin.diameter, "too_thick", **most)
 
     def _check_peak(self) -> None:
         if self.output_torque is None or self.peak_torque is None:

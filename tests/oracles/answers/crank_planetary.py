@@ -29,7 +29,7 @@ def mechanism(r: Draw) -> Body:
         teeth = r.randint(10, 100)
         body |= {"satellite_teeth": teeth, "ring_teeth": teeth + r.randint(1, 4)}
     else:
-        body["ratio"] = r.power(1e-3, 1e6) if r.extreme else r.decimal(5, 100)
+        body["ratio"] = r.power(1, 1e6) if r.extreme else r.decimal(5, 100)
     kind = r.random()
     if kind > 0.75:
         body["crank_spacing_deg"] = r.choice((90.0, 120.0, 180.0, r.decimal(1, 359)))

@@ -1,0 +1,123 @@
+"""What was not given and decides is said; ratios with a sign, below 1, that are not whole."""
+
+import pytest
+
+pytestmark = pytest.mark.anyio
+
+ONE_DISC = {"pins": 4, "ratio": 30, "output_torque_Nm": 10.2, "pin_circle_radius_mm": 17}
+PRINTED = {
+    "mechanism": {"pins": 4, "satellites": 1, "ratio": 30},
+    "load": {"output_torque_Nm": 10.2, "pin_circle_radius_mm": 17},
+    "contact": {
+        "contact_length_mm": 7,
+        "pin_radius_mm": 3.5,
+        "hole_radius_mm": 4.3,
+        "eccentricity_mm": 0.8,
+    },
+}
+
+
+async def answered(api, path, body):
+    response = await api.post(path, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+async def test_two_satellites_are_assumed_and_the_force_of_one_is_said(api):
+    (found,) = (await answered(api, "contact-force", ONE_DISC))["assumed"]
+    assert (found["pointer"], found["value"]) == ("/satellites", 2)
+    one = await answered(api, "contact-force", ONE_DISC | {"satellites": 1})
+    assert "assumed" not in one
+    assert found["without"]["peak_force_N"] == one["peak_force_N"] == pytest.approx(600)
+    # two pins of one satellite have a dead centre: there is no such force
+    dead_alone = ONE_DISC | {"pins": 2, "crank_spacing_deg": 90}
+    (dead,) = (await answered(api, "contact-force", dead_alone))["assumed"]
+    assert "without" not in dead
+
+
+async def test_materials_that_were_left_out_are_said(api):
+    answer = await answered(api, "crank-planetary", PRINTED)
+    assert answer["assumed"] == [
+        {"pointer": "/contact/pin_material", "value": "steel_bearing"},
+        {"pointer": "/contact/hole_material", "value": "steel_through_hardened"},
+    ]
+    given = {"pin_material": "steel_bearing", "hole_material": "steel_bearing"}
+    whole = PRINTED | {"contact": PRINTED["contact"] | given}
+    assert "assumed" not in await answered(api, "crank-planetary", whole)
+    bent = whole | {"pin": {"support": "cantilever", "satellite_positions_mm": [10]}}
+    answer = await answered(api, "crank-planetary", bent)
+    assert answer["assumed"] == [{"pointer": "/pin/material", "value": "steel_bearing"}]
+    hole = {name: value for name, value in whole["contact"].items() if name != "eccentricity_mm"}
+    answer = await answered(api, "crank-planetary", whole | {"contact": hole})
+    assert answer["assumed"] == [{"pointer": "/contact/eccentricity_mm", "value": 0.8}]
+    assert "eccentricity_assumed" in [each["code"] for each in answer["warnings"]]
+
+
+ENDPOINTS = {
+    "cyclogram": {"pins": 3, "ratio": 20},
+    "hertz": {"force_N": 1000, **PRINTED["contact"]},
+    "load-sharing": PRINTED,
+    "tolerance-study": PRINTED | {"tolerances": {"hole_position_mm": 0.01}, "samples": 99},
+    "output-efficiency": {
+        **PRINTED,
+        "load": PRINTED["load"] | {"input_speed_rpm": 100},
+        "friction": {"coefficient": 0.1},
+    },
+    "pin-strength": {
+        **PRINTED,
+        "pin": {"support": "cantilever", "satellite_positions_mm": [10]},
+    },
+}
+
+
+@pytest.mark.parametrize("path", ENDPOINTS)
+async def test_every_calculation_says_what_it_assumes(api, path):
+    body = dict(ENDPOINTS[path])
+    if path == "hertz":
+        body.pop("eccentricity_mm")
+    pointers = [each["pointer"] for each in (await answered(api, path, body))["assumed"]]
+    assert pointers
+    if "mechanism" in body:
+        less = {name: value for name, value in body["mechanism"].items() if name != "satellites"}
+        if "pin" in body:
+            body["pin"] = body["pin"] | {"satellite_positions_mm": [10, 30]}
+        body["mechanism"] = less
+        more = [each["pointer"] for each in (await answered(api, path, body))["assumed"]]
+        assert more == ["/mechanism/satellites", *pointers]
+
+
+async def test_a_negative_ratio_has_the_sign_of_the_output(api):
+    body = ONE_DISC | {"satellites": 1}
+    signed = await answered(api, "contact-force", body | {"ratio": -30})
+    (warning,) = signed.pop("warnings")
+    assert (warning["code"], warning["params"]) == ("ratio_sign", {"ratio": 30})
+    plain = await answered(api, "contact-force", body)
+    for each in (signed, plain):
+        del each["accuracy"]["run_time_us"]
+    assert signed == plain
+
+
+@pytest.mark.parametrize("ratio", [0.05, -0.05, 0.999])
+async def test_a_ratio_below_1_is_refused_with_its_inverse(api, ratio):
+    response = await api.post("contact-force", json=ONE_DISC | {"ratio": ratio})
+    assert response.status_code == 422
+    (error,) = response.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/ratio", "ratio_below_one")
+    assert error["params"] == {"limit": 1, "offered": pytest.approx(1 / ratio)}
+    zero = (await api.post("contact-force", json=ONE_DISC | {"ratio": 0})).json()["errors"]
+    assert zero[0]["code"] == "not_zero"
+    teeth = {"satellite_teeth": 10, "ring_teeth": 21}
+    body = {name: value for name, value in ONE_DISC.items() if name != "ratio"} | teeth
+    (error,) = (await api.post("contact-force", json=body)).json()["errors"]
+    assert (error["pointer"], error["params"]["limit"]) == ("/ring_teeth", 20)
+
+
+async def test_a_cycloid_of_one_lobe_less_has_a_whole_ratio(api):
+    gear = {"kind": "cycloid", "ring_pin_circle_radius_mm": 40}
+    for ratio, said in ((30, False), (30.5, True)):
+        body = PRINTED | {"mechanism": PRINTED["mechanism"] | {"ratio": ratio}, "gear": gear}
+        codes = [
+            each["code"]
+            for each in (await answered(api, "crank-planetary", body)).get("warnings", ())
+        ]
+        assert ("ratio_not_whole" in codes) == said
