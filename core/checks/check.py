@@ -106,7 +106,8 @@ def judged(
         Factor on the torque at which it is at its limit.
     error : float
         Relative error of the value, of number and model: where the limit lies within, the check
-        is marginal.
+        is marginal. Without a finite error it is not checked, nor where the value may be anything
+        down to 0, from an error of 1 on, with a smaller limit.
     warning : str
         Reason where it does not hold, if that is a warning only.
     **more
@@ -122,12 +123,17 @@ def judged(
     'pass'
     >>> judged("contact_pressure_pin", 99.0, 100.0, reserve=1.02).status
     'marginal'
+    >>> judged("contact_pressure_pin", 9.0, 100.0, reserve=1.02, error=math.inf).status
+    'not_checked'
     >>> judged("wall_holes", 1.0, 2.0).utilisation
     2.0
     """
     part, whole = (value, limit) if CHECKS[code].keep == "below" else (limit, value)
     utilisation = part / whole if whole > 0 and part >= 0 else None
     doubtful = abs(value - limit) <= error * abs(value)
+    if not error < (1.0 if value > limit else math.inf):
+        more |= {"reason": "value_unknown"}
+        return Check(code=code, status="not_checked", value=value, limit=limit, **more)
     status: Status = "pass"
     if doubtful and reserve is not None:  # without one: sizes that are asked for are there
         status = "marginal"

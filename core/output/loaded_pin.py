@@ -118,21 +118,24 @@ class LoadedPin:
 
     @cached_property
     def ends(self) -> FloatArray:
-        """Ends of loads and supports: the root alone of a cantilever, as no other section is
-        worse.
-        """
-        if self.beam.span is None:
-            return np.zeros(1)
+        """Ends of loads and supports."""
         half = self.beam.contact_length / 2
-        ends = [0.0, *(self.positions - half), *(self.positions + half), self.beam.span]
-        return np.unique(np.clip(ends, 0, self.beam.span))
+        ends = np.concatenate(([0.0], self.positions - half, self.positions + half))
+        if self.beam.span is not None:
+            ends = np.clip(np.append(ends, self.beam.span), None, self.beam.span)
+        return np.unique(np.maximum(ends, 0.0))
+
+    @property
+    def rooted(self) -> bool:
+        """Whether it bends most at its root: a cantilever, whose satellites all push it one way."""
+        return self.beam.span is None
 
     @cached_property
     def bent(self) -> FloatArray:
         """Sections at one of which a load that is alone bends most, m: where it has no shear force,
         and the supports.
         """
-        if self.beam.span is None:
+        if self.rooted:
             return np.zeros(1)
         shear, _ = self.beam.reactions(self.positions)
         none = self.positions + (shear - 0.5) * self.beam.contact_length
@@ -169,11 +172,13 @@ class LoadedPin:
             Whether that is convex in the moment: between loads, where the moment changes evenly,
             it is largest at an end then.
         """
-        low, high = (self.ends[:-1], self.ends[1:]) if len(self.ends) > 1 else (self.ends,) * 2
+        if self.rooted:
+            return np.zeros((2, 1))
+        low, high = self.ends[:-1], self.ends[1:]
         if convex:
             middle, half = (low + high) / 2, float(self.beam.contact_length) / 2
             loaded = (np.abs(middle[:, None] - self.positions) < half).any(axis=1)
-            ends = self.ends[[0, -1]][: len(self.ends)]
+            ends = self.ends[[0, -1]]
             low, high = (np.concatenate((each[loaded], ends)) for each in (low, high))
         return np.array([low, high])
 
@@ -206,16 +211,16 @@ class LoadedPin:
         def arms(x: FloatArray) -> tuple[FloatArray, ...]:
             return self.moments(x, loads.unit), self.shears(x, loads.unit)
 
+        if self.rooted:  # the shear force is largest there, or before any later load
+            found = largest(turn=loads.turn, arms=arms(self.ends[:-1]), measure=_equivalent)
+            return float(found.max())
         return self._along(loads, arms, _equivalent, beyond)[0]
 
     def _along(
         self, loads: PinLoads, arms: Arms, measure: Measure, beyond: float
     ) -> tuple[float, float]:
         """Largest measure of any section, and the section; 0 where it is not beyond a value."""
-        turn = loads.turn
-        if len(self.ends) == 1:
-            return float(largest(turn=turn, arms=arms(self.ends), measure=measure)[0]), 0.0
-        curvature = self._curvature(loads)
+        turn, curvature = loads.turn, self._curvature(loads)
         samples = turn.forces.reshape(len(self.positions), -1)
 
         def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray]:

@@ -494,7 +494,7 @@ def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
     forces, deflections, slopes = found[:count].reshape(3, -1)
     shears, bends = found[count : -len(pin.bent)], found[-len(pin.bent) :]
     mean_shear = float(shears.max())
-    if alone or pin.beam.span is None:
+    if alone or pin.rooted:
         top = first_of(values=bends, section=pin.bent)
         bent, place = float(bends[top]), float(pin.bent[top])
     else:

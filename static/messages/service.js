@@ -1357,6 +1357,7 @@ export default {
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
     "unloaded": "The loads cancel: nothing presses the bearings",
+    "value_unknown": "Nothing is known of the value: its error is as large as it is, or has no end",
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one"
   },

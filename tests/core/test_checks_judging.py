@@ -42,6 +42,27 @@ def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
     assert found.warning == ("warning" in changes)
 
 
+@pytest.mark.parametrize("code", ["bearing_life", "contact_pressure_pin"])
+@pytest.mark.parametrize("reserve", [None, 0.9, 1.05, 4.0])
+def test_of_what_nothing_is_known_nothing_is_said(code: str, reserve: float | None) -> None:
+    """Not `marginal` either: 268,669 h are not within the error of 3140 h."""
+    for value, error in (
+        (3140.0, math.inf),
+        (268_669.0, math.inf),
+        (2693.0, math.inf),
+        (0.0, math.inf),
+        (2693.0, math.nan),
+        (268_669.0, 1.0),
+        (268_669.0, 85.0),
+    ):
+        found = judged(code, value, 3140.0, reserve=reserve, error=error, warning="uneven")
+        assert (found.status, found.reason) == ("not_checked", "value_unknown")
+        assert (found.value, found.limit, found.torque_reserve) == (value, 3140.0, None)
+    # upwards a finite error ends somewhere
+    assert judged(code, 10.0, 1000.0, error=4.0).status == judged(code, 10.0, 1000.0).status
+    assert judged(code, 10.0, 49.0, reserve=0.2, error=4.0).status == "marginal"
+
+
 def test_utilisation_needs_something_to_use() -> None:
     for value, limit, code, used in (
         (1.0, 0.0, "wear", None),

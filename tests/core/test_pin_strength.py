@@ -25,7 +25,7 @@ from core.fatigue import (
 )
 from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam
+from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_search import largest
 from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
@@ -298,6 +298,38 @@ def test_no_section_of_a_cantilever_is_worse_than_the_root(
         for x in (0.0, place)
     )
     assert inner <= root * (1 + 1e-12)
+
+
+def test_the_shear_force_of_a_cantilever_is_no_less_than_its_last_force() -> None:
+    """Before the last satellite the pin carries that one's force, whatever the others cancel."""
+    three = {"mechanism": spaced(3, 3), "satellite_positions": (0.015, 0.037, 0.059)}
+    found = pin_strength(**REFERENCE | three)
+    assert found.peak_shear_force == pytest.approx(found.peak_force, rel=1e-12)
+    assert f"{found.peak_shear_force:.2f}" == "4164.11"
+
+
+@given(mechanism=mechanisms, exponent=exponents, thick=st.sampled_from([0.016, 0.1, 1.0]))
+@example(mechanism=spaced(3, 3), exponent=1.0, thick=1.0)
+@settings(max_examples=30)
+def test_shear_and_equivalent_stress_of_a_cantilever_by_brute_force(
+    mechanism: Mechanism, exponent: float, thick: float
+) -> None:
+    """At every section; of thick pins the shear decides."""
+    z = np.array(positions(mechanism))
+    given = {"mechanism": mechanism, "force_exponent": exponent, "satellite_positions": tuple(z)}
+    found = pin_strength(**REFERENCE | given | {"diameter": thick})
+    area, modulus = math.pi * thick**2 / 4, math.pi * thick**3 / 32
+    shears, stresses = [], []
+    for x in np.linspace(0, z[-1] + 0.01, 47):
+        beyond = np.clip(z + 0.01 - x, 0, 0.02) / 0.02  # of each load beyond the section
+        arm = z + 0.01 - beyond * 0.01 - x
+        moment, shear = (
+            1e4 * moments(mechanism, exponent, each, 4000) for each in (beyond * arm, beyond)
+        )
+        shears.append(np.abs(shear).max())
+        stresses.append(section_stress(bending=moment / modulus, mean_shear=shear / area).max())
+    assert 0.97 * found.peak_shear_force <= max(shears) <= found.peak_shear_force * (1 + 1e-9)
+    assert max(stresses) <= found.peak_equivalent_stress * (1 + 1e-9)
 
 
 @given(mechanism=mechanisms, exponent=exponents, factor=st.floats(0.1, 10))

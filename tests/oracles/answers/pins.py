@@ -181,14 +181,12 @@ class _Beam:
             [[getattr(bent, name)[bent.at(z)] for bent in bents] for z in self.places]
             for name in ("deflection", "slope")
         )
+        ends = {mpf(0), *([] if span is None else [span])}
+        for z in self.places:
+            ends |= {z - self.half, z + self.half}
         sections = [mpf(0)]
-        if span is not None:
-            ends = {mpf(0), span}
-            for z in self.places:
-                ends |= {z - self.half, z + self.half}
-            stops = sorted(x for x in ends if 0 <= x <= span)
-            for start, stop in pairwise(stops):
-                sections += [start + (stop - start) * i / 6 for i in range(1, 7)]
+        for start, stop in pairwise(sorted(x for x in ends if 0 <= x <= (span or max(ends)))):
+            sections += [start + (stop - start) * i / 6 for i in range(1, 7)]
         self.sections = np.array([long(x) for x in sections])
 
     def moments(self, x: Any) -> Any:
