@@ -211,8 +211,8 @@ EXAMPLES: list[dict[str, Any]] = [
             "contact": {
                 "contact_length_mm": 22.0,
                 "pin_radius_mm": 8.0,
-                "hole_radius_mm": 11.2,
-                "eccentricity_mm": 3.2,
+                "hole_radius_mm": 11.68,
+                "eccentricity_mm": 3.68,
                 "dynamic_factor": 1.25,
                 "pin_material": "steel_case_hardened",
                 "hole_material": "steel_case_hardened",
@@ -357,8 +357,8 @@ REQUESTS: dict[str, dict[str, Any]] = {
             "pin_circle_radius_mm": 50.0,
             "input_speed_rpm": 1500.0,
         },
-        "contact": {"eccentricity_mm": 2.0},
-        "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+        "contact": {"eccentricity_mm": 3.68},
+        "gear": {"kind": "involute", "module_mm": 3.0, "teeth_difference": 2},
         "bearing": {"kind": "roller", "dynamic_rating_N": 60000.0, "static_rating_N": 50000.0},
     },
     "crankshaft": {
@@ -368,8 +368,8 @@ REQUESTS: dict[str, dict[str, Any]] = {
             "pin_circle_radius_mm": 50.0,
             "input_speed_rpm": 1500.0,
         },
-        "contact": {"eccentricity_mm": 2.0},
-        "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+        "contact": {"eccentricity_mm": 3.68},
+        "gear": {"kind": "involute", "module_mm": 3.0, "teeth_difference": 2},
         "crankshaft": {
             "satellite_positions_mm": [20.0, 42.0],
             "bearing_positions_mm": [0.0, 62.0],
