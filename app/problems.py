@@ -74,6 +74,7 @@ TEXTS = (
         "only_one": "excludes {field}: give one of them",
         "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
         "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
+        "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
         "service_limit": "must be at most {limit}: this service takes no more",
         "string_type": "must be a text",
         "string_unicode": "is not valid text",

@@ -121,7 +121,9 @@ class MechanismFields(RequestModel):
         if ratio is not None and abs(ratio) < 1:
             raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
         if teeth is not None and self.ring_teeth is not None and self.ring_teeth > 2 * teeth:
-            raise field_error("ring_teeth", "less_than_equal", limit=2 * teeth)
+            raise field_error(
+                "ring_teeth", "ratio_of_teeth", limit=2 * teeth, field="satellite_teeth"
+            )
         return self
 
     @model_validator(mode="after")

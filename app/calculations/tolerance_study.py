@@ -101,7 +101,8 @@ class ToleranceStudyRequest(RealDesignFields):
         ge=1,
         le=MAX_SAMPLES,
         step=100,
-        help="Pieces that are drawn; samples × pairs × crank angles are bounded.",
+        help="Pieces that are drawn; samples × pairs × crank angles are bounded. Where it is not "
+        "given, fewer if there is no time for so many.",
     )
     seed: Whole = quantity(
         "Seed",
@@ -171,6 +172,10 @@ class ToleranceStudyRequest(RealDesignFields):
             for state in (loops, "ready" if loops == "preparing" else loops)
         )
         most = soon // (positions * self.mechanism.pairs)
+        if "samples" not in self.model_fields_set:  # as many of the usual ones as there is time for
+            self.samples = max(
+                FEWEST, min(self.samples, budget // (positions * self.mechanism.pairs))
+            )
         if most < FEWEST:
             limit = self.mechanism.most_pins(soon // (positions * FEWEST))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)

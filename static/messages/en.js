@@ -190,7 +190,9 @@ export default {
     grid: "Crank angles: {angles} positions miss {error} of “{quantity}”; more samples do not lower this, more crank angles do.",
     pressed: "Do not fit: {share} of the pieces ({low} to {high}), {binds} of which jam in turning. They are not in the percentiles.",
     broken: "Pieces that fit and cannot work: {count}. They are not in the percentiles.",
-    most: "The contributions were left out: with them the service takes at most {most} samples of this design. Lower samples or crank angles.",
+    most: "With the contributions the service takes at most {most} samples of this design: so many were drawn.",
+    fit: "Fit of the pieces",
+    fitWithout: "Pieces that fit without it",
   },
   form: {
     inputs: "Inputs",

@@ -70,6 +70,7 @@ export default {
     "of_another_kind": "does not belong to the kind {kind}",
     "only_one": "excludes {field}: give one of them",
     "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its inverse is {offered}; a coupling without reduction is not calculated yet",
+    "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
     "service_limit": "must be at most {limit}: this service takes no more",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
@@ -968,7 +969,7 @@ export default {
     ],
     "study.samples": [
       "Samples",
-      "Pieces that are drawn; samples × pairs × crank angles are bounded."
+      "Pieces that are drawn; samples × pairs × crank angles are bounded. Where it is not given, fewer if there is no time for so many."
     ],
     "study.torque_direction": [
       "Direction of the torque",

@@ -34,7 +34,7 @@ function rankedMarkup(title, rows) {
   return html`<section class="ranked"><h3>${message("study.contributions", { quantity: title })}</h3>
     <div class="grid-rows" tabindex="0" role="region" aria-label="${message("study.contributions", { quantity: title })}"><table class="data">
     <thead><tr>${["source", "total", "alone"].map((name) => html`<th scope="col">${message(`study.${name}`)}</th>`)}
-      <th scope="col">${message("study.without", { percent: rows[0].percent })}</th></tr></thead>
+      <th scope="col">${rows[0].percent === undefined ? message("study.fitWithout") : message("study.without", { percent: rows[0].percent })}</th></tr></thead>
     <tbody>${rows.map(({ title: source, total, text, alone, without }) => html`<tr><th scope="row">${source}
       <svg class="share" viewBox="0 0 100 6" preserveAspectRatio="none" aria-hidden="true"><rect class="whole" width="100" height="6"/><rect width="${px(Math.min(total, 1), 100)}" height="6"/></svg></th>
       <td>${text}</td><td>${alone}</td><td>${without}</td></tr>`)}</tbody></table></div></section>`;
@@ -64,7 +64,8 @@ export function createView({ id, logic, asking }) {
     fill(root.querySelector(".outcome"), html`
       <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
       <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>
-      ${rankedMarkup(logic.titleOf(leading), logic.ranked(leading, of))}`);
+      ${rankedMarkup(logic.titleOf(leading), logic.ranked(leading, of))}
+      ${rankedMarkup(message("study.fit"), logic.rankedFit(answer))}`);
   });
 
   return {

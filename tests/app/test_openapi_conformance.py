@@ -38,6 +38,7 @@ PHYSICAL = {*IMPOSSIBLE} | {
     "greater_than",
     "hole_disagrees",
     "in_carrier",
+    "ratio_of_teeth",
     "infinite_line",
     "larger_than",
     "no_arm",

@@ -331,22 +331,22 @@ test("the histogram has room for all marks", () => {
   assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
 });
 
-test("too many samples for the contributions: asked without them, and how many there may be", async () => {
+test("too many samples for the contributions: asked with as many as there may be", async () => {
   const bodies = [];
   const limit = (params) => new Problem({ status: 422, errors: [{ pointer: "/samples", code: "service_limit", params }] });
   const client = (most) => ({
     post: async (path, body) => {
-      bodies.push(body.include.length);
-      if (body.include.includes("contributions")) throw limit({ limit: 31 });
-      if (most) throw limit({ limit: most });
-      return { samples: 80 };
+      bodies.push(body.samples);
+      assert.ok(body.include.includes("contributions"));
+      if (!(body.samples <= (most ?? 31))) throw limit({ limit: 31 });
+      return { samples: body.samples };
     },
   });
   const body = study.asked({ ...DESIGN, besides: { study: { ranked: "ranked" }, tolerances: { pin_diameter: { class: "h6" }, hole_diameter: {} } } });
   assert.deepEqual(body.tolerances, { pin_diameter: { class: "h6" } });
-  assert.deepEqual(await study.ask({ client: client(), body }), { samples: 80, most: 31 });
-  assert.deepEqual(bodies, [2, 1]);
-  await assert.rejects(study.ask({ client: client(60), body }), (problem) => problem.errors[0].params.limit === 31);
+  assert.deepEqual(await study.ask({ client: client(), body }), { samples: 31, most: 31 });
+  assert.deepEqual(bodies, [undefined, 31]);
+  await assert.rejects(study.ask({ client: client(30), body }), (problem) => problem.errors[0].params.limit === 31);
 });
 
 test("what is pasted becomes rows of cells; one value is left to the box", () => {

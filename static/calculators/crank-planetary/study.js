@@ -27,7 +27,7 @@ export const bodyOf = async (body) => body;
 
 const tooMany = ({ errors }) => errors?.find(({ pointer, code }) => pointer === "/samples" && code === "service_limit")?.params.limit;
 
-/** The answer; where there are too many samples for the contributions, without these and `most`, how many there may be. */
+/** The answer; where there are too many samples for the contributions, of as many as there may be, and `most`, how many. */
 export async function ask({ client, body, signal, progressed }) {
   const post = (one) => client.post("/tolerance-study", one, { signal, progressed });
   try {
@@ -35,11 +35,7 @@ export async function ask({ client, body, signal, progressed }) {
   } catch (problem) {
     const most = problem instanceof Problem ? tooMany(problem) : undefined;
     if (most === undefined || !body.include.includes("contributions")) throw problem;
-    try {
-      return { ...await post({ ...body, include: ["histogram"] }), most };
-    } catch (other) {
-      throw tooMany(other) === undefined ? other : problem;
-    }
+    return { ...await post({ ...body, samples: most }), most };
   }
 }
 
@@ -93,18 +89,26 @@ export function barsOf({ edges, counts }, marks) {
 export function ranked(name, { contributions = [], percentiles }) {
   const unit = unitOf(name);
   const at = ({ percent }) => percentiles.find((one) => one.percent === percent)?.value;
-  return contributions.filter((one) => one.percentile_without).map(({ source, total, total_error: error, first, percentile_without: without }) => ({
-    source,
-    title: sourceTitle(source),
-    total: Math.max(total, 0),
-    text: `${share(Math.max(total, 0), 2)} ± ${share(1.96 * error, 2)}`,
-    alone: share(Math.max(first, 0), 2),
+  return contributions.map(({ percentile_without: without, ...one }) => ({
+    ...rowOf(one),
     percent: without.percent,
     without: estimate(without, unit).value,
     change: at(without) ? without.value / at(without) - 1 : 0,
     clear: at(without) !== undefined && (name === LOWER ? without.value > at(without) : without.value < at(without)),
   }));
 }
+
+const rowOf = ({ source, total, total_error: error, first }) => ({
+  source,
+  title: sourceTitle(source),
+  total: Math.max(total, 0),
+  text: `${share(Math.max(total, 0), 2)} ± ${share(1.96 * error, 2)}`,
+  alone: share(Math.max(first, 0), 2),
+});
+
+/** The same of whether the pieces fit, where too few do to ask it of a quantity. */
+export const rankedFit = ({ fit_contributions: contributions = [] }) =>
+  contributions.map(({ fits_without: fits, ...one }) => ({ ...rowOf(one), without: share(fits.value) }));
 
 /** A tolerance by its name in the request. */
 export const sourceTitle = (source) => (fieldWords(source, "tolerances") ?? [source])[0];
