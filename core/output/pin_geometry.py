@@ -22,6 +22,28 @@ FIT_TOLERANCE = 1e-9
 numbers."""
 
 
+def felt(*, clearance: float, hole_radius: float) -> float:
+    """A clearance, or interference below 0, as calculations take it: 0 within `FIT_TOLERANCE`.
+
+    Parameters
+    ----------
+    clearance : float
+        By the sizes, m.
+    hole_radius : float
+        Radius of the hole, in the same unit.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
+    0.0
+    """
+    return 0.0 if abs(clearance) <= FIT_TOLERANCE * hole_radius else clearance
+
+
 @dataclass(frozen=True, slots=True)
 class PinFit:
     """How pins and holes fit by their sizes alone, at any crank angle.
@@ -95,9 +117,7 @@ def pin_fit(
         eccentricity = hole_radius - pin_radius
     check_positive(eccentricity=eccentricity)
     tolerance = FIT_TOLERANCE * hole_radius
-    clearance = hole_radius - pin_radius - eccentricity
-    if abs(clearance) <= tolerance:
-        clearance = 0.0
+    clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)
     apart = math.inf
     if pin_circle_radius is not None:
         check_positive(pin_circle_radius=pin_circle_radius)

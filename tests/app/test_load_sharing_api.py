@@ -379,3 +379,26 @@ async def test_the_figure(api):
         assert [lag for lag, torque in zip(lags, torques, strict=True) if torque == 0] == (
             pytest.approx(position["play_arcmin"])
         )
+
+
+@pytest.mark.parametrize("off", [1.0, -1.0])
+@pytest.mark.parametrize("way", ["hole_clearance_mm", "hole_radius_mm"])
+async def test_a_clearance_that_nobody_feels_is_none_anywhere(api, way, off):
+    """Within 1e-9 of the hole's radius: the same numbers, and the same kind of forces."""
+    body = deepcopy(REQUESTS["satellite-bearing"])
+    contact = {"pin_radius_mm": 8.0, "eccentricity_mm": 2.0, "contact_length_mm": 20.0}
+    hole = {"hole_clearance_mm": 0.0, "hole_radius_mm": 10.0}[way]
+    both = []
+    for part in (0.0, 0.9e-9, 2e-9):
+        contact[way] = hole + off * part * 10
+        body["contact"] = contact
+        sharing = {"mechanism": body["mechanism"], "contact": contact, "include": ["over_turn"]}
+        sharing["load"] = {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 50.0}
+        sharing["contact_law"] = {"kind": "linear", "stiffness_N_per_mm": 1e5}
+        turn = (await api.post(PATH, json=sharing)).json()["over_turn"]
+        turn.pop("accuracy", None)
+        bearing = (await api.post("satellite-bearing", json=body)).json()["forces"]
+        both.append((turn, bearing))
+    assert both[0] == both[1]
+    assert both[0][0] != both[2][0]
+    assert both[2][1] == ("real" if off > 0 else "ideal")
