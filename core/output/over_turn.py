@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import check_finite
+from core.arrays import check_finite, check_single
 from core.errors import InvalidInput
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
@@ -158,6 +158,7 @@ def over_turn(
     >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
     (957.1068, 0.0021647844, 0.002)
     """
+    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
     check_finite(output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_positive, check_single
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import pressure_cosines
@@ -109,6 +109,12 @@ def pin_fit(
     >>> [notice.code for notice in fit.notices]
     ['interference', 'holes_overlap', 'pins_overlap']
     """
+    check_single(
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        eccentricity=eccentricity,
+        pin_circle_radius=pin_circle_radius,
+    )
     check_positive(pin_radius=pin_radius)
     if not hole_radius > pin_radius:
         raise InvalidInput("hole_radius", hole_radius, "larger_than", field="pin_radius")
