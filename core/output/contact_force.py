@@ -169,7 +169,11 @@ def contact_force(
     (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
-    check_single(force_exponent=force_exponent)
+    check_single(
+        force_exponent=force_exponent,
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+    )
     peak = force_peak(mechanism, force_exponent)
     curves = None
     if curve_samples is not None:
