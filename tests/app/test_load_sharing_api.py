@@ -7,9 +7,14 @@ import math
 from copy import deepcopy
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from app.calculations.load_sharing import LoadSharingRequest
 from app.examples import REQUESTS
+from core.output.over_turn import over_turn
+from core.output.sharing_kernel import FORCE, LOST_MOTION
+from core.output.turn import Turn
 
 pytestmark = pytest.mark.anyio
 
@@ -402,3 +407,26 @@ async def test_a_clearance_that_nobody_feels_is_none_anywhere(api, way, off):
     assert both[0] == both[1]
     assert both[0][0] != both[2][0]
     assert both[2][1] == ("real" if off > 0 else "ideal")
+
+
+HIDDEN = json.loads((Path(__file__).parents[1] / "oracles/hidden_summits.json").read_text())
+"""Designs with many summits nearly as high, and what one position of each has."""
+
+
+@pytest.mark.parametrize("case", HIDDEN, ids=lambda case: case["name"])
+def test_what_is_largest_over_the_turn_is_so_within_its_error(case):
+    """Beside a scan of 20,011 positions, and the position that somebody found."""
+    body = LoadSharingRequest.model_validate(case["body"])
+    real, torque = body.real(), case["body"]["load"]["output_torque_Nm"]
+    found = over_turn(real=real, output_torque=torque)
+    places = np.arange(20_011) * (2 * math.pi / 20_011) + 0.123
+    turn = Turn(real, torque, 0.03)
+    if case["name"] == "peak_force_N":
+        highest = float(turn.values(FORCE, places).heights.max())
+        most, error = found.peak_force, found.peak_force * found.accuracy.relative_error
+    else:
+        arcmin = 60 * 180 / math.pi
+        highest = arcmin * float(turn.values(LOST_MOTION, places).heights.max())
+        most, error = arcmin * found.lost_motion, arcmin * found.angle_error
+    assert most + error >= max(highest, case["least"] * (1 - 1e-6))
+    assert error < 4e-3 * most
