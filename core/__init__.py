@@ -23,6 +23,7 @@ results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources
 quadrature          integration rules with honest error estimates
+numerics            tools that know nothing of what they are used for: a second look for extremes
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
 hertz               line contact of pin and hole, and where Hertz stops being valid

@@ -188,6 +188,30 @@ def check_not_negative(**values: Number) -> None:
             refuse(name, value, allowed, "greater_than_equal", limit=0)
 
 
+def check_single(**values: Number | None) -> None:
+    """Refuse arrays where one design is searched or solved at a time.
+
+    Parameters
+    ----------
+    **values : float or None
+        Quantities by their names.
+
+    Raises
+    ------
+    InvalidInput
+        If one is an array, even of one number.
+
+    Examples
+    --------
+    >>> check_single(diameter=np.array([0.016, 0.017]))
+    Traceback (most recent call last):
+    core.errors.InvalidInput: diameter = array([0.016, 0.017]) must be one number, not an array
+    """
+    for name, value in values.items():
+        if isinstance(value, np.ndarray):
+            raise InvalidInput(name, value, "not_single")
+
+
 def check_finite(**values: Number) -> None:
     """Refuse quantities that are infinite or no number.
 

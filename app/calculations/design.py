@@ -47,7 +47,7 @@ from core.checks.sections import DesignPin
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import FIT_TOLERANCE, PinFit, pin_fit
+from core.output.pin_geometry import PinFit, pin_fit
 from core.output.sampled_turn import Direction
 from core.results import Notice
 
@@ -218,9 +218,7 @@ class DesignFields(GivingFields):
     @cached_property
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
-        loose = self.contact is not None and (
-            self.contact.clearance_mm() > FIT_TOLERANCE * self.contact.hole_mm()
-        )
+        loose = self.contact is not None and self.contact.clearance_mm() > 0
         sections = (self.contact_law, self.deviations, self.support)
         return loose or any(each is not None for each in sections)
 

@@ -15,6 +15,7 @@ from app.calculations.hertz import (
 )
 from app.model import Forms, Maybe, RequestModel, field_error, quantity, request_schema
 from app.units import to_si
+from core.output.pin_geometry import felt
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -85,12 +86,15 @@ class PinContactFields(ContactFields):
         return float(self._sum(*RADII)) if given is None else given
 
     def clearance_mm(self) -> float:
-        """Radial clearance: given, or by the radii; none where no two radii say it."""
-        if self.hole_clearance_mm is not None:
-            return self.hole_clearance_mm
-        if self.hole_radius_mm is None or self.eccentricity_mm is None:
-            return 0.0
-        return float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
+        """Radial clearance: given, or by the radii; none where no two radii say it, nor where it is
+        too small to be felt.
+        """
+        clearance = self.hole_clearance_mm
+        if clearance is None:
+            if self.hole_radius_mm is None or self.eccentricity_mm is None:
+                return 0.0
+            clearance = float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
+        return felt(clearance=clearance, hole_radius=self.hole_mm())
 
     def fit(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""

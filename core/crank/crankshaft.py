@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_positive, check_single
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, shared_mean
@@ -176,9 +176,14 @@ def crankshaft(
     >>> [round(each, 3) for each in found.peak_reaction.tolist()]
     [4487.098, 4487.098]
     """
-    check_positive(
-        output_torque=output_torque, pin_circle_radius=pin_circle_radius, eccentricity=eccentricity
+    sizes = {"pin_circle_radius": pin_circle_radius, "eccentricity": eccentricity}
+    check_single(
+        output_torque=output_torque,
+        **sizes,
+        satellite_mass=satellite_mass,
+        input_speed=input_speed,
     )
+    check_positive(output_torque=output_torque, **sizes)
     count = mechanism.satellites
     if len(satellite_positions) != count:
         sizes = {"expected": count, "actual": len(satellite_positions)}

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, Number, check_positive
+from core.arrays import FloatArray, Number, check_positive, check_single
 from core.crank.bearing_life import (
     EXPONENTS,
     Bearing,
@@ -219,6 +219,7 @@ def satellite_bearings(
             again = shared(static_stiffness)
         static = np.asarray(static_torque / output_torque)[..., None] * again.most
     else:
+        check_single(output_torque=output_torque, peak_torque=peak_torque)
         ways = WAYS[torque_direction]
 
         def solved(torque: float) -> _Loads:

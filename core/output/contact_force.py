@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, check_single
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.peak_force import PeakForce, peak_force
@@ -169,6 +169,11 @@ def contact_force(
     (888.23, 1025.64)
     """
     reference = reference_force(output_torque=output_torque, pin_circle_radius=pin_circle_radius)
+    check_single(
+        force_exponent=force_exponent,
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+    )
     peak = force_peak(mechanism, force_exponent)
     curves = None
     if curve_samples is not None:

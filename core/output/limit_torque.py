@@ -1,5 +1,6 @@
 """The torque at which the mechanism as it is made reaches a pressure for the first time."""
 
+from core.arrays import check_single
 from core.output.contact_law import law_kind
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import LIMIT_TORQUE, alone
@@ -49,6 +50,7 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
     >>> round(limit_torque(real=real, direction=1.0, pair=0, force=957.1067811865), 9)
     30.0
     """
+    check_single(direction=direction, force=force)
     setup, pairs = real.setup(direction), real.pairs
     kind, exponent = law_kind(real.law)
     less = []

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite
+from core.arrays import FloatArray, check_finite, check_single
 from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
@@ -120,6 +120,7 @@ def loaded_position(
     >>> found.loaded_pairs, round(max(found.force[0]), 4)
     (3, 957.1068)
     """
+    check_single(crank_angle=crank_angle, output_torque=output_torque)
     check_finite(crank_angle=crank_angle, output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")

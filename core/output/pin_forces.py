@@ -13,7 +13,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from core.arrays import FloatArray, check_not_negative, check_positive
+from core.arrays import FloatArray, check_not_negative, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import SAME_PHASE, Mechanism
 from core.results import ROUNDING, Notice
@@ -238,6 +238,7 @@ def check_exponent(force_exponent: float) -> None:
     force_exponent : float
         Exponent v.
     """
+    check_single(force_exponent=force_exponent)
     check_not_negative(force_exponent=force_exponent)
     if force_exponent > MAX_FORCE_EXPONENT:
         raise InvalidInput(

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_positive, check_single
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import pressure_cosines
@@ -20,6 +20,28 @@ from core.results import ROUNDING, Accuracy, Notice
 FIT_TOLERANCE = 1e-9
 """Clearance or a wall below this fraction of the hole radius is none: the radii are decimal
 numbers."""
+
+
+def felt(*, clearance: float, hole_radius: float) -> float:
+    """A clearance, or interference below 0, as calculations take it: 0 within `FIT_TOLERANCE`.
+
+    Parameters
+    ----------
+    clearance : float
+        By the sizes, m.
+    hole_radius : float
+        Radius of the hole, in the same unit.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
+    0.0
+    """
+    return 0.0 if abs(clearance) <= FIT_TOLERANCE * hole_radius else clearance
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +109,12 @@ def pin_fit(
     >>> [notice.code for notice in fit.notices]
     ['interference', 'holes_overlap', 'pins_overlap']
     """
+    check_single(
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        eccentricity=eccentricity,
+        pin_circle_radius=pin_circle_radius,
+    )
     check_positive(pin_radius=pin_radius)
     if not hole_radius > pin_radius:
         raise InvalidInput("hole_radius", hole_radius, "larger_than", field="pin_radius")
@@ -95,9 +123,7 @@ def pin_fit(
         eccentricity = hole_radius - pin_radius
     check_positive(eccentricity=eccentricity)
     tolerance = FIT_TOLERANCE * hole_radius
-    clearance = hole_radius - pin_radius - eccentricity
-    if abs(clearance) <= tolerance:
-        clearance = 0.0
+    clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)
     apart = math.inf
     if pin_circle_radius is not None:
         check_positive(pin_circle_radius=pin_circle_radius)

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_positive, check_single
 from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
@@ -319,6 +319,15 @@ def pin_stresses(
         If the mechanism has a dead centre.
 
     """
+    check_single(
+        output_torque=output_torque,
+        pin_circle_radius=pin_circle_radius,
+        diameter=diameter,
+        contact_length=contact_length,
+        span=span,
+        application_factor=application_factor,
+        peak_torque=peak_torque,
+    )
     check_positive(
         output_torque=output_torque,
         application_factor=application_factor,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, check_single
 from core.errors import InvalidInput
 from core.output.real_mechanism import RealMechanism
 from core.results import Accuracy
@@ -75,6 +75,7 @@ def real_curves(
     ``T_in = T/u + (1 + 1/u)*sum F*d(approach)/d(psi)``; over a turn the second part is nothing on
     the mean.
     """
+    check_single(output_torque=output_torque)
     direction = math.copysign(1.0, output_torque)
     there, back, room = real.setup(direction), real.setup(-direction), real.room()
     torque = abs(output_torque)
@@ -164,6 +165,7 @@ def stiffness_curve(
     ImpossibleMechanism
         See `RealMechanism.solved`.
     """
+    check_single(crank_angle=crank_angle)
     setups = {sign: real.setup(sign) for sign in (1.0, -1.0)}
     room, psi, found = real.room(), real.wave(crank_angle), []
     for index, torque in enumerate(torques):

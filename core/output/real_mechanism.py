@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from core.arrays import check_finite, check_positive
+from core.arrays import check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
@@ -226,6 +226,7 @@ class RealMechanism:
             name: getattr(self, name)
             for name in ("pin_circle_radius", "pin_radius", "eccentricity", "contact_length")
         }
+        check_single(**sizes, clearance=self.clearance)
         check_positive(**sizes)
         check_finite(**sizes, clearance=self.clearance)
         if not self.eccentricity < self.pin_circle_radius:

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite
+from core.arrays import FloatArray, check_finite, check_single
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sampled_turn import ComplexArray, Made, SampledTurn, off_straight
@@ -55,6 +55,7 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
     >>> round(float(abs(turn.on_pins).max()), 1), bool(np.allclose(turn.couple, 30.0))
     (957.1, True)
     """
+    check_single(output_torque=output_torque)
     check_finite(output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")

@@ -25,6 +25,7 @@ export default {
     "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
     "no_sleeve": "must be smaller than {limit}, twice {field}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
+    "not_single": "must be one number, not an array",
     "not_zero": "must not be 0",
     "other_pitch": "must be {limit} from the place of the first satellite, as on the pins",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less {other}, as {field}: the line is infinitely long there",

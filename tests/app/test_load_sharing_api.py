@@ -7,9 +7,14 @@ import math
 from copy import deepcopy
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from app.calculations.load_sharing import LoadSharingRequest
 from app.examples import REQUESTS
+from core.output.over_turn import over_turn
+from core.output.sharing_kernel import FORCE, LOST_MOTION
+from core.output.turn import Turn
 
 pytestmark = pytest.mark.anyio
 
@@ -396,3 +401,49 @@ async def test_the_figure(api):
         assert [lag for lag, torque in zip(lags, torques, strict=True) if torque == 0] == (
             pytest.approx(position["play_arcmin"])
         )
+
+
+@pytest.mark.parametrize("off", [1.0, -1.0])
+@pytest.mark.parametrize("way", ["hole_clearance_mm", "hole_radius_mm"])
+async def test_a_clearance_that_nobody_feels_is_none_anywhere(api, way, off):
+    """Within 1e-9 of the hole's radius: the same numbers, and the same kind of forces."""
+    body = deepcopy(REQUESTS["satellite-bearing"])
+    contact = {"pin_radius_mm": 8.0, "eccentricity_mm": 2.0, "contact_length_mm": 20.0}
+    hole = {"hole_clearance_mm": 0.0, "hole_radius_mm": 10.0}[way]
+    both = []
+    for part in (0.0, 0.9e-9, 2e-9):
+        contact[way] = hole + off * part * 10
+        body["contact"] = contact
+        sharing = {"mechanism": body["mechanism"], "contact": contact, "include": ["over_turn"]}
+        sharing["load"] = {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 50.0}
+        sharing["contact_law"] = {"kind": "linear", "stiffness_N_per_mm": 1e5}
+        turn = (await api.post(PATH, json=sharing)).json()["over_turn"]
+        turn.pop("accuracy", None)
+        bearing = (await api.post("satellite-bearing", json=body)).json()["forces"]
+        both.append((turn, bearing))
+    assert both[0] == both[1]
+    assert both[0][0] != both[2][0]
+    assert both[2][1] == ("real" if off > 0 else "ideal")
+
+
+HIDDEN = json.loads((Path(__file__).parents[1] / "oracles/hidden_summits.json").read_text())
+"""Designs with many summits nearly as high, and what one position of each has."""
+
+
+@pytest.mark.parametrize("case", HIDDEN, ids=lambda case: case["name"])
+def test_what_is_largest_over_the_turn_is_so_within_its_error(case):
+    """Beside a scan of 20,011 positions, and the position that somebody found."""
+    body = LoadSharingRequest.model_validate(case["body"])
+    real, torque = body.real(), case["body"]["load"]["output_torque_Nm"]
+    found = over_turn(real=real, output_torque=torque)
+    places = np.arange(20_011) * (2 * math.pi / 20_011) + 0.123
+    turn = Turn(real, torque, 0.03)
+    if case["name"] == "peak_force_N":
+        highest = float(turn.values(FORCE, places).heights.max())
+        most, error = found.peak_force, found.peak_force * found.accuracy.relative_error
+    else:
+        arcmin = 60 * 180 / math.pi
+        highest = arcmin * float(turn.values(LOST_MOTION, places).heights.max())
+        most, error = arcmin * found.lost_motion, arcmin * found.angle_error
+    assert most + error >= max(highest, case["least"] * (1 - 1e-6))
+    assert error < 4e-3 * most

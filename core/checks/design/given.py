@@ -11,7 +11,7 @@ from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import check_apart
-from core.output.pin_geometry import FIT_TOLERANCE
+from core.output.pin_geometry import felt
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import SatelliteSupport
@@ -280,12 +280,12 @@ class GivenDesign:
     @cached_property
     def clearance(self) -> float | None:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `FIT_TOLERANCE`; None where they are not all given.
+        `core.output.pin_geometry.FIT_TOLERANCE`; None where they are not all given.
         """
         if self.pin_radius is None or self.hole_radius is None or self.eccentricity is None:
             return None
         clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
-        return 0.0 if abs(clearance) <= FIT_TOLERANCE * self.hole_radius else clearance
+        return felt(clearance=clearance, hole_radius=self.hole_radius)
 
     @cached_property
     def roots(self) -> tuple[float, float]:

@@ -1,0 +1,93 @@
+"""A second look for what is largest over a turn, at places that the first look did not have.
+
+A finer grid that keeps the places of a coarser one misses what that missed: a summit between two of
+them whose slopes hide behind a neighbour's. Even places of another number, moved by an irrational
+part of their distance, share nothing with the first.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from core.arrays import FloatArray
+
+MOVED = (math.sqrt(5) - 1) / 2
+"""By what part of their distance the places are moved: none of a grid's, by the golden section."""
+
+NEARLY = 0.05
+"""How far below the first look's largest value, as a part of the range, a summit is narrowed."""
+
+LOOKED = 8
+"""Most summits that are narrowed."""
+
+Narrow = Callable[[float, float], tuple[float, float, float]]
+"""Place and height of the largest value between two places, and its error."""
+
+
+def other_places(*, count: int, first: float = 0.0) -> FloatArray:
+    """Even places over a turn, moved off those that begin at the first.
+
+    Parameters
+    ----------
+    count : int
+        How many: a prime shares no place with a grid of fewer or of a multiple of others.
+    first : float
+        Where the other grid begins, rad.
+
+    Returns
+    -------
+    array, shape (count,)
+        rad.
+
+    Examples
+    --------
+    >>> other_places(count=3).round(3).tolist()
+    [1.294, 3.389, 5.483]
+    """
+    return np.asarray(first + (np.arange(count) + MOVED) * (2 * math.pi / count), np.float64)
+
+
+def second_look(
+    *, places: FloatArray, heights: FloatArray, known: float, narrow: Narrow
+) -> tuple[float, float, float]:
+    """The largest value that a second look finds.
+
+    Parameters
+    ----------
+    places, heights : array, shape (n,)
+        Even places over a turn, rad, and the values there.
+    known : float
+        Largest value that the first look found.
+    narrow : callable
+        The largest value between two places.
+
+    Returns
+    -------
+    place, height : float
+        Where it is, rad, and how high; the first look's value, at no place (NaN), where nothing
+        is higher.
+    error : float
+        Of the narrowing there.
+
+    Examples
+    --------
+    >>> places = other_places(count=7)
+    >>> look = lambda low, high: (1.0, 1.0, 0.0)
+    >>> second_look(places=places, heights=np.cos(places - 1), known=0.9, narrow=look)
+    (1.0, 1.0, 0.0)
+    """
+    step = 2 * math.pi / len(places)
+    before, after = np.roll(heights, 1), np.roll(heights, -1)
+    tops = np.flatnonzero((heights >= before) & (heights > after))
+    # what a summit may be above its sample: as far as it fell to the farther neighbour
+    ceilings = heights + np.maximum(heights - before, heights - after)
+    least = known - NEARLY * float(np.ptp(heights))
+    best, where, off = known, math.nan, 0.0
+    for top in sorted(tops.tolist(), key=lambda top: -heights[top])[:LOOKED]:
+        if ceilings[top] < best or heights[top] < least:
+            continue
+        place, height, error = narrow(float(places[top]) - step, float(places[top]) + step)
+        if height > best:
+            best, where, off = height, place, error
+    return where, best, off

@@ -1,0 +1,53 @@
+"""A second look for what is largest: places of its own, and summits that a first one missed."""
+
+import math
+
+import numpy as np
+import pytest
+
+from core.numerics.extremes import other_places, second_look
+
+
+def spike(place: float) -> float:
+    """Waves, and a spike at 1.3 that is narrower than their distance."""
+    return math.cos(11 * place) / 100 + max(1 - 40 * abs(place - 1.3), 0.9 * math.cos(place))
+
+
+def by_thirds(low: float, high: float) -> tuple[float, float, float]:
+    """The largest value between two places."""
+    while high - low > 1e-12:
+        third = (high - low) / 3
+        if spike(low + third) < spike(high - third):
+            low += third
+        else:
+            high -= third
+    return (low + high) / 2, spike((low + high) / 2), 0.0
+
+
+def test_the_places_are_those_of_no_even_grid() -> None:
+    for count in (97, 461):
+        found = other_places(count=count, first=0.3)
+        for other in (count, 2 * count, 720, 1440):
+            off = (found - 0.3) / (2 * math.pi) * other
+            assert np.abs(off - off.round()).min() > 1e-5
+
+
+def test_a_summit_that_the_first_look_missed_is_found() -> None:
+    places = other_places(count=461)
+    heights = np.array([*map(spike, places)])
+    place, height, _ = second_look(places=places, heights=heights, known=0.93, narrow=by_thirds)
+    assert height == pytest.approx(max(spike(1.3 + x) for x in np.linspace(-0.01, 0.01, 4001)))
+    assert place == pytest.approx(1.3, abs=1e-3)
+
+
+def test_nothing_higher_is_the_first_looks_value() -> None:
+    places = other_places(count=461)
+    heights = np.array([*map(spike, places)])
+    place, height, error = second_look(places=places, heights=heights, known=2.0, narrow=by_thirds)
+    assert math.isnan(place) and (height, error) == (2.0, 0.0)
+
+
+def test_of_what_is_alike_everywhere_nothing_is_narrowed() -> None:
+    places = other_places(count=97)
+    found = second_look(places=places, heights=np.ones(97), known=1.0, narrow=by_thirds)
+    assert found[1] == 1.0
