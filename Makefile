@@ -77,6 +77,7 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
 	PYTHONPATH=. $(BIN)/python -m benchmarks.peaks
 	PYTHONPATH=. $(BIN)/python -m benchmarks.fit
+	PYTHONPATH=. $(BIN)/python -m benchmarks.turns
 
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed

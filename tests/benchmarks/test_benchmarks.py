@@ -24,6 +24,7 @@ SAYS = {
     "soak": "most processes",
     "speed": "contact line",
     "stability": "right to their stated error",
+    "turns": "\n0 missed",
 }
 """What each says last, where all went well."""
 

@@ -10,6 +10,7 @@ hertz              line contact and Persson's conformal contact
 rollers            compliance and load sharing of swinging rollers
 precession         contact lines and meshing load by Carlson's integrals and quadrature
 shaft              deflection by Mohr's integral
+turns              what is largest over the turn of a mechanism as made, by bisection
 cases              random mechanisms, gears and rollers, awkward ones well represented
 hard_cases         stiff and extreme cases, each with its exact answer
 fuzz               sends requests and checks every answer, with

@@ -90,7 +90,9 @@ def mechanism(r: Draw) -> Body:
         if r.chance(0.5):
             body["ratio"] = float(math.ceil(body["ratio"]))
         if r.chance(0.05):
-            body["ratio"] *= r.choice((-1, 0.5 / body["ratio"]))  # a sign; below 1, which is refused
+            body["ratio"] *= r.choice(
+                (-1, 0.5 / body["ratio"])
+            )  # a sign; below 1, which is refused
     else:
         teeth = [r.randint(10, 200) if r.chance(0.8) else r.count(10**6 - 1) for _ in range(2)]
         body |= {"satellite_teeth": min(teeth), "ring_teeth": max(teeth) + 1}

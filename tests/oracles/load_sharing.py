@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from mpmath import mp, mpc, mpf
 
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw, pin_compliance
+from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
 from core.output.real_mechanism import RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 
@@ -163,7 +163,7 @@ def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
     psi = crank_angle * (1 + 1 / ratio) + start
-    bent = pin_compliance(real.pin) if real.pin else [0.0] * m.satellites
+    bent = pin_give(real.pin) if real.pin else [mpf(0)] * m.satellites
 
     def of(values, *place):
         for index in place:
@@ -196,6 +196,56 @@ def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
             off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
             pairs[j].append((law, lever, off.real + (reach - e), None))
     return pairs
+
+
+def pin_give(pin) -> list[mpf]:
+    """Deflection under a unit force at each satellite by least work: end forces and moments are
+    those that make the energy of bending and shear least.
+    """
+    modulus, d = mpf(pin.material.youngs_modulus), mpf(pin.diameter)
+    bending = modulus * mp.pi * d**4 / 64
+    area = mp.pi * d**2 / 4
+    shearing = modulus / (2 * (1 + mpf(pin.material.poissons_ratio))) * area * 9 / 10
+    found = []
+    for z in map(mpf, pin.satellite_positions):
+        # moment and shear force as c0 + c1*x before and behind the force, of the load and of each
+        # unknown: a force and a moment at the far end
+        load = [((z, mpf(-1)), mpf(1)), ((mpf(0), mpf(0)), mpf(0))]
+        free = []
+        length = z
+        if pin.support != "cantilever":
+            length = mpf(pin.span)
+            free = [[((length, mpf(-1)), mpf(1))] * 2]
+            free += [[((mpf(1), mpf(0)), mpf(0))] * 2]
+        pieces = [(mpf(0), z), (z, length)]
+
+        def work(one: list, other: list, pieces: list = pieces) -> mpf:
+            total = mpf(0)
+            for (low, high), ((a, b), v), ((c, e), w) in zip(pieces, one, other, strict=True):
+                parts = (a * c, (a * e + b * c) / 2, b * e / 3)
+                total += (
+                    mp.fsum(part * (high**k - low**k) for k, part in enumerate(parts, start=1))
+                    / bending
+                )
+                total += v * w * (high - low) / shearing
+            return total
+
+        if pin.support == "supported":  # no moment at either end: statics alone
+            share = z / length
+            own = [((mpf(0), 1 - share), share - 1), ((z, -share), share)]
+            found.append(work(own, own))
+            continue
+        if not free:
+            found.append(work(load, load))
+            continue
+        system = mp.matrix([[work(one, other) for other in free] for one in free])
+        known = mp.matrix([-work(load, one) for one in free])
+        forces = mp.lu_solve(system, known)
+        found.append(
+            work(load, load)
+            + mp.fsum(f * work(load, one) for f, one in zip(forces, free, strict=True))
+        )
+    return found
 
 
 def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
