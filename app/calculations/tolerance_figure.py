@@ -51,7 +51,8 @@ def _bars(name: str, index: int, theme: Theme, **more: Any) -> Figure:
 
 def _histogram(name: str, quantity: dict[str, Any], theme: Theme) -> Figure:
     unit = shown_unit(name)
-    edges = [float(each) for each in quantity["histogram"]["edges"]]
+    histogram = quantity.get("histogram", {"edges": [], "counts": []})  # where no piece fits
+    edges = [float(each) for each in histogram["edges"]]
     pairs = [*pairwise(edges)]
     low, high = (Amount(f"%{{customdata[{end}]:.5g}}", unit) for end in (0, 1))
     bars = _bars(
@@ -60,12 +61,15 @@ def _histogram(name: str, quantity: dict[str, Any], theme: Theme) -> Figure:
         theme,
         x=[(start + end) / 2 for start, end in pairs],
         width=[end - start for start, end in pairs],
-        y=[int(count) for count in quantity["histogram"]["counts"]],
+        y=[int(count) for count in histogram["counts"]],
         customdata=[[*pair] for pair in pairs],
         hovertemplate=hover(text("pieces_hover", pieces="%{y}", low=low, high=high)),
         showlegend=False,
     )
-    marks = [(text("nominal", value=Amount(quantity["nominal"], unit, 5)), quantity["nominal"])]
+    marks = []
+    if "nominal" in quantity:
+        value = Amount(quantity["nominal"], unit, 5)
+        marks.append((text("nominal", value=value), quantity["nominal"]))
     for each in quantity["percentiles"]:
         value = Amount(each["value"], unit, 5)
         words = text("percentile", percent=Amount(each["percent"]), value=value)

@@ -56,7 +56,8 @@ class Draw(random.Random):
     def number(self, model: str, name: str, usual: tuple[float, float] | None = None) -> float:
         """Value of a field within its limits, evenly over the logarithm where it is positive."""
         schema = MODELS[model]["properties"][name]
-        schema = next((s for s in schema.get("anyOf", ()) if s["type"] != "null"), schema)
+        kinds = [s for s in schema.get("anyOf", ()) if s.get("type", "null") != "null"]
+        schema = kinds[0] if kinds else schema
         schema = schema.get("items", schema)
         low = schema.get("minimum", schema.get("exclusiveMinimum"))
         high = schema.get("maximum", schema.get("exclusiveMaximum"))
@@ -86,13 +87,9 @@ def mechanism(r: Draw) -> Body:
     if body["pins"] * satellites == 1 and r.chance(0.8):
         body["pins"] = 3
     if r.chance(0.7):
-        body["ratio"] = r.log_uniform(1, 1e9 if r.chance(r.wide) else 100)
+        body["ratio"] = r.number("CyclogramRequest", "ratio", (1, 100))
         if r.chance(0.5):
             body["ratio"] = float(math.ceil(body["ratio"]))
-        if r.chance(0.05):
-            body["ratio"] *= r.choice(
-                (-1, 0.5 / body["ratio"])
-            )  # a sign; below 1, which is refused
     else:
         teeth = [r.randint(10, 200) if r.chance(0.8) else r.count(10**6 - 1) for _ in range(2)]
         body |= {"satellite_teeth": min(teeth), "ring_teeth": max(teeth) + 1}
