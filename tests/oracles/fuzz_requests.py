@@ -89,7 +89,7 @@ def mechanism(r: Draw) -> Body:
     if r.chance(0.7):
         body["ratio"] = r.number("CyclogramRequest", "ratio", (1, 100))
         if r.chance(0.5):
-            body["ratio"] = float(math.ceil(body["ratio"]))
+            body["ratio"] = float(math.ceil(body["ratio"]) or 1)
     else:
         teeth = [r.randint(10, 200) if r.chance(0.8) else r.count(10**6 - 1) for _ in range(2)]
         body |= {"satellite_teeth": min(teeth), "ring_teeth": max(teeth) + 1}
