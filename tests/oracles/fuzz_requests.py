@@ -87,7 +87,7 @@ def mechanism(r: Draw) -> Body:
     if body["pins"] * satellites == 1 and r.chance(0.8):
         body["pins"] = 3
     if r.chance(0.7):
-        body["ratio"] = r.number("CyclogramRequest", "ratio", (1, 100))
+        body["ratio"] = abs(r.number("CyclogramRequest", "ratio", (1, 100)))
         if r.chance(0.5):
             body["ratio"] = float(math.ceil(body["ratio"]) or 1)
     else:
