@@ -37,7 +37,7 @@ export function createView({ id, client, titles, figures, logic, asking }) {
   fill(root.querySelector(".sketch"), largerHole());
   const part = (name) => root.querySelector(name);
   const figure = createFigure({
-    figure: { id: "real", section: "real", path: "/load-sharing/chart", body: logic.sent, shape: logic.shaped, height: HEIGHT },
+    figure: { id: "real", section: "real", path: "/load-sharing/chart", body: logic.drawn, shape: logic.shaped, height: HEIGHT },
     client,
     titles,
     on: {

@@ -2,14 +2,18 @@
 
 import re
 from itertools import pairwise
+from pathlib import Path
 
 import plotly.graph_objects as go
 import pytest
 
+from app.calculations.load_sharing import MAX_TURN_PAIRS
+from app.calculations.mechanism import MAX_DRAWN_PAIRS, MAX_PAIRS
 from app.theme import SERIES
 
 pytestmark = pytest.mark.anyio
 
+ROOT = Path(__file__).parents[2]
 MECHANISM = {"pins": 3, "ratio": 20, "crank_spacing_deg": 90}
 LOAD = {"output_torque_Nm": 500, "pin_circle_radius_mm": 50}
 CONTACT = {"contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
@@ -217,3 +221,11 @@ async def test_given_gaps_are_scaled_in_the_rollers_figure(api):
     own, (place,), (stress,) = (panel["Gaps × 1"], *(panel["This design"][key] for key in "xy"))
     after = next(i for i, x in enumerate(own["x"]) if x > place)
     assert own["y"][after - 1] < stress < own["y"][after]
+
+
+def test_the_page_knows_how_many_pairs_are_taken():
+    text = (ROOT / "static/calculators/crank-planetary/mechanism.js").read_text()
+    (known,) = re.findall(
+        r"MOST_PAIRS = \{ all: ([\d_]+), turned: ([\d_]+), drawn: ([\d_]+) \}", text
+    )
+    assert [*map(int, known)] == [MAX_PAIRS, MAX_TURN_PAIRS["ready"], MAX_DRAWN_PAIRS]

@@ -277,6 +277,33 @@ test("a figure of strength and life asks with the design that its numbers are of
   }
 });
 
+test("more pairs than the service takes are refused without it: of a mechanism, made forces, figures", async () => {
+  const { MOST_PAIRS } = await import("../../static/calculators/crank-planetary/mechanism.js");
+  const design = (pairs, besides = {}) => ({
+    ...DESIGN, mechanism: { pins: pairs / 2, satellites: 2, ratio: 20 }, contact: { ...DESIGN.contact, hole_radius_mm: 7 }, besides,
+  });
+  const ask = (input, sections) => calculator.ask({ post: async () => ({}), input, filled: input, sections, tables: new Set() });
+  const refused = (limit) => ({ status: 422, errors: [{ pointer: "/mechanism/pins", code: "too_many_pairs", params: { limit, satellites: 2 } }] });
+  const made = { real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 } };
+  await ask(design(MOST_PAIRS.all), calculator.sections);
+  await ask(design(MOST_PAIRS.turned, made), calculator.sections);
+  await ask(design(MOST_PAIRS.all, made), ["cyclogram", "contact_force"]);
+  await assert.rejects(ask(design(MOST_PAIRS.all + 2), ["cyclogram"]), refused(MOST_PAIRS.all / 2));
+  await assert.rejects(ask(design(MOST_PAIRS.turned + 2, made), calculator.sections), refused(MOST_PAIRS.turned / 2));
+  const turn = { client: { post: async () => ({}) }, body: real.asked(design(MOST_PAIRS.turned + 2, made), DESIGN) };
+  assert.throws(() => real.ask(turn), refused(MOST_PAIRS.turned / 2));
+  assert.throws(() => real.drawn(turn.body), refused(MOST_PAIRS.drawn / 2));
+  const figures = calculator.figures.filter(({ id }) => ["cyclogram", "force"].includes(id));
+  for (const { body } of figures) {
+    body(design(MOST_PAIRS.drawn));
+    assert.throws(() => body(design(MOST_PAIRS.drawn + 2)), refused(MOST_PAIRS.drawn / 2));
+  }
+  for (const id of ["strength", "losses", "bearings", "crank"]) {
+    const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
+    assert.throws(() => figure.body({}, {}, [{ body: design(MOST_PAIRS.drawn + 2) }]), refused(MOST_PAIRS.drawn / 2), id);
+  }
+});
+
 test("the tables of a measured part as lists, holes by satellites, what is not said as 0", () => {
   const holes = Array.from({ length: 6 }, (_, i) => (i === 4 ? { hole_radius_mm: 0.02 } : {}));
   assert.deepEqual(real.deviationsOf({ pins: [{}, { pin_radial_mm: -0.01 }, {}], holes }, DESIGN.mechanism), {

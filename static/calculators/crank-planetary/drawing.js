@@ -3,9 +3,8 @@ import { formatQuantity } from "../../lib/format.js";
 import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
 import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, WIDE_PX } from "../../lib/svg.js";
-import { crankDirections, drivingAt, forcesAt, mechanismOf, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
+import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
 
-const MOST_PAIRS = 240; // as in the figures
 const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
 const MARGIN = 26; // px
@@ -221,7 +220,7 @@ function caption(m) {
  */
 export function createDrawing({ input, answer, curves, width, height }) {
   const m = mechanismOf(input, answer);
-  if (m.pairs.length > MOST_PAIRS) return null;
+  if (m.pairs.length > MOST_PAIRS.drawn) return null;
   const { main, detail } = places(width, height);
   const pitch = pitchRadii(m);
   const holes = m.radius + m.holeRadius;

@@ -10,7 +10,7 @@ import { pairsOf } from "../../lib/chart.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { cranksOf, ratioOf } from "./mechanism.js";
+import { cranksOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
@@ -29,6 +29,12 @@ const TRADE_OFF = {
 function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, torque_direction, ...load } }) {
   return { ...mechanism, ...load };
 }
+
+/** The body of a figure, of no more pairs than are drawn. */
+const drawn = (body) => (input) => {
+  refuseMore(input.mechanism, MOST_PAIRS.drawn);
+  return body(input);
+};
 
 /** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
 export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
@@ -232,6 +238,8 @@ export default {
     const wanted = wantedSections(given);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
     const input = await madeOf(given, filled, get, sections);
+    const made = sections.includes("hertz") && asMade(input);
+    refuseMore(filled.mechanism, made ? MOST_PAIRS.turned : MOST_PAIRS.all);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
@@ -240,7 +248,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("hertz") && asMade(input) ? ["load_sharing"] : []), "checks"],
+      include: [...sections, ...(made ? ["load_sharing"] : []), "checks"],
     }));
   },
 
@@ -274,7 +282,7 @@ export default {
       follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
       path: "/cyclogram/chart",
-      body: ({ mechanism }) => mechanism,
+      body: drawn(({ mechanism }) => mechanism),
       height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
       tables: phaseTables,
     },
@@ -285,7 +293,7 @@ export default {
       follows: ({ data }) => pairsOf(data)[0] ?? null,
       enveloped: true,
       compared: true,
-      body: forceBody,
+      body: drawn(forceBody),
       height: 400,
       tables: forceTables,
     },

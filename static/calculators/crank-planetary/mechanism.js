@@ -4,7 +4,19 @@
  * Lengths in mm, angles in degrees; Y up through pin 1 at crank angle 0, X to the right. The crank
  * turns clockwise, the pins the other way, as the nomenclature has it.
  */
+import { Problem } from "../../lib/api.js";
+
 const RADIAN = Math.PI / 180;
+
+/** Most pairs that the service takes: of a mechanism, of its forces as made over a turn, of a figure. */
+export const MOST_PAIRS = { all: 10_000, turned: 1000, drawn: 240 };
+
+/** Refuse more pairs as the service would, without asking it. */
+export function refuseMore({ pins, satellites = 1 }, most) {
+  if (!(pins * satellites > most)) return;
+  const params = { limit: Math.floor(most / satellites), satellites };
+  throw new Problem({ status: 422, errors: [{ pointer: "/mechanism/pins", code: "too_many_pairs", params }] });
+}
 
 function modulo(value, period) {
   return value - period * Math.floor(value / period);

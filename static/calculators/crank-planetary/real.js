@@ -4,7 +4,7 @@
  */
 import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
-import { eccentricityOf } from "./mechanism.js";
+import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
@@ -95,7 +95,14 @@ export async function bodyOf({ fit, ...design }, client) {
 /** The body as the service takes it. */
 export const sent = ({ fit, ...body }) => body;
 
+/** The body of the figure. */
+export function drawn(body) {
+  refuseMore(body.mechanism, MOST_PAIRS.drawn);
+  return sent(body);
+}
+
 export function ask({ client, body, signal }) {
+  refuseMore(body.mechanism, MOST_PAIRS.turned);
   return client.post("/load-sharing", { ...sent(body), include: ["over_turn", "ideal"] }, { signal })
     .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm ?? playOf(body.contact) }));
 }

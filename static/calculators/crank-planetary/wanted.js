@@ -6,7 +6,7 @@ import { fatigueFields } from "../../lib/fatigue.js";
 import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
-import { ratioOf } from "./mechanism.js";
+import { MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 
 const MOST_ROWS = 400; // of a table; more are for other programs
 
@@ -288,9 +288,12 @@ export const MADE = ["contact_law", "deviations", "satellite_coupling"];
  * from, and the section's own parts.
  */
 export function figureBody(...own) {
-  return (input, answer, [{ body: { mechanism: { revolutions, ...mechanism }, load: { include, ...load }, ...parts } }]) => ({
-    mechanism,
-    load,
-    ...Object.fromEntries(["contact", "pin", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
-  });
+  return (input, answer, [{ body: { mechanism: { revolutions, ...mechanism }, load: { include, ...load }, ...parts } }]) => {
+    refuseMore(mechanism, MOST_PAIRS.drawn);
+    return {
+      mechanism,
+      load,
+      ...Object.fromEntries(["contact", "pin", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
+    };
+  };
 }

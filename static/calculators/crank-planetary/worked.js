@@ -42,7 +42,9 @@ function drivingAngles(all, wave) {
 function leastSupport(mechanism) {
   const all = phases(mechanism);
   const sum = (angles) => angles.reduce((total, angle) => total + Math.cos(radians(angle)), 0);
-  return all.flatMap((phase) => [-phase, 180 - phase]) // where a pair starts or stops driving
+  const { pins, angles: cranks } = mechanism;
+  return cranks.flatMap((crank) => [-crank, 180 - crank]) // where a pair starts or stops driving; all repeats from pin to pin
+    .map((wave) => ((wave % (360 / pins)) + 360 / pins) % (360 / pins))
     .map((wave) => drivingAngles(all, wave))
     .reduce((least, angles) => (sum(angles) < sum(least) * (1 - COSINE_ROUNDING) ? angles : least));
 }
