@@ -20,10 +20,10 @@ import { createWorked } from "./views/worked.js";
  * claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs, `on.told(text)`
  * says what was done, `on.themed(theme)` has the figures drawn anew, with none given as they were.
  */
-export function createRest({ store, outputs, client, designs, version, calculation, calculations, figures, figureOf, workedSteps, on }) {
+export function createRest({ store, inputs, outputs, client, designs, version, calculation, calculations, figures, figureOf, workedSteps, on }) {
   const { calculator, model, titles, catalogues, materialOf } = store.state.about;
   const sizing = createSizing({ calculator, client, titles, on: { applied: on.applied } });
-  const wanted = createWanted({ calculator, store, client, titles, figures, calculations });
+  const wanted = createWanted({ calculator, store, inputs, client, titles, figures, calculations });
   const compare = createCompare({
     model,
     calculator,

@@ -223,7 +223,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const addRest = () => {
     if (listening.signal.aborted) return;
     rest = rests.get(calculator.id)({
-      store, outputs, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
+      store, inputs, outputs, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
       on: {
         opened: (input, labels, claim) => take(stateOf(input, labels), claim),
         applied: apply,

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from app import compiled
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
@@ -62,6 +62,10 @@ FEWEST = 20
 
 MAX_SAMPLES = 1_000_000
 
+USUAL_SAMPLES = 4096
+USUAL_RANKED_SAMPLES = 1024
+"""Samples where none are given and as many fit, the second with contributions."""
+
 Report = Callable[[float], None]
 """What is told how much is done, from 0 to 1."""
 
@@ -93,16 +97,16 @@ class ToleranceStudyRequest(RealDesignFields):
 
     load: OneWayLoadFields
     tolerances: TolerancesFields
-    samples: Whole = quantity(
+    samples: Maybe[Whole] = quantity(
         "Samples",
         symbol="n",
         group="study",
-        default=4096,
+        default=None,
         ge=1,
         le=MAX_SAMPLES,
         step=100,
-        help="Pieces that are drawn; samples × pairs × crank angles are bounded. Where it is not "
-        "given, fewer if there is no time for so many.",
+        help="Pieces that are drawn; samples × pairs × crank angles are bounded. Where they are "
+        "not given as many as fit, up to 4096, or 1024 with contributions.",
     )
     seed: Whole = quantity(
         "Seed",
@@ -150,6 +154,14 @@ class ToleranceStudyRequest(RealDesignFields):
         "2·G + 2 times as many pieces more.",
     )
 
+    _fitting: int = PrivateAttr(default=MAX_SAMPLES)
+
+    @property
+    def drawn(self) -> int:
+        """Samples that are drawn: those given, or as many of the usual as fit."""
+        usual = USUAL_RANKED_SAMPLES if "contributions" in self.include else USUAL_SAMPLES
+        return self.samples or min(usual, self._fitting)
+
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits, what takes too long, and percentiles that so
         few samples do not give.
@@ -160,28 +172,27 @@ class ToleranceStudyRequest(RealDesignFields):
         self.refuse_longer(settings)
         for index, percent in enumerate(self.percentiles):
             try:
-                refuse_few(count=self.samples, percent=percent)
+                refuse_few(count=self.drawn, percent=percent)
             except InvalidInput as error:
                 raise refusal(f"/percentiles/{index}", error.code) from error
 
     def refuse_longer(self, settings: Settings, times: int = 1) -> None:
-        """Refuse more samples than there is time for, if all is done so many times over."""
+        """Refuse more samples than there is time for, if all is done so many times over; where
+        none are given so many fit.
+        """
         loops, positions = self.loops, times * self._positions_of_a_pair
         budget, soon = (
             int(POSITIONS_PER_SECOND[state] * settings.max_seconds)
             for state in (loops, "ready" if loops == "preparing" else loops)
         )
         most = soon // (positions * self.mechanism.pairs)
-        if "samples" not in self.model_fields_set:  # as many of the usual ones as there is time for
-            self.samples = max(
-                FEWEST, min(self.samples, budget // (positions * self.mechanism.pairs))
-            )
         if most < FEWEST:
             limit = self.mechanism.most_pins(soon // (positions * FEWEST))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
-        if self.samples > most:
+        self._fitting = min(self._fitting, most)
+        if self.drawn > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
-        if self.samples > budget // (positions * self.mechanism.pairs):
+        if self.drawn > budget // (positions * self.mechanism.pairs):
             raise not_prepared("It is a large study")
 
     @property
@@ -219,7 +230,7 @@ class ToleranceStudyRequest(RealDesignFields):
                 positions=self.crank_angles,
                 lost_motion_share=self.lost_motion_torque_share,
             ),
-            samples=self.samples,
+            samples=self.drawn,
             seed=self.seed,
             progress=self._counted(report),
         )
@@ -242,9 +253,9 @@ class ToleranceStudyRequest(RealDesignFields):
     def _pieces(self) -> int:
         """How many pieces are calculated."""
         if "contributions" not in self.include:
-            return self.samples
+            return self.drawn
         sources = sum(given is not None for _, given in self.tolerances)
-        return self.samples * (2 * sources + 3)
+        return self.drawn * (2 * sources + 3)
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
@@ -255,7 +266,7 @@ class ToleranceStudyRequest(RealDesignFields):
         share = found.fits.mean()
         values: Values = {
             "quantities": quantities,
-            "samples": self.samples,
+            "samples": self.drawn,
             "fits": int(found.fits.sum()),
             "binds_in_turning": int(found.binds.sum()),
             "does_not_fit": int((~found.fits & ~found.binds).sum()),

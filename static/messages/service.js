@@ -970,7 +970,7 @@ export default {
     ],
     "study.samples": [
       "Samples",
-      "Pieces that are drawn; samples × pairs × crank angles are bounded. Where it is not given, fewer if there is no time for so many."
+      "Pieces that are drawn; samples × pairs × crank angles are bounded. Where they are not given as many as fit, up to 4096, or 1024 with contributions."
     ],
     "study.torque_direction": [
       "Direction of the torque",

@@ -41,18 +41,20 @@ function rankedMarkup(title, rows) {
 }
 
 export function createView({ id, logic, asking }) {
-  const root = element(html`
-    <div class="study"><div class="run">
+  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
+  const controls = element(html`
+    <div class="study-run"><div class="run">
         <button type="button" class="primary" data-do="run">${message("study.run")}</button>
         <button type="button" class="toggle" data-do="stop" disabled>${message("study.stop")}</button>
+        <button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>
         <progress max="1" value="0" aria-label="${message("study.running")}"></progress></div>
-      <p class="state" role="status">${message("study.idleYet")}</p>
-      <div class="outcome"></div></div>`);
-  const [run, stop] = root.querySelectorAll("button");
-  const bar = root.querySelector("progress");
-  const line = root.querySelector(".state");
+      <p class="state note" role="status">${message("study.idleYet")}</p></div>`);
+  const [run, stop, see] = controls.querySelectorAll("button");
+  const bar = controls.querySelector("progress");
+  const lines = [controls, root].map((part) => part.querySelector(".state"));
   run.addEventListener("click", () => asking.ask());
   stop.addEventListener("click", () => asking.stop());
+  see.addEventListener("click", () => root.closest("section").scrollIntoView());
 
   const outcome = following(({ answer }) => [answer], ({ answer, body }) => {
     if (!answer) return;
@@ -70,6 +72,8 @@ export function createView({ id, logic, asking }) {
 
   return {
     root,
+    /** What starts and stops it, for the form. */
+    controls,
     update(state) {
       const now = state.besides[id] ?? {};
       const { phase, progress, answer, body, of, refusal } = now;
@@ -88,8 +92,11 @@ export function createView({ id, logic, asking }) {
         incomplete: message("besides.needed", { fields: hinderedBesides(state, id) }),
         stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("study.idleYet"));
-      line.textContent = [words, older && message("besides.older")].filter(Boolean).join(" ");
-      line.classList.toggle("bad", phase === "refused" || phase === "failed");
+      see.hidden = !answer || running;
+      for (const line of lines) {
+        line.textContent = [words, older && message("besides.older")].filter(Boolean).join(" ");
+        line.classList.toggle("bad", phase === "refused" || phase === "failed");
+      }
       root.querySelector(".outcome").dataset.stale = String(older || running);
       outcome({ answer, body: body ?? {} });
     },

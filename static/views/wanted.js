@@ -3,7 +3,10 @@ import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { besided, wants } from "../store.js";
 
-/** The rest are `{ store, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`, those of the report. */
+/**
+ * The rest are `{ store, inputs, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`,
+ * those of the report. What starts a group that is run stands with its fields, in `inputs`.
+ */
 export function createWanted({ calculator, ...parts }) {
   const root = element(html`<div class="besides"></div>`);
   const groups = (calculator.wanted ?? []).filter(({ load }) => load).map(({ id, section, load }) => {
@@ -23,6 +26,7 @@ export function createWanted({ calculator, ...parts }) {
     group.asking = createBeside?.({ ...parts, id: group.id, logic });
     group.view = createView({ ...parts, ...group, logic });
     group.place.append(group.view.root);
+    if (group.view.controls) parts.inputs.querySelector(`[data-group="${group.id}"] .wanted-fields`).append(group.view.controls);
     parts.store.apply(besided, group.id, { steps: logic.steps });
   }
 

@@ -393,13 +393,37 @@ def test_the_usual_study_is_answered_once_the_loops_are_compiled(monkeypatch):
     """4,096 samples at 60 angles; until then it is to be asked again, and told so."""
     body = {name: value for name, value in CHECKED.items() if name != "limits"}
     usual = ToleranceStudyRequest.model_validate(body)
-    assert (usual.samples, usual.crank_angles) == (4096, 60)
+    assert (usual.drawn, usual.crank_angles) == (4096, 60)
     monkeypatch.setattr("app.compiled.state", lambda: "ready")
     usual.refuse_beyond(Settings())
     monkeypatch.setattr("app.compiled.state", lambda: "preparing")
     with pytest.raises(Problem) as caught:
         usual.refuse_beyond(Settings())
     assert caught.value.status == 503 and int(caught.value.headers["retry-after"]) > 0
+
+
+@pytest.mark.parametrize(
+    ("pins", "seconds", "samples"), [(6, 60, 1024), (6, 10, 462), (32, 60, 520), (50, 10, 55)]
+)
+def test_samples_that_are_not_given_are_as_many_as_fit(monkeypatch, pins, seconds, samples):
+    """With contributions of six tolerances fifteen times the pieces of one quantity."""
+    monkeypatch.setattr("app.compiled.state", lambda: "ready")
+    body = CHECKED | {"include": ["contributions"], "percentiles": [50], "limits": {}}
+    body["mechanism"] = CHECKED["mechanism"] | {"pins": pins}
+    study = ToleranceStudyRequest.model_validate(body)
+    study.refuse_beyond(Settings(max_seconds=seconds))
+    assert study.drawn == samples
+    assert samples in (1024, 500_000 * seconds // (15 * 2 * pins * 60))
+
+
+async def test_the_answer_says_how_many_samples_were_drawn(api):
+    body = changed(include=["contributions"], percentiles=[50])
+    del body["samples"]
+    answer = await answered(api, body)
+    assert answer["samples"] == 1024
+    assert len(answer["quantities"]["peak_force_N"]["contributions"]) == 6
+    given = await answered(api, body | {"samples": 1024})
+    assert given["quantities"] == answer["quantities"]
 
 
 @pytest.mark.parametrize("state", ["preparing", "missing"])

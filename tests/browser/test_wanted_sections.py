@@ -123,8 +123,8 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
 
 def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watch: Watch) -> None:
     show(page, service, "crank-planetary", **DESIGN, **STUDY)
-    study = page.locator(".study")
-    run = study.get_by_role("button", name="Run the study")
+    study, controls = page.locator(".study"), page.locator('[data-group="study"] .study-run')
+    run = controls.get_by_role("button", name="Run the study")
     expect(run).to_be_enabled()
     box(page, "samples").fill("45")
     settled(page)
@@ -139,9 +139,9 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     asked: list[Route] = []
     page.route("**/tolerance-study", lambda route: asked.append(route))  # never answered
     run.click()
-    expect(study.locator("progress")).to_be_visible()
-    study.get_by_role("button", name="Stop").click()
-    expect(study.locator(".state")).to_contain_text("Stopped.")
+    expect(controls.locator("progress")).to_be_visible()
+    controls.get_by_role("button", name="Stop").click()
+    expect(controls.locator(".state")).to_contain_text("Stopped.")
     expect(study.locator(".histogram")).to_have_count(1)
     assert len(asked) == 1
     page.unroute("**/tolerance-study")

@@ -358,22 +358,11 @@ test("the histogram has room for all marks", () => {
   assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
 });
 
-test("too many samples for the contributions: asked with as many as there may be", async () => {
-  const bodies = [];
-  const limit = (params) => new Problem({ status: 422, errors: [{ pointer: "/samples", code: "service_limit", params }] });
-  const client = (most) => ({
-    post: async (path, body) => {
-      bodies.push(body.samples);
-      assert.ok(body.include.includes("contributions"));
-      if (!(body.samples <= (most ?? 31))) throw limit({ limit: 31 });
-      return { samples: body.samples };
-    },
-  });
+test("a study without a number of samples leaves it to the service", () => {
   const body = study.asked({ ...DESIGN, besides: { study: { ranked: "ranked" }, tolerances: { pin_diameter: { class: "h6" }, hole_diameter: {} } } });
   assert.deepEqual(body.tolerances, { pin_diameter: { class: "h6" } });
-  assert.deepEqual(await study.ask({ client: client(), body }), { samples: 31, most: 31 });
-  assert.deepEqual(bodies, [undefined, 31]);
-  await assert.rejects(study.ask({ client: client(30), body }), (problem) => problem.errors[0].params.limit === 31);
+  assert.equal(JSON.parse(JSON.stringify(body)).samples, undefined);
+  assert.deepEqual(body.include, ["histogram", "contributions"]);
 });
 
 test("what is pasted becomes rows of cells; one value is left to the box", () => {

@@ -1,5 +1,4 @@
 /** What tolerances do to the pieces: what is asked of the service and what its answer says. No DOM. */
-import { Problem } from "../../lib/api.js";
 import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
 import { fieldWords, message, quantityWords } from "../../messages/index.js";
 import { designOf, range } from "./real.js";
@@ -25,19 +24,7 @@ export function asked(input) {
 
 export const bodyOf = async (body) => body;
 
-const tooMany = ({ errors }) => errors?.find(({ pointer, code }) => pointer === "/samples" && code === "service_limit")?.params.limit;
-
-/** The answer; where there are too many samples for the contributions, of as many as there may be, and `most`, how many. */
-export async function ask({ client, body, signal, progressed }) {
-  const post = (one) => client.post("/tolerance-study", one, { signal, progressed });
-  try {
-    return await post(body);
-  } catch (problem) {
-    const most = problem instanceof Problem ? tooMany(problem) : undefined;
-    if (most === undefined || !body.include.includes("contributions")) throw problem;
-    return { ...await post({ ...body, samples: most }), most };
-  }
-}
+export const ask = ({ client, body, signal, progressed }) => client.post("/tolerance-study", body, { signal, progressed });
 
 export const titleOf = (name) => quantityWords(name, "load_sharing")[0];
 
@@ -129,7 +116,7 @@ export function advice(name, of) {
 }
 
 /** How exact the numbers of a quantity are, in words, and which pieces are no good. */
-export function exactness(name, of, { samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken, most }, { crank_angles: angles }) {
+export function exactness(name, of, { samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken }, { crank_angles: angles }) {
   const error = Math.max(...of.percentiles.map(({ value, low, high }) => Math.min((high - low) / 2 / Math.abs(value), 1) || 0));
   const quantity = titleOf(name);
   return [
@@ -137,6 +124,5 @@ export function exactness(name, of, { samples, cannot_assemble: pressed, binds_i
     ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2), angles })],
     pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2), binds })],
     broken > 0 && ["bad", message("study.broken", { count: broken })],
-    most !== undefined && ["warning", message("study.most", { most })],
   ].filter(Boolean);
 }
