@@ -1,7 +1,7 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { fieldWords, message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatNumber, formatQuantity, unitOf } from "./format.js";
+import { formatAngle, formatNumber, formatQuantity, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
@@ -75,7 +75,7 @@ export function checkRow(check, titles) {
       check.verified && message(`checks.${check.verified}`),
       life !== undefined && message("checks.life", { factor: formatNumber(life, 3) }),
     ].filter(Boolean).join(": "),
-    place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatQuantity(at.crank_angle_deg ?? 0, "°", 5) }),
+    place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatAngle(at.crank_angle_deg ?? 0) }),
     reason: reason ? reasonText(reason, titles) : "",
     missing: missing.map(pathOf),
     judged: JUDGED.includes(status),

@@ -154,6 +154,11 @@ export function formatQuantity(value, unit, digits = 6) {
   return unit === "°" || unit === "′" ? shown.value + unit : `${shown.value}\u00a0${shown.unit}`;
 }
 
+/** A place in a turn, to a hundredth of a degree. */
+export function formatAngle(degrees, digits = 5) {
+  return formatQuantity(Math.round(100 * degrees) / 100, "°", digits);
+}
+
 /** A run time in the unit that suits it. */
 export function formatDuration(microseconds) {
   return microseconds < 1000

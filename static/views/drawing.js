@@ -3,7 +3,7 @@
  * What stands still has the drawing alone.
  */
 import { pairNames } from "../lib/chart.js";
-import { formatQuantity } from "../lib/format.js";
+import { formatAngle } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { drawable, following } from "../store.js";
@@ -51,7 +51,7 @@ export function createDrawingView({ calculator, on }) {
 
   function showTurn() {
     if (!moving) return;
-    const text = `φ = ${formatQuantity(turn.angle, "°", 4)}`;
+    const text = `φ = ${formatAngle(turn.angle)}`;
     slider.value = String(turn.angle);
     slider.setAttribute("aria-valuetext", text);
     shownAngle.textContent = text;

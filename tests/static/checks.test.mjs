@@ -36,6 +36,10 @@ test("a check says value, limit with its sense, share, source and place; one wit
   assert.deepEqual([row.level, row.value, row.limit, row.used], ["bad", "548.2\u00a0MPa", "≤\u00a0484.9\u00a0MPa", 1.13]);
   assert.match(row.source, /: A book: secondary sources$/);
   assert.equal(row.place, "satellite 1, pin 3, φ = 28.57°");
+  const { utilisation, ...bare } = PRESSURE; // judged without a share, as what only has to be there
+  const plain = checkRow({ ...bare, status: "pass" }, titles);
+  assert.deepEqual([plain.used, plain.judged, plain.level], [undefined, true, "good"]);
+  assert.deepEqual(sizedBy({ checks: [bare] }), []);
   const unknown = checkRow(UNKNOWN, titles);
   assert.deepEqual([unknown.level, unknown.judged, unknown.reason, unknown.missing], ["warning", false, "No limit is known", ["contact.pin_material"]]);
   for (const status of ["not_asked", "not_applicable", "new"]) assert.equal(checkRow({ ...UNKNOWN, status }, titles).level, undefined);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
-  formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
+  formatAngle, formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
 } from "../../static/lib/format.js";
 import { speedStep } from "../../static/calculators/crank-planetary/bearings.js";
 import { valuesMarkup } from "../../static/views/results.js";
@@ -60,6 +60,11 @@ test("numbers show the digits asked, without filling noughts", () => {
   assert.equal(formatNumber(123456, 2), `120${NARROW}000`);
   assert.equal(formatNumber(1.5e-9, 3), `1.5${NARROW}×${NARROW}10⁻⁹`);
   assert.equal(formatNumber(6.02e23, 3), `6.02${NARROW}×${NARROW}10²³`);
+});
+
+test("a place in a turn is said to a hundredth of a degree", () => {
+  assert.deepEqual([0.0020343, 28.571428, 359.9962, -0.004].map((angle) => formatAngle(angle)), ["0°", "28.57°", "360°", "0°"]);
+  assert.equal(formatAngle(123.456, 2), "120°");
 });
 
 test("what is shown reads back to the digits shown", () => {

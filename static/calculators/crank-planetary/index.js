@@ -5,7 +5,7 @@
  * theory suggests, what the verdict reads from the answer, which figures there are.
  */
 import { cell, stated } from "../../lib/verdict.js";
-import { formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
+import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
@@ -86,7 +86,7 @@ function teethOf(ratio) {
 function pairsCell(section, real) {
   const { min_driving: least, max_driving: most, mean_driving: mean, pairs, dead_centres_deg: dead } = section;
   if (dead.length > 0) {
-    const angles = dead.slice(0, 3).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
+    const angles = dead.slice(0, 3).map((angle) => formatAngle(angle)).join(", ");
     const more = dead.length > 3 ? ` ${message("verdict.more")}` : "";
     return { value: `0–${most}`, note: message("verdict.dead", { angles: angles + more }), level: "bad" };
   }
@@ -104,7 +104,7 @@ function pairsCell(section, real) {
 function peakCell(section, { contact }, id) {
   const factor = factorOf(contact);
   const at = message("verdict.peakAt", {
-    angle: formatQuantity(section.peak_crank_angle_deg, "°", shownDigits(section.accuracy.relative_error, 5)),
+    angle: formatAngle(section.peak_crank_angle_deg, shownDigits(section.accuracy.relative_error, 5)),
     ...section.peak_pair,
   });
   return {

@@ -2,7 +2,7 @@
  * The mechanism as it is made, with clearance, errors and elasticity: what is asked of the service and what its answer
  * says. No DOM.
  */
-import { formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
+import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { partsOf } from "./wanted.js";
@@ -145,7 +145,7 @@ export function cells({ over_turn: turn, ideal }) {
     {
       label: quantityWords("peak_force_N", "load_sharing")[0],
       value: formatQuantity(turn.peak_force_N, "N", 5),
-      note: message("verdict.peakAt", { angle: formatQuantity(turn.peak_crank_angle_deg, "°", 4), satellite, pin }),
+      note: message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), satellite, pin }),
     },
     {
       label: message("real.ratio"),

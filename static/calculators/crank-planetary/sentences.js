@@ -1,12 +1,12 @@
 /** The verdict in plain words: what the answer means for the design. No DOM. */
-import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { formatAngle, formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 
 const say = (key, values) => message(`words.${key}`, values);
 
 function transmission({ min_driving: least, max_driving: most, mean_driving: mean, dead_centres_deg: dead, pairs }, real) {
   if (dead.length > 0) {
-    const named = dead.slice(0, 4).map((angle) => formatQuantity(angle, "°", 5)).join(", ");
+    const named = dead.slice(0, 4).map((angle) => formatAngle(angle)).join(", ");
     return ["bad", say("dead", { angles: named + (dead.length > 4 ? ` ${message("verdict.more")}` : "") })];
   }
   const values = { least, most, all: pairs.length, mean: formatNumber(mean, 4) };
