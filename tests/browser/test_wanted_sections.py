@@ -153,6 +153,24 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
 
 
+@pytest.mark.parametrize("clearance", ["", "0.02"])
+def test_of_thousands_of_pins_nothing_is_asked_that_is_refused(
+    page: Page, service: str, clearance: str
+) -> None:
+    made = {"real.on": "on", "contact.hole_clearance_mm": clearance} if clearance else {}
+    show(page, service, "crank-planetary", **DESIGN, **made)
+    expect(page.locator(".js-plotly-plot").first).to_be_attached()
+    refused: list[str] = []
+    page.on("response", lambda response: refused.append(response.url) if not response.ok else None)
+    box(page, "mechanism.pins").fill("5000")
+    many = page.locator('[data-figure="force"] .figure-message')
+    expect(many).to_contain_text("must be at most 120, with 2 satellites")
+    if clearance:
+        expect(real(page).locator(".state")).to_contain_text("must be at most 500")
+        expect(words_at(page, "mechanism.pins")).to_contain_text("ust be at most 500")
+    assert refused == []
+
+
 STEEL = {
     "youngs_modulus_GPa": "210",
     "poissons_ratio": "0.3",
