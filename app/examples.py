@@ -301,6 +301,7 @@ _MESH = _without(
     _SHAFT, "bearing_distance_mm", "overhang_mm", "shaft_diameter_mm", "youngs_modulus_GPa"
 )
 _FORCE = _JOB["mechanism"] | _JOB["load"]
+_RING = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0, "ring_pin_radius_mm": 5.0}
 
 REQUESTS: dict[str, dict[str, Any]] = {
     "cyclogram": _JOB["mechanism"],
@@ -357,8 +358,8 @@ REQUESTS: dict[str, dict[str, Any]] = {
             "pin_circle_radius_mm": 50.0,
             "input_speed_rpm": 1500.0,
         },
-        "contact": {"eccentricity_mm": 3.68},
-        "gear": {"kind": "involute", "module_mm": 3.0, "teeth_difference": 2},
+        "contact": {"eccentricity_mm": 2.0},
+        "gear": _RING,
         "bearing": {"kind": "roller", "dynamic_rating_N": 60000.0, "static_rating_N": 50000.0},
     },
     "crankshaft": {
@@ -368,8 +369,8 @@ REQUESTS: dict[str, dict[str, Any]] = {
             "pin_circle_radius_mm": 50.0,
             "input_speed_rpm": 1500.0,
         },
-        "contact": {"eccentricity_mm": 3.68},
-        "gear": {"kind": "involute", "module_mm": 3.0, "teeth_difference": 2},
+        "contact": {"eccentricity_mm": 2.0},
+        "gear": _RING,
         "crankshaft": {
             "satellite_positions_mm": [20.0, 42.0],
             "bearing_positions_mm": [0.0, 62.0],

@@ -18,7 +18,8 @@ def changed(**fields):
 
 
 async def test_the_reference_design(api):
-    answer = (await api.post(PATH, json=REQUESTS[PATH])).json()
+    teeth = {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1}
+    answer = (await api.post(PATH, json=REQUESTS[PATH] | {"gear": teeth})).json()
     first, last = answer["bearings"]
     assert f"{first['peak_N']:.3f}" == f"{last['peak_N']:.3f}" == "4487.098"
     life = (30_000 / first["equivalent_N"]) ** 3 * 1e6 / 60 / 1500

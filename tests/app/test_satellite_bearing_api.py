@@ -10,6 +10,8 @@ from app.examples import REQUESTS
 pytestmark = pytest.mark.anyio
 
 PATH = "satellite-bearing"
+REFERENCE = {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1}
+"""The design of the oracle: its teeth do not exist, its force does."""
 
 
 def changed(**sections):
@@ -17,7 +19,7 @@ def changed(**sections):
 
 
 async def test_the_reference_design(api):
-    answer = (await api.post(PATH, json=REQUESTS[PATH])).json()
+    answer = (await api.post(PATH, json=changed(gear=REFERENCE))).json()
     assert round(answer["operating_pressure_angle_deg"], 8) == 34.6912426
     assert answer["relative_speed_rpm"] == 1575
     first, second = answer["satellites"]

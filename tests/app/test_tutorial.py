@@ -82,7 +82,6 @@ def test_numbers_in_the_text_are_those_of_the_blocks():
         "0.16",  # where the service warns, rounded
         "0.02",  # the theory's example of a clearance
         "23.36",  # the diameter of the holes
-        "1.85",  # the square of a safety
         "1.2",  # the safety of the pressure, where none is asked
     }
     said = set(re.findall(r"\d+\.\d+", prose)) - own

@@ -132,17 +132,23 @@ function planes({ mechanism: { satellites }, contact: { contact_length_mm: width
   return Array.from({ length: Math.min(satellites, 100) || 0 }, (_, j) => tidy(first + width / 2 + j * (width + GAP)));
 }
 
-/** A ring that leaves room for the holes: involute teeth where their circle does, else pins about a cycloid disc. */
+/**
+ * A ring that leaves room for the holes: involute teeth where their circle does, else pins about a cycloid disc. Tips of
+ * involute teeth clear each other up to a module that falls with their difference. Far below it, and with a difference
+ * of one, their pressure angle is steep.
+ */
 function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm: pin } = {} }) {
   const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
   const u = ratioOf(mechanism);
   const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
   const holes = load?.pin_circle_radius_mm + pin + e;
-  const module = MODULES.findLast((m) => m * difference < 1.95 * e);
+  const largest = e / (0.45 * difference + 0.36);
+  const module = MODULES.findLast((m) => m <= largest);
+  const involute = difference > 1 && module > 0.8 * largest && holes < module * (difference * u / 2 - 1.25);
   const half = Math.sin(Math.PI / (difference * (u + 1))) / 2; // of the way to where the ring's pins touch
   const circle = Math.ceil(Math.max(1.4 * e * (u + 1), 1.2 * (holes + e) / (1 - half)));
   return {
-    "gear.kind": holes < module * (difference * u / 2 - 1.25) ? "involute" : "cycloid",
+    "gear.kind": involute ? "involute" : "cycloid",
     "gear.module_mm": module,
     "gear.teeth_difference": difference,
     "gear.ring_pin_circle_radius_mm": circle,
