@@ -15,17 +15,20 @@ Result = TypeVar("Result")
 
 COMPARING = frozenset(
     {
+        "at_most",
         "below_working",
         "beyond_support",
         "greater_than",
         "greater_than_equal",
         "in_carrier",
+        "larger_than",
         "less_than",
         "less_than_equal",
         "no_cycloid",
         "no_mesh",
         "no_sleeve",
         "other_pitch",
+        "smaller_than",
         "too_near",
         "too_thick",
     }

@@ -6,7 +6,7 @@ with other names; here it is worded in English, with the core's names and SI uni
 """
 
 REFUSALS = {
-    "at_most": "must be at most {field}",
+    "at_most": "must be at most {field}, {limit:.9g}",
     "below_working": "must be at least {limit:g}, the torque times its factor",
     "beyond_support": "must be at most {limit:.9g}, half a contact length from the end of {field}",
     "different_length": "must have {expected} entries, has {actual}",
@@ -18,22 +18,22 @@ REFUSALS = {
     "in exact geometry",
     "greater_than": "must be larger than {limit:g}",
     "greater_than_equal": "must be at least {limit:g}",
-    "in_carrier": "must be at least {limit:.9g}, half of {field}: the contact would reach into the "
+    "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
     "carrier",
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
     "infinitely long there",
-    "larger_than": "must be larger than {field}",
+    "larger_than": "must be larger than {field}, {limit:.9g}",
     "less_than": "must be smaller than {limit:g}",
     "less_than_equal": "must be at most {limit:g}",
-    "no_cycloid": "must be larger than {limit:.9g}, eccentricity times ({field} + 1): there is no "
-    "such cycloid",
+    "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "
+    "there is no such cycloid",
     "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "needed": "or {field} must be given",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
-    "no_sleeve": "must be smaller than {limit:.9g}, twice {field}: there is no room for a sleeve",
+    "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_single": "must be one number, not an array",
     "not_zero": "must not be 0",
@@ -43,15 +43,15 @@ REFUSALS = {
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
-    "smaller_than": "must be smaller than {field}",
+    "smaller_than": "must be smaller than {field}, {limit:.9g}",
     "sum_not_one": "must add up to 1, not to {sum:.15g}",
     "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
     "too_few": "needs a larger sample",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",
-    "too_short_range": "must be larger: no driving phase is that short",
-    "too_thick": "must be at most {limit:.9g}, twice {field}: thicker, the pin itself would touch "
+    "too_short_range": "must be larger than {limit:.3g}: no driving phase is that short",
+    "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
     "the hole",
 }
 """What is wrong with one parameter, by code: the rest of a sentence that starts with its name."""
@@ -76,6 +76,16 @@ IMPOSSIBLE = {
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
 }
 """What cannot be, by code: a sentence without its full stop."""
+
+
+PLACES = {
+    "crank_angle": "crank angle",
+    "nutation_angle": "nutation angle",
+    "ratio_u12": "ratio u12",
+    "roller": "roller",
+    "z": "position along the roller, z",
+}
+"""Names of what says where something cannot be, in English."""
 
 
 class CalculationError(Exception):
@@ -113,7 +123,8 @@ class ImpossibleMechanism(CalculationError):
     code : str
         What cannot be, a key of `IMPOSSIBLE`.
     where : dict of str to float, optional
-        Position at which it happens: name of a core quantity to its value in SI units.
+        Position at which it happens: name of a core quantity, a key of `PLACES`, to its value in SI
+        units.
     parameter : str
         Name of the core parameter that would have to change, where it is one.
     **params : object
@@ -133,5 +144,5 @@ class ImpossibleMechanism(CalculationError):
         self.where = where or {}
         self.params = params
         what = IMPOSSIBLE[code].format(**self.where | params)
-        place = ", ".join(f"{name} = {value!r}" for name, value in self.where.items())
+        place = ", ".join(f"{PLACES[name]} = {value!r}" for name, value in self.where.items())
         super().__init__(f"{what} at {place}" if place else what)

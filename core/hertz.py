@@ -213,7 +213,8 @@ def hertz(
     )
     difference = hole_radius - pin_radius
     if not every(difference > 0):
-        refuse("hole_radius", hole_radius, difference > 0, "larger_than", field="pin_radius")
+        than = {"field": "pin_radius", "limit": pin_radius}
+        refuse("hole_radius", hole_radius, difference > 0, "larger_than", **than)
 
     modulus = effective_modulus(first=pin_material, second=hole_material)
     reduced_radius = hole_radius / difference * pin_radius

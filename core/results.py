@@ -13,8 +13,8 @@ NOTICES = {
     "approximation_range": "The approximation is stated for {field} from {low} to {high} only; "
     "here it is {value}.",
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
-    "clearance": "The hole is larger than pin and eccentricity need: no pair touches until the "
-    "output has turned through the lost motion, and the load sharing differs.",
+    "clearance": "The hole is larger than pin and eccentricity need, {limit:.9g} mm: no pair "
+    "touches until the output has turned through the lost motion, and the load sharing differs.",
     "clearance_like_eccentricity": "The clearance is {ratio:.3g} of the eccentricity: such "
     "mechanisms move, with very much play; clearances of working ones are near a hundredth.",
     "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same "
@@ -50,8 +50,8 @@ NOTICES = {
     "parts fit.",
     "holes_overlap": "Neighbouring holes of a satellite overlap: there is no material between "
     "them.",
-    "interference": "The hole is smaller than pin radius + eccentricity: pin and satellite "
-    "interfere and cannot be assembled.",
+    "interference": "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and "
+    "satellite interfere and cannot be assembled.",
     "large_deflection": "The most loaded part bends by more than a tenth of its length: the "
     "formulas are those of small deflections.",
     "large_rotation": "The output turns by {share:.2g} of the eccentricity under load: clearance "

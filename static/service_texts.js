@@ -12,9 +12,12 @@ const LIMITS = ["limit", "low", "high", "value"]; // and values of the field tha
 
 const quoted = (title) => message("page.quoted", { title });
 
+/** The title of a field: on the page, or as the service has it. */
+const titleOf = (name, titles) => titles.get(name) ?? said("fields", name)?.[0] ?? name;
+
 function parameter(name, value, unit, titles) {
-  if (FIELDS.includes(name)) return quoted(titles.get(value) ?? value);
-  if (name === "names") return value.split(", ").map((one) => titles.get(one) ?? one).join("; ");
+  if (FIELDS.includes(name)) return quoted(titleOf(value, titles));
+  if (name === "names") return value.split(", ").map((one) => titleOf(one, titles)).join("; ");
   if (typeof value !== "number") return String(value);
   if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
@@ -57,14 +60,14 @@ function named(pointer) {
 /** What the service says of a field that is not on the screen. */
 function ofPointer({ name, row }, words, titles) {
   if (name === undefined) return words;
-  const title = titles.get(name) ?? name;
+  const title = titleOf(name, titles);
   return row === undefined ? ofTitle(title, words) : message("rows.problem", { row, title, words });
 }
 
-/** Where a mechanism cannot work, `{API name: value}`, as the end of a sentence; what has no title is in the sentence itself. */
-function placeText(where, titles) {
-  const places = Object.entries(where).filter(([name]) => titles.has(name)).map(([name, value]) =>
-    `${titles.get(name)} = ${formatQuantity(value, unitOf(name))}`);
+/** Where a mechanism cannot work, `{API name: value}`, as the end of a sentence. */
+function placeText(where) {
+  const places = Object.entries(where).map(([name, value]) =>
+    `${said("places", name) ?? name} = ${formatQuantity(value, unitOf(name))}`);
   return places.length > 0 ? ` (${places.join("; ")})` : "";
 }
 
@@ -80,7 +83,7 @@ export function refusalTexts(refusal, shown, titles) {
     const about = named(error.pointer);
     const words = inWords("refusals", error, about.name, titles);
     if (field) at[field.path] ??= atBox(field, error.pointer, words);
-    else elsewhere.push(ofPointer(about, words, titles) + (error.pointer === "" ? placeText(refusal.where, titles) : ""));
+    else elsewhere.push(ofPointer(about, words, titles) + (error.pointer === "" ? placeText(refusal.where) : ""));
   }
   if (refusal.errors.length === 0) elsewhere.push(refusalOfKind(refusal));
   return { at, elsewhere };

@@ -367,8 +367,8 @@ class DesignFields(GivingFields):
         if forces is None and self.mechanism.pairs > most:
             raise self.too_many(most)
         if forces is None:
-            field = {"field": "pin_circle_radius"}
-            raise InvalidInput("eccentricity", None, "smaller_than", **field)
+            than = {"field": "pin_circle_radius", "limit": self.design.pin_circle_radius}
+            raise InvalidInput("eccentricity", None, "smaller_than", **than)
         return forces
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:

@@ -226,7 +226,7 @@ class SolveRequest(RequestModel):
             )
         except InvalidInput as error:
             name = "to" if error.parameter == "high" else "from"
-            params = {"field": "from"} if error.code == "larger_than" else error.params
+            params = error.params | ({"field": "from"} if error.code == "larger_than" else {})
             raise refusal(f"/variable/{name}", error.code, **params) from error
         if not results:
             raise _refused(refusals[0])

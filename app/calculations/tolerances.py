@@ -51,7 +51,7 @@ class _SpreadFields(RequestModel):
     def _refuse_reversed(self, unit: str) -> None:
         lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
         if lower is not None and upper is not None and lower > upper:
-            raise field_error(f"lower_{unit}", "at_most", field=f"upper_{unit}")
+            raise field_error(f"lower_{unit}", "at_most", field=f"upper_{unit}", limit=upper)
 
     def _spread(self, lower: float, upper: float) -> Spread:
         return Spread(lower, upper, self.distribution, self.common)

@@ -144,9 +144,9 @@ def cycloid_mesh(
     k = np.asarray(eccentricity * (ratio + 1) / ring_pin_circle_radius, dtype=np.float64)
     shortened = k < 1
     if not every(shortened):
-        least = eccentricity * (ratio + 1)
-        given = ring_pin_circle_radius
-        refuse("ring_pin_circle_radius", given, shortened, "no_cycloid", limit=least, field="ratio")
+        than = {"field": "ratio", "limit": eccentricity * (ratio + 1)}
+        name = "ring_pin_circle_radius"
+        refuse(name, ring_pin_circle_radius, shortened, "no_cycloid", **than)
     orders = np.arange(1, TERMS)
     small = np.minimum(k, SERIES)[..., None]
     summed = 4 / np.pi * (small ** (2 * orders - 1) / (4 * orders**2 - 1)).sum(axis=-1)

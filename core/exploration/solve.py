@@ -113,7 +113,7 @@ def solve_for(
     (1.4142135623730951, True)
     """
     if not low < high:
-        raise InvalidInput("high", high, "larger_than", field="low")
+        raise InvalidInput("high", high, "larger_than", field="low", limit=low)
     if log and not low > 0:
         raise InvalidInput("low", low, "greater_than", limit=0)
     known: dict[float, float] = {}
@@ -128,7 +128,7 @@ def solve_for(
     if integer:
         first, last = math.ceil(low), math.floor(high)
         if first > last:
-            raise InvalidInput("high", high, "larger_than", field="low")
+            raise InvalidInput("high", high, "larger_than", field="low", limit=low)
         if last - first >= MOST_WHOLE:
             raise InvalidInput("high", high, "less_than_equal", limit=first + MOST_WHOLE - 1)
         places = [float(x) for x in range(first, last + 1)]

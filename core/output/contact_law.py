@@ -145,7 +145,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         if span is None:
             raise InvalidInput("span", span, "needed", field="support")
         if not z < span:
-            raise InvalidInput(name, z, "smaller_than", field="span")
+            raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
         rest = span - z
         compliance = (z * rest) ** 2 / (3 * bending * span) + shear * z * rest / span
         if pin.support == "fixed":

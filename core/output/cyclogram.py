@@ -141,7 +141,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     per_wave = mechanism.crank_angle_per_wave
     shown = _Range(revolutions * 2 * math.pi, per_wave)
     if shown.waves <= SAME_PHASE:
-        raise InvalidInput("revolutions", revolutions, "too_short_range")
+        shortest = SAME_PHASE * per_wave / (2 * math.pi)
+        raise InvalidInput("revolutions", revolutions, "too_short_range", limit=shortest)
     pair_count = mechanism.pins * mechanism.satellites
     if shown.waves * pair_count > MAX_DRIVING_PHASES:
         raise InvalidInput("revolutions", revolutions, "too_many_phases", limit=MAX_DRIVING_PHASES)

@@ -424,8 +424,8 @@ def pin_losses(
         check_positive(diameter=diameter)
         room = diameter < 2 * pin_radius
         if not every(room):
-            most = 2 * pin_radius
-            refuse("diameter", diameter, room, "no_sleeve", limit=most, field="pin_radius")
+            than = {"field": "pin_radius", "limit": 2 * pin_radius}
+            refuse("diameter", diameter, room, "no_sleeve", **than)
         slows = diameter / (2 * pin_radius)
     total = total_force(mechanism=mechanism, force_exponent=force_exponent)
     peak = force_peak(mechanism, force_exponent)

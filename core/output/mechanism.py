@@ -394,5 +394,6 @@ def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
     if satellite_teeth < 1:
         raise InvalidInput("satellite_teeth", satellite_teeth, "greater_than_equal", limit=1)
     if ring_teeth <= satellite_teeth:
-        raise InvalidInput("ring_teeth", ring_teeth, "larger_than", field="satellite_teeth")
+        than = {"field": "satellite_teeth", "limit": satellite_teeth}
+        raise InvalidInput("ring_teeth", ring_teeth, "larger_than", **than)
     return satellite_teeth / (ring_teeth - satellite_teeth)

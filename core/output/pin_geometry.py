@@ -117,7 +117,8 @@ def pin_fit(
     )
     check_positive(pin_radius=pin_radius)
     if not hole_radius > pin_radius:
-        raise InvalidInput("hole_radius", hole_radius, "larger_than", field="pin_radius")
+        than = {"field": "pin_radius", "limit": pin_radius}
+        raise InvalidInput("hole_radius", hole_radius, "larger_than", **than)
     assumed = eccentricity is None
     if eccentricity is None:
         eccentricity = hole_radius - pin_radius
@@ -138,7 +139,12 @@ def pin_fit(
         "holes_overlap": between_holes <= tolerance,
         "pins_overlap": between_pins <= tolerance,
     }
-    notices = tuple(Notice(code) for code, holds in strained.items() if holds)
+    needed = {"limit": 1e3 * (pin_radius + eccentricity)}
+    notices = tuple(
+        Notice(code, needed if code in ("clearance", "interference") else {})
+        for code, holds in strained.items()
+        if holds
+    )
     if not assumed:
         notices += slip_notices(
             pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity

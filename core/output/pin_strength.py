@@ -562,7 +562,7 @@ def _check_positions(
     slack = 4 * ROUNDING
     for index, z in enumerate(positions):
         if not z >= length / 2 * (1 - slack):
-            least = {"limit": length / 2, "field": "contact_length"}
+            least = {"field": "contact_length", "limit": length / 2}
             raise InvalidInput(f"{name}[{index}]", z, "in_carrier", **least)
         if span is not None and not z + length / 2 <= span * (1 + slack):
             most = span - length / 2

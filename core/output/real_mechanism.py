@@ -230,9 +230,8 @@ class RealMechanism:
         check_positive(**sizes)
         check_finite(**sizes, clearance=self.clearance)
         if not self.eccentricity < self.pin_circle_radius:
-            raise InvalidInput(
-                "eccentricity", self.eccentricity, "smaller_than", field="pin_circle_radius"
-            )
+            than = {"field": "pin_circle_radius", "limit": self.pin_circle_radius}
+            raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
         check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
 

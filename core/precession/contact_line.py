@@ -159,9 +159,8 @@ def contact_lines(
         ratio_u12=ratio_u12,
     )
     if not 0 < roller_radius < roller_circle_radius:
-        raise InvalidInput(
-            "roller_radius", roller_radius, "smaller_than", field="roller_circle_radius"
-        )
+        than = {"field": "roller_circle_radius", "limit": roller_circle_radius}
+        raise InvalidInput("roller_radius", roller_radius, "smaller_than", **than)
     if not rollers:
         raise InvalidInput("rollers", rollers, "too_short", limit=1)
     if torque_sign not in (None, 1, -1):
@@ -235,7 +234,8 @@ def _contact_line(
 def _limits_in_z(curve: ContactCurve, roller: RollerByLength, index: int) -> Limits:
     z_min, z_max = roller.z_min, roller.z_max
     if not z_max - z_min > SAME * max(abs(z_min), abs(z_max)):
-        raise InvalidInput(f"rollers[{index}].z_max", z_max, "larger_than", field="z_min")
+        than = {"field": "z_min", "limit": z_min}
+        raise InvalidInput(f"rollers[{index}].z_max", z_max, "larger_than", **than)
     start, end = (LinePoint(z + curve.offset, z, ROUNDING * abs(z)) for z in (z_min, z_max))
     return Limits(start, end, z_max - z_min, in_phi=False)
 
@@ -244,9 +244,8 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
     """``z = -A*sin(phi)/sin(phi + phi1)``, ``y = w*cot(phi + phi1)``, and their difference."""
     span = roller.phi_max - roller.phi_min
     if not span > SAME * max(abs(roller.phi_min), abs(roller.phi_max)):
-        raise InvalidInput(
-            f"rollers[{index}].phi_max", roller.phi_max, "larger_than", field="phi_min"
-        )
+        than = {"field": "phi_min", "limit": roller.phi_min}
+        raise InvalidInput(f"rollers[{index}].phi_max", roller.phi_max, "larger_than", **than)
     sines, points = [], []
     for name, phi in (("phi_min", roller.phi_min), ("phi_max", roller.phi_max)):
         sine, cosine = _sine_and_cosine_of_sum(phi, roller.position_angle)

@@ -95,7 +95,8 @@ def line_contact(
     """
     check_positive(line_load=line_load, roller_radius=roller_radius)
     if not (mating_radius > 0 or -mating_radius > roller_radius):
-        raise InvalidInput("mating_radius", mating_radius, "larger_than", field="roller_radius")
+        than = {"field": "roller_radius", "limit": roller_radius}
+        raise InvalidInput("mating_radius", mating_radius, "larger_than", **than)
     together = mating_radius + roller_radius
     reduced = mating_radius / together * roller_radius
     modulus = float(effective_modulus(first=roller_material, second=mating_material))

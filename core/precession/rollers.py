@@ -109,9 +109,10 @@ def wheel_rollers(
         raise InvalidInput("rollers_total", rollers_total, "greater_than_equal", limit=1)
     count = rollers_total if rollers_in_mesh is None else rollers_in_mesh
     if not 1 <= count <= rollers_total:
-        raise InvalidInput("rollers_in_mesh", rollers_in_mesh, "at_most", field="rollers_total")
+        most = {"field": "rollers_total", "limit": rollers_total}
+        raise InvalidInput("rollers_in_mesh", rollers_in_mesh, "at_most", **most)
     if not z_min < z_max:
-        raise InvalidInput("z_max", z_max, "larger_than", field="z_min")
+        raise InvalidInput("z_max", z_max, "larger_than", field="z_min", limit=z_min)
     turns = [2 * math.pi * (i / rollers_total) for i in range(count)]
     for i, turn in enumerate(turns):
         if stands_in_line(position_angle + turn):

@@ -83,7 +83,7 @@ class Spread:
     def __post_init__(self) -> None:
         check_finite(lower=self.lower, upper=self.upper)
         if not self.lower <= self.upper:
-            raise InvalidInput("lower", self.lower, "at_most", field="upper")
+            raise InvalidInput("lower", self.lower, "at_most", field="upper", limit=self.upper)
 
     def values(self, uniform: FloatArray) -> FloatArray:
         """Deviations of numbers between 0 and 1.

@@ -248,8 +248,8 @@ async def test_a_hole_smaller_than_the_pin_is_refused_whatever_is_asked(api, ask
     assert error == {
         "pointer": "/contact/hole_radius_mm",
         "code": "larger_than",
-        "params": {"field": "pin_radius_mm"},
-        "detail": "must be larger than pin_radius_mm",
+        "params": {"field": "pin_radius_mm", "limit": 8.0},
+        "detail": "must be larger than pin_radius_mm, 8",
     }
 
 

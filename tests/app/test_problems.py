@@ -1,10 +1,15 @@
 """Every refusal has one shape, names the field in plain words and never echoes the input."""
 
+import re
+
 import httpx
 import pytest
 
+from app.examples import REQUESTS
 from app.main import create_app
+from app.problems import TEXTS
 from app.settings import Settings
+from core.results import NOTICES
 
 pytestmark = pytest.mark.anyio
 
@@ -65,6 +70,63 @@ def refused(response: httpx.Response, status: int) -> list[tuple[str, str]]:
 async def test_a_wrong_field_is_named_in_plain_words(api, body, pointer, detail):
     response = await api.post("cyclogram", content=body, headers=JSON)
     assert refused(response, 422) == [(pointer, detail)]
+
+
+CYCLOID = {
+    "mechanism": {"pins": 6, "satellites": 2, "satellite_teeth": 19, "ring_teeth": 20},
+    "load": {"output_torque_Nm": 5.28, "pin_circle_radius_mm": 22},
+    "contact": {
+        "contact_length_mm": 8,
+        "pin_radius_mm": 3,
+        "hole_radius_mm": 5,
+        "eccentricity_mm": 2,
+    },
+    "gear": {"kind": "cycloid", "ring_pin_circle_radius_mm": 40, "ring_pin_radius_mm": 2.5},
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "pointer", "limit"),
+    [
+        ("crank-planetary", CYCLOID, "/gear/ring_pin_circle_radius_mm", 40),
+        (
+            "hertz",
+            {"force_N": 1, "contact_length_mm": 1, "pin_radius_mm": 8, "hole_radius_mm": 8},
+            "/hole_radius_mm",
+            8,
+        ),
+        ("cyclogram", {"pins": 3, "satellite_teeth": 20, "ring_teeth": 20}, "/ring_teeth", 20),
+        (
+            "solve",
+            {
+                "calculation": "hertz",
+                "input": REQUESTS["hertz"],
+                "variable": {"pointer": "/force_N", "from": 5.5, "to": 5.5},
+                "target": {"pointer": "/max_pressure_MPa", "equals": 1},
+            },
+            "/variable/to",
+            5.5,
+        ),
+    ],
+)
+async def test_a_limit_is_said_with_its_number_in_the_unit_of_the_field(
+    api, path, body, pointer, limit
+):
+    response = await api.post(path, json=body)
+    (error,) = response.json()["errors"]
+    assert error["pointer"] == pointer
+    assert error["params"]["limit"] == pytest.approx(limit, rel=1e-15)
+    assert f"{limit:g}" in error["detail"]
+
+
+def test_no_limit_is_said_in_words_alone():
+    """Of all refusals and warnings that compare; two diameters that were typed are no limit."""
+    compares = re.compile(r"(must be|is) (at (most|least)|(larger|smaller|greater|less)\b)")
+    number = re.compile(r"{(limit|error|ratio|share|value)[:}]|\d|a (tenth|half|right angle)")
+    texts = TEXTS | NOTICES
+    compared = {code for code, text in texts.items() if compares.search(text)}
+    assert len(compared) > 20
+    assert {code for code in compared if not number.search(texts[code])} == {"sphere_below_roller"}
 
 
 async def test_several_wrong_fields_are_all_named(api):

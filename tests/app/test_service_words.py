@@ -13,8 +13,10 @@ from app.main import create_app
 from app.model import NEGLECTED
 from app.problems import TEXTS
 from app.registry import CALCULATIONS
+from app.units import api_value
 from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
 from core.checks.kinds import GROUPS as CHECK_GROUPS
+from core.errors import PLACES
 from core.materials import GROUPS, LIMIT_SOURCES, MATERIALS
 from core.results import METHODS, NOTICES
 from core.work_precision.study import SETTINGS
@@ -57,6 +59,7 @@ def service_words() -> dict[str, Any]:
     """All that the service says, by kind and code."""
     return {
         "refusals": plain(TEXTS),
+        "places": {api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
         "notices": plain(NOTICES),
         "neglected": NEGLECTED,
         "figures": plain(theme.TEXTS),

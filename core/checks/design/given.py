@@ -211,7 +211,7 @@ class GivenDesign:
         """No pin is thicker than what touches the hole."""
         pin, radius = self.pin, self.pin_radius
         if pin is not None and radius is not None and pin.diameter > 2 * radius * (1 + SAME):
-            most = {"limit": 2 * radius, "field": "pin_radius"}
+            most = {"field": "pin_radius", "limit": 2 * radius}
             raise InvalidInput("pin.diameter", pin.diameter, "too_thick", **most)
 
     def _check_peak(self) -> None:

@@ -40,7 +40,8 @@ class DesignPins(DesignForces):
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
         if not self.hole_radius > self.pin_radius:
-            raise InvalidInput("hole_radius", self.hole_radius, "larger_than", field="pin_radius")
+            than = {"field": "pin_radius", "limit": self.pin_radius}
+            raise InvalidInput("hole_radius", self.hole_radius, "larger_than", **than)
         return contact_compliance(
             law=self.law or HertzLaw(),
             contact_length=self.contact_length,
