@@ -18,8 +18,17 @@ Body = dict[str, Any]
 
 GIVEN = "a count, or as given"
 
-ELSEWHERE = ("/accuracy/", "/warnings/", "/counts/", "/torque_reserve", "/largest_torque_Nm")
-"""Numbers that other tests hold (tests/core/test_checks.py), by the start of a pointer."""
+ELSEWHERE = (
+    "/accuracy/",
+    "/assumed/",
+    "/counts/",
+    "/fit/",
+    "/largest_torque_Nm",
+    "/torque_reserve",
+    "/warnings/",
+)
+"""Numbers that other tests hold (tests/core/test_checks.py, test_room.py, tests/app/
+test_assumed_api.py), by the start of a pointer."""
 """What there is to know of a number that nothing can be wrong with but the whole."""
 
 
