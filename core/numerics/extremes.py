@@ -21,6 +21,9 @@ NEARLY = 0.05
 LOOKED = 8
 """Most summits that are narrowed."""
 
+CLOSER = 24
+"""Narrowings at most about a sample beside a jump."""
+
 Narrow = Callable[[float, float], tuple[float, float, float]]
 """Place and height of the largest value between two places, and its error."""
 
@@ -46,6 +49,51 @@ def other_places(*, count: int, first: float = 0.0) -> FloatArray:
     [1.294, 3.389, 5.483]
     """
     return np.asarray(first + (np.arange(count) + MOVED) * (2 * math.pi / count), np.float64)
+
+
+def hill(
+    *, place: float, height: float, low: float, high: float, narrow: Narrow
+) -> tuple[float, float, float]:
+    """The largest value about a sample, between its neighbours.
+
+    Golden section finds it where there is one hill. Where it comes out below the sample, there is a
+    jump beside it, or a plateau narrower than the places are apart: then it is looked for about
+    what is known to be highest, ever closer.
+
+    Parameters
+    ----------
+    place, height : float
+        Where the sample is, rad, and how high.
+    low, high : float
+        Its neighbours, rad.
+    narrow : callable
+        The largest value between two places.
+
+    Returns
+    -------
+    place, height, error : float
+        Where it is, rad, how high, and the error of the narrowing.
+
+    Examples
+    --------
+    A plateau that rises to 1.2 and falls off there, with samples at 0, 1 and 2:
+
+    >>> def narrow(low, high):
+    ...     return max((x, x if 0.9 < x < 1.2 else 0.0, 0.0) for x in (low, high))
+    >>> hill(place=1.0, height=1.0, low=0.0, high=2.0, narrow=narrow)[1] > 1.18
+    True
+    """
+    found = narrow(low, high)
+    if found[1] >= height:
+        return found
+    best, width = (place, height, 0.0), min(place - low, high - place)
+    for _ in range(CLOSER):
+        found = narrow(max(low, best[0] - width), min(high, best[0] + width))
+        if found[1] > best[1]:
+            best = found
+        else:
+            width /= 2
+    return best
 
 
 def second_look(
@@ -87,7 +135,14 @@ def second_look(
     for top in sorted(tops.tolist(), key=lambda top: -heights[top])[:LOOKED]:
         if ceilings[top] < best or heights[top] < least:
             continue
-        place, height, error = narrow(float(places[top]) - step, float(places[top]) + step)
+        place = float(places[top])
+        place, height, error = hill(
+            place=place,
+            height=float(heights[top]),
+            low=place - step,
+            high=place + step,
+            narrow=narrow,
+        )
         if height > best:
             best, where, off = height, place, error
     return where, best, off

@@ -1,21 +1,19 @@
 """Summits of a function over the turn: those of a grid, which are then narrowed."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from core.arrays import FloatArray
+from core.numerics.extremes import Narrow, hill
 
 ALIKE = 1e-11
 """Relative difference below which two summits look equal on the grid."""
 
 ZOOMED = 3
 """How many summits are narrowed at least, of what has no spikes."""
-
-Narrow = Callable[[float, float], tuple[float, float, float]]
-"""Place and height of the largest value between two places, rad, and its error."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,9 +114,9 @@ def summits(
         if same is not None:
             found.append(same)
             continue
-        place, height, error = narrow(low, high)
-        if heights[i] > height:
-            place, height = float(places[i]), float(heights[i])
+        place, height, error = hill(
+            place=float(places[i]), height=float(heights[i]), low=low, high=high, narrow=narrow
+        )
         others = tuple(place + float(places[k] - places[i]) for k in alike)
         found.append(Summit(place, height, error, others))
     return found

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from core.arrays import FloatArray
+from core.numerics.extremes import Narrow
 from core.output.compiled import at_hand
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import (
@@ -18,7 +19,7 @@ from core.output.sharing_kernel import (
     Poses,
     Room,
 )
-from core.output.summits import Grid, Narrow
+from core.output.summits import Grid
 
 POSITIONS = 720
 """Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
