@@ -145,9 +145,12 @@ def pin_fit(
         for code, holds in strained.items()
         if holds
     )
-    if not assumed:
-        notices += slip_notices(
-            pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity
+    if not assumed:  # what was meant comes before what follows from it
+        notices = (
+            *slip_notices(
+                pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity
+            ),
+            *notices,
         )
     return PinFit(eccentricity=eccentricity, clearance=clearance, notices=notices)
 

@@ -179,8 +179,9 @@ def test_order_and_verdict() -> None:
         *("contact_shakedown_hole", "contact_yield_pin", "contact_shakedown_pin", "assembly"),
     ]
     assert verdict(every).verdict == "fail"
-    assert verdict(every).torque_reserve == 0.25  # not the warning's
+    assert verdict(every).impossible and verdict(every).torque_reserve is None
     assert not verdict(every).largest_torque_known
+    assert verdict(every[:-1]).torque_reserve == 0.25  # not the warning's
     assert verdict([three, four, seven]).largest_torque_known
     unknown = verdict([five, seven, eight])
     assert unknown.verdict == "incomplete"
