@@ -5,6 +5,7 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 WORKERS ?= 1
 PYTHON ?= python3
+BASE ?= HEAD
 BIN := .venv/bin
 
 # Every package and what it needs, by version and hash; the service runs from the checkout.
@@ -14,7 +15,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run check test lint types fast slow node page accuracy bench bench-page \
+.PHONY: help run check test lint types fast slow node page accuracy compare bench bench-page \
 	requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
@@ -78,6 +79,9 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.peaks
 	PYTHONPATH=. $(BIN)/python -m benchmarks.fit
 	PYTHONPATH=. $(BIN)/python -m benchmarks.turns
+
+compare: .venv/test  ## ask a corpus of requests of revision BASE and of this one, and compare the answers
+	PYTHONPATH=. $(BIN)/python -m benchmarks.compare $(BASE)
 
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed

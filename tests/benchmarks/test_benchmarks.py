@@ -12,6 +12,7 @@ ROOT = Path(__file__).parent.parent.parent
 SAYS = {
     "attacks": "left as they are",
     "batches": "more than",
+    "compare": "0 requests answered otherwise",
     "fit": "fit: 0 misses",
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",

@@ -1,0 +1,215 @@
+"""Does this revision answer as another one did? `make compare BASE=rev`.
+
+A corpus of requests (tests/corpus) is asked of that revision, in a work tree of its own, and of
+this one. Codes, verdicts, pointers and all that is no number have to be the same, numbers within
+the errors that both state; texts for people are counted only. What the description of the API says
+otherwise is printed. It ends with 1 where anything differs.
+"""
+
+import argparse
+import asyncio
+import difflib
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parent.parent
+CORPUS = ROOT / "tests" / "corpus" / "requests.json"
+
+COSTS = {"run_time_us", "evaluations"}
+"""What a number cost, which is no part of it."""
+
+TEXTS = {"detail", "title", "why", "formula", "source", "method"}
+"""What is said to people: it is counted where it differs."""
+
+LEAST, TOO_MUCH, INSTEAD = 1e-12, 1e-3, 1e-6
+"""Relative differences that are rounding; stated errors that hide too much, and what is allowed in
+their place."""
+
+SHOWN = 12
+"""Differences of a request, and lines of the description, that are shown."""
+
+
+async def _answers(requests: list[dict[str, Any]]) -> dict[str, Any]:
+    import httpx
+
+    from app.main import create_app
+    from app.settings import Settings
+
+    transport = httpx.ASGITransport(app=create_app(Settings(max_seconds=600)))
+    async with httpx.AsyncClient(
+        transport=transport, base_url="http://service/api/v1/", timeout=None
+    ) as client:
+        found = []
+        for each in requests:
+            kind = {"content-type": "application/json"}
+            sent = json.dumps(each["body"])
+            answer = await client.post(each["path"], content=sent, headers=kind)
+            found.append({"status": answer.status_code, "answer": answer.json()})
+        description = (await client.get("openapi.json")).json()
+    return {"answers": found, "description": description}
+
+
+def ask(requests: str) -> None:
+    """Answer requests by the revision in the current folder, as JSON on standard output."""
+    print(json.dumps(asyncio.run(_answers(json.loads(Path(requests).read_text())))))
+
+
+def answers(folder: Path, requests: Path) -> dict[str, Any]:
+    """Answers of the revision in a folder.
+
+    Parameters
+    ----------
+    folder : Path
+        Its work tree.
+    requests : Path
+        The requests, as JSON.
+
+    Returns
+    -------
+    dict
+        Its `answers`, and its `description` of the API.
+    """
+    done = subprocess.run(
+        [sys.executable, __file__, "--ask", str(requests)],
+        cwd=folder,
+        env={"PYTHONPATH": str(folder), "PATH": "/usr/bin:/bin"},
+        stdout=subprocess.PIPE,
+        check=True,
+        text=True,
+    )
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+class Difference:
+    """What two answers say otherwise.
+
+    Attributes
+    ----------
+    differences : list of str
+        What has to be the same and is not, by its place.
+    numbers, worded : int
+        Numbers that were compared, and texts that differ.
+    loose : list of str
+        Numbers whose stated error is too large to compare by.
+    """
+
+    def __init__(self) -> None:
+        self.differences: list[str] = []
+        self.loose: list[str] = []
+        self.numbers = self.worded = 0
+
+    def compare(self, before: Any, after: Any, place: str = "", error: float = LEAST) -> None:
+        """Compare two parts of answers.
+
+        Parameters
+        ----------
+        before, after : object
+            What both say.
+        place : str
+            Where it stands.
+        error : float
+            Relative error that is stated for it.
+        """
+        if isinstance(before, dict) and isinstance(after, dict):
+            error = self._stated(before, after, place, error)
+            for name in {**before, **after}:
+                if name in COSTS:
+                    continue
+                if name not in before or name not in after:
+                    where = "after" if name in after else "before"
+                    self.differences.append(f"{place}/{name}: only {where}")
+                elif name in TEXTS and isinstance(before[name], str):
+                    self.worded += before[name] != after[name]
+                else:
+                    self.compare(before[name], after[name], f"{place}/{name}", error)
+        elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after):
+            for index, each in enumerate(zip(before, after, strict=True)):
+                self.compare(*each, f"{place}/{index}", error)
+        elif _number(before) and _number(after):
+            self.numbers += 1
+            if not math.isclose(before, after, rel_tol=error, abs_tol=error):
+                self.differences.append(f"{place}: {before!r} -> {after!r}")
+        elif before != after:
+            self.differences.append(f"{place}: {before!r} -> {after!r}"[:300])
+
+    def _stated(self, before: Any, after: Any, place: str, error: float) -> float:
+        stated = [each["accuracy"] for each in (before, after) if "accuracy" in each]
+        found = max((float(each["relative_error"]) for each in stated), default=0.0)
+        if found > TOO_MUCH:
+            self.loose.append(place or "/")
+            found = INSTEAD
+        return max(error, 2 * found)
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def described(before: Any, after: Any) -> Iterator[str]:
+    """Lines of the description of the API that differ."""
+    pages = (json.dumps(each, indent=1, sort_keys=True).split("\n") for each in (before, after))
+    for line in difflib.unified_diff(*pages, "before", "after", n=0, lineterm=""):
+        if not line.startswith("@@"):
+            yield line
+
+
+def main(base: str, smallest: bool = False) -> int:
+    """Compare, and say what differs; 1 if anything does."""
+    requests = json.loads(CORPUS.read_text(encoding="utf-8"))
+    if smallest:
+        requests = requests[::40]
+    with tempfile.TemporaryDirectory() as temporary:
+        file, other = Path(temporary) / "requests.json", Path(temporary) / "base"
+        file.write_text(json.dumps(requests), encoding="utf-8")
+        after = answers(ROOT, file)
+        if smallest:
+            before = after
+        else:
+            git = ["git", "-C", str(ROOT), "worktree"]
+            subprocess.run([*git, "add", "--quiet", "--detach", str(other), base], check=True)
+            try:
+                before = answers(other, file)
+            finally:
+                subprocess.run([*git, "remove", "--force", str(other)], check=True)
+    numbers = worded = different = 0
+    loose: dict[str, int] = {}
+    pairs = zip(requests, before["answers"], after["answers"], strict=True)
+    for index, (request, one, two) in enumerate(pairs):
+        found = Difference()
+        found.compare(one, two)
+        numbers, worded = numbers + found.numbers, worded + found.worded
+        for place in found.loose:
+            loose[request["path"] + place] = loose.get(request["path"] + place, 0) + 1
+        if found.differences:
+            different += 1
+            print(f"{index} {request['path']}: {len(found.differences)} differences")
+            for each in found.differences[:SHOWN]:
+                print(f"    {each}")
+    lines = [*described(before["description"], after["description"])]
+    for line in lines[:SHOWN]:
+        print(line)
+    answered = sum(each["status"] == 200 for each in after["answers"])
+    print(f"{len(requests)} requests, {answered} answered, {numbers} numbers compared")
+    print(f"{worded} texts differ, {len(lines)} lines of the description; stated errors above "
+          f"{TOO_MUCH:g} in {loose or 'none'}")  # fmt: skip
+    print(f"{different} requests answered otherwise")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("base", nargs="?", default="HEAD", help="the revision to compare with")
+    parser.add_argument("--ask", help="requests that are only answered")
+    parser.add_argument("--smallest", action="store_true", help="a few, of this revision alone")
+    given = parser.parse_args()
+    if given.ask:
+        ask(given.ask)
+    else:
+        sys.exit(main(given.base, given.smallest))

@@ -1,0 +1,1 @@
+"""The corpus of `make compare`: requests only, never answers of ours."""

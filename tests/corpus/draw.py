@@ -1,0 +1,86 @@
+"""Make the corpus anew: `python -m tests.corpus.draw`.
+
+Examples and paper figures, what the API's description shows, the tutorial, what calculations are
+held to exact values with, random whole designs, and what is refused.
+"""
+
+import json
+import random
+import re
+from pathlib import Path
+from typing import Any
+
+from app.examples import EXAMPLES, REQUESTS
+from tests.oracles.answers import CALCULATIONS
+from tests.oracles.answers.calculation import Draw
+from tests.oracles.fuzz_requests import DESIGNS, mutated
+from tests.oracles.fuzz_requests import Draw as Wide
+
+HERE = Path(__file__).parent
+CORPUS = HERE / "requests.json"
+TUTORIAL = HERE.parent.parent / "docs" / "tutorial.md"
+
+COUNT, REFUSED = 400, 40
+HELD = 10
+"""Requests of each calculation that exact values are known of, one in five of them extreme."""
+
+SLOW = {"work-precision", "batch"}
+"""What takes minutes, or is many of the others."""
+
+Asked = dict[str, Any]
+
+
+def asked(path: str, body: Any) -> Asked:
+    return {"path": path, "body": body}
+
+
+def usual() -> list[Asked]:
+    """What is shown to people."""
+    found = [asked(each["calculation"], each["input"]) for each in EXAMPLES]
+    found += [asked(path, body) for path, body in REQUESTS.items() if path not in SLOW]
+    tutorial = re.findall(r"ask (\S+) '(.*?)'\n", TUTORIAL.read_text(encoding="utf-8"), re.DOTALL)
+    found += [asked(path, json.loads(body)) for path, body in tutorial]
+    whole = [each for each in found if each["path"] == "crank-planetary"]
+    every = ["checks", "fixes"]
+    return found + [asked("crank-planetary", each["body"] | {"include": every}) for each in whole]
+
+
+def held() -> list[Asked]:
+    """What exact values are known of."""
+    return [
+        asked(calculation.path, calculation.request(Draw(seed, extreme=seed % 5 == 4)))
+        for calculation in CALCULATIONS
+        for seed in range(HELD)
+    ]
+
+
+def drawn(count: int) -> list[Asked]:
+    """Random designs of practical sizes, whole ones in half."""
+    r, found = Wide(20261125), []
+    others = [each for each in DESIGNS if each != "crank-planetary"]
+    while len(found) < count:
+        path = "crank-planetary" if r.chance(0.5) else r.choice(others)
+        body = DESIGNS[path](r)
+        mechanism = body.get("mechanism", body)
+        if mechanism.get("pins", 1) * mechanism.get("satellites", 1) <= 60:
+            found.append(asked(path, body))
+    return found
+
+
+def refused(good: list[Asked]) -> list[Asked]:
+    """What is wrong in one place."""
+    r, picks = Wide(7), random.Random(7).sample(good, REFUSED)
+    return [asked(each["path"], mutated(r, each["body"])) for each in picks]
+
+
+def main() -> None:
+    """Write the corpus."""
+    good = usual() + held()
+    good += drawn(COUNT - REFUSED - len(good))
+    lines = [json.dumps(each) for each in good + refused(good)]
+    CORPUS.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")
+    print(f"{len(lines)} requests in {CORPUS.name}")
+
+
+if __name__ == "__main__":
+    main()
