@@ -15,12 +15,13 @@ from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import Draw
 from tests.oracles.fuzz_requests import DESIGNS, mutated
 from tests.oracles.fuzz_requests import Draw as Wide
+from tests.oracles.in_process import Service
 
 HERE = Path(__file__).parent
 CORPUS = HERE / "requests.json"
 TUTORIAL = HERE.parent.parent / "docs" / "tutorial.md"
 
-COUNT, REFUSED = 400, 40
+COUNT, REFUSED = 400, 35
 HELD = 10
 """Requests of each calculation that exact values are known of, one in five of them extreme."""
 
@@ -54,15 +55,16 @@ def held() -> list[Asked]:
     ]
 
 
-def drawn(count: int) -> list[Asked]:
-    """Random designs of practical sizes, whole ones in half."""
+def drawn(count: int, service: Service) -> list[Asked]:
+    """Random designs of practical sizes that are answered, whole ones in half."""
     r, found = Wide(20261125), []
     others = [each for each in DESIGNS if each != "crank-planetary"]
     while len(found) < count:
         path = "crank-planetary" if r.chance(0.5) else r.choice(others)
         body = DESIGNS[path](r)
         mechanism = body.get("mechanism", body)
-        if mechanism.get("pins", 1) * mechanism.get("satellites", 1) <= 60:
+        few = mechanism.get("pins", 1) * mechanism.get("satellites", 1) <= 60
+        if few and service.post(path, body)[0] == 200:
             found.append(asked(path, body))
     return found
 
@@ -75,8 +77,9 @@ def refused(good: list[Asked]) -> list[Asked]:
 
 def main() -> None:
     """Write the corpus."""
-    good = usual() + held()
-    good += drawn(COUNT - REFUSED - len(good))
+    service = Service()
+    good = [each for each in usual() + held() if service.post(each["path"], each["body"])[0] == 200]
+    good += drawn(COUNT - REFUSED - len(good), service)
     lines = [json.dumps(each) for each in good + refused(good)]
     CORPUS.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")
     print(f"{len(lines)} requests in {CORPUS.name}")
