@@ -60,6 +60,9 @@ def test_the_curl_example_answers_what_stands_there(service, direct):
     assert accuracy.pop("relative_error") == pytest.approx(stated.pop("relative_error"), rel=0.01)
     assert accuracy == stated
     assert answer.pop("peak_pair") == shown.pop("peak_pair")
+    (assumed,), (said,) = answer.pop("assumed"), shown.pop("assumed")
+    assert assumed.pop("without") == pytest.approx(said.pop("without"), rel=1e-12)
+    assert assumed == said
     assert answer == pytest.approx(shown, rel=1e-12)
 
 
