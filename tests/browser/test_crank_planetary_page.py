@@ -692,3 +692,20 @@ def test_without_the_service_everything_typed_stays(page: Page, service: str, wa
     watch.complaints = [
         line for line in watch.complaints if not re.search("ERR_FAILED|status of 500", line)
     ]
+
+
+def test_what_is_assumed_stands_beside_the_verdict(page: Page, service: str) -> None:
+    """A box that shows its default says it; one that is emptied leaves it to the service."""
+    show(page, service, ZYL | {"contact.eccentricity_mm": "1.5"})
+    aside = page.locator(".summary .aside")
+    expect(aside).not_to_contain_text("Assumed")
+    box(page, "mechanism.satellites").fill("")
+    settled(page)
+    expect(aside).to_contain_text("Assumed: Satellites: 2 (for one: 888.2")
+
+
+def test_a_ratio_with_a_sign_is_read_without_it(page: Page, service: str) -> None:
+    show(page, service, ZYL | {"mechanism.ratio": "-20", "contact.eccentricity_mm": "1.5"})
+    expect(page.locator(".summary .say")).to_contain_text("The ratio is taken as 20")
+    box(page, "mechanism.ratio").fill("0.05")
+    expect(page.locator('[data-path="mechanism.ratio"]')).to_contain_text("give 20")
