@@ -156,10 +156,12 @@ export function notConsidered({ not_considered: codes = [] }) {
 /** What was not given and is assumed, in words. */
 export function assumedIn({ assumed = [] }) {
   if (assumed.length === 0) return "";
-  const what = assumed.map(({ pointer, value }) => {
+  const what = assumed.map(({ pointer, value, without }) => {
     const [name, group] = pointer.split("/").reverse();
     const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? "";
-    return message("checks.assumedOne", { title: (fieldWords(name, group) ?? [name])[0], value: shown });
+    const words = { title: (fieldWords(name, group) ?? [name])[0], value: shown };
+    if (!without) return message("checks.assumedOne", words);
+    return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });
   });
   return message("checks.assumed", { what: what.join("; ") });
 }

@@ -355,6 +355,7 @@ export default {
     more: { one: "{count} more check", other: "{count} more checks" },
     assumed: "Assumed, as it is not given: {what}.",
     assumedOne: "{title}: {value}",
+    assumedWithout: "{title}: {value} (for one: {force})",
     notConsidered: "Not looked at: {what}.",
     standard: "standard",
     secondary: "secondary sources",

@@ -348,6 +348,7 @@ export default {
     more: { one: "Ещё {count} проверка", few: "Ещё {count} проверки", many: "Ещё {count} проверок", other: "Ещё {count} проверки" },
     assumed: "Не задано, поэтому взято: {what}.",
     assumedOne: "{title}: {value}",
+    assumedWithout: "{title}: {value} (с одним: {force})",
     notConsidered: "Не рассмотрено: {what}.",
     standard: "стандарт",
     secondary: "вторичные источники",

@@ -348,6 +348,7 @@ export default {
     more: { one: "Ще {count} перевірка", few: "Ще {count} перевірки", many: "Ще {count} перевірок", other: "Ще {count} перевірки" },
     assumed: "Не задано, тому взято: {what}.",
     assumedOne: "{title}: {value}",
+    assumedWithout: "{title}: {value} (з одним: {force})",
     notConsidered: "Не розглянуто: {what}.",
     standard: "стандарт",
     secondary: "вторинні джерела",

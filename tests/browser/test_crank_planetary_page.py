@@ -701,11 +701,11 @@ def test_what_is_assumed_stands_beside_the_verdict(page: Page, service: str) -> 
     expect(aside).not_to_contain_text("Assumed")
     box(page, "mechanism.satellites").fill("")
     settled(page)
-    expect(aside).to_contain_text("Assumed: Satellites: 2 (for one: 888.2")
+    expect(aside).to_contain_text("Assumed, as it is not given: Satellites: 2 (for one: 888.2")
 
 
 def test_a_ratio_with_a_sign_is_read_without_it(page: Page, service: str) -> None:
     show(page, service, ZYL | {"mechanism.ratio": "-20", "contact.eccentricity_mm": "1.5"})
     expect(page.locator(".summary .say")).to_contain_text("The ratio is taken as 20")
     box(page, "mechanism.ratio").fill("0.05")
-    expect(page.locator('[data-path="mechanism.ratio"]')).to_contain_text("give 20")
+    expect(page.locator('[data-path="mechanism.ratio"]')).to_contain_text("its inverse is 20")

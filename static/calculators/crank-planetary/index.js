@@ -224,7 +224,7 @@ export default {
   /** The same design said in an option's own fields, so that choosing it starts from numbers. */
   seeds: {
     "cranks.list": ({ mechanism }) => ({ "mechanism.crank_angles_deg": cranksOf(mechanism).map(tidy) }),
-    "ratio.teeth": ({ mechanism }) => teethOf(mechanism.ratio),
+    "ratio.teeth": ({ mechanism }) => teethOf(ratioOf(mechanism)),
     "torque.input": ({ mechanism, load }) => ({
       "load.efficiency": 1,
       "load.input_torque_Nm": tidy(load?.output_torque_Nm / ratioOf(mechanism)),

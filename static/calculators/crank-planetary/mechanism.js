@@ -22,8 +22,9 @@ function modulo(value, period) {
   return value - period * Math.floor(value / period);
 }
 
+/** The ratio as a number: a sign is that of the output, which the service takes off. */
 export function ratioOf({ ratio, satellite_teeth: z2, ring_teeth: z3 }) {
-  return ratio ?? z2 / (z3 - z2);
+  return Math.abs(ratio ?? z2 / (z3 - z2));
 }
 
 /** Angles of the cranks against the first, degrees. */
