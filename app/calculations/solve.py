@@ -1,6 +1,7 @@
 """One input of a calculation solved for one of its results: request, answer."""
 
 import math
+from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import replace
 from functools import cached_property
@@ -41,7 +42,7 @@ from core.exploration.solve import (
     solve_for,
 )
 from core.fixes.fix import PIN_SIZES
-from core.results import Accuracy
+from core.results import Accuracy, Notice
 
 SOLVED = {
     each.name: each
@@ -157,6 +158,16 @@ class SolveRequest(RequestModel):
             return self.adapter.validate_python(self.design)
         except ValidationError as error:
             raise _refused(error) from None
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """What its calculation assumes, but for what is looked for."""
+        for path, value in self.asked.assumed():
+            if list(path) != _parts(self.variable.pointer):
+                yield ("input", *path), value
+
+    def notices(self) -> tuple[Notice, ...]:
+        """What of the input is taken otherwise than it is typed."""
+        return self.asked.notices()
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse an input that its calculation refuses by its fields alone."""

@@ -53,6 +53,19 @@ async def test_materials_that_were_left_out_are_said(api):
     assert "eccentricity_assumed" in [each["code"] for each in answer["warnings"]]
 
 
+async def test_a_solution_says_what_its_calculation_assumes(api):
+    input = ONE_DISC | {"ratio": -30}
+    target = {"pointer": "/peak_force_N", "at_most": 400}
+    radius = {"pointer": "/pin_circle_radius_mm", "from": 10, "to": 50}
+    body = {"calculation": "contact-force", "input": input, "target": target, "variable": radius}
+    answer = await answered(api, "solve", body)
+    assert answer["assumed"] == [{"pointer": "/input/satellites", "value": 2}]
+    assert [each["code"] for each in answer["warnings"]] == ["ratio_sign"]
+    number = {"pointer": "/satellites", "from": 1, "to": 4}
+    answer = await answered(api, "solve", body | {"variable": number})
+    assert answer["value"] and "assumed" not in answer
+
+
 ENDPOINTS = {
     "cyclogram": {"pins": 3, "ratio": 20},
     "hertz": {"force_N": 1000, **PRINTED["contact"]},

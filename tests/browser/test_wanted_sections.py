@@ -31,7 +31,9 @@ DESIGN = {
     "contact.eccentricity_mm": "2",
 }
 STUDY = {
+    "real.on": "on",
     "study.on": "on",
+    "contact.hole_clearance_mm": "0.1",
     "tolerances.hole_position_mm": "0.02",
     "tolerances.pin_diameter.class": "h6",
     "quantities": "peak_force_N",
