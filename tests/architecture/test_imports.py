@@ -1,4 +1,4 @@
-"""Tests and benchmarks import the oracles, and each other only to be tested; exact answers know no core."""
+"""Tests and benchmarks import oracles, each other only to be tested; exact answers know no core."""
 
 import ast
 from collections.abc import Iterator
