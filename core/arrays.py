@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from core.errors import InvalidInput
 
 FloatArray = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 

@@ -93,7 +93,7 @@ def _settled(found: Verdict, reserve: float, first: str, *, rough: bool) -> Verd
             return check
         own = reserve if check.code == first else max(known, reserve)
         status = check.status
-        if status in ("pass", "marginal") and not check.reason and not check.warning:
+        if status in ("pass", "marginal") and not check.reason:
             status = "marginal" if own < MARGIN else "pass"
         return check._replace(torque_reserve=own, status=status, rough=rough)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive, check_single
+from core.arrays import ComplexArray, FloatArray, check_positive, check_single
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, shared_mean
@@ -20,7 +20,7 @@ from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.moving_sharing import MovingSharing
 from core.output.pin_search import MISSED, largest
-from core.output.pin_turn import ComplexArray, satellite_turn
+from core.output.pin_turn import satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 

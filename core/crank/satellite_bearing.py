@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, Number, check_positive, check_single
+from core.arrays import ComplexArray, FloatArray, Number, check_positive, check_single
 from core.crank.bearing_life import (
     EXPONENTS,
     Bearing,
@@ -33,7 +33,7 @@ from core.output.moving_sharing import MovingSharing, shared, shared_largest
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import MISSED, Measure, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
-from core.output.sampled_turn import WAYS, ComplexArray, Direction, Made, SampledTurn
+from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 FINEST = 9

@@ -6,12 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, Number
+from core.arrays import ComplexArray, FloatArray, Number
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.moving_sharing import MovingSharing, shared_largest
 from core.output.pin_beam import face_load_factor
 from core.output.pin_search import Measure, largest
-from core.output.pin_turn import ComplexArray
 
 IDLE = 1e-12
 """Forces below this part of the largest bear no line load that counts."""

@@ -8,7 +8,7 @@ from typing import Literal
 from core.errors import ImpossibleMechanism
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import RealMechanism
-from core.output.room import Rooms, TurnRoom
+from core.output.room import Binding, Rooms, TurnRoom
 from core.output.satellite_support import CrankSupport, Shares
 from core.output.sharing_kernel import alone
 
@@ -127,17 +127,20 @@ class Fit:
             return "pressed_without_load"
         if self.room.state == "binds_in_turning":
             return "jams"
-        alone = self.rooms.discs() if self.real.mechanism.satellites > 1 else ()
-        out = alone and all(disc.least >= 0 for disc in alone)
-        return "discs_out_of_phase" if out else "cannot_assemble"
+        several = self.real.mechanism.satellites > 1
+        if several and all(disc.least >= 0 for disc in self.rooms.discs()):
+            return "discs_out_of_phase"
+        return "cannot_assemble"
 
     def _pressed(self) -> bool:
+        """Whether every pair stands what presses it without load where the room is least; where no
+        limit is known, whether forces balance there.
+        """
         real, limits = self.real, self.forces_at_limit
-        lever = real.pin_circle_radius * min(limits or (1.0,))
-        room = real.room()
+        psi, room = real.wave(self.room.crank_angle or 0.0), real.room()
+        torque = NO_TORQUE * real.pin_circle_radius * min(limits or (1.0,))
         try:
-            real.solved(real.wave(self.room.crank_angle or 0.0), NO_TORQUE * lever,
-                        real.setup(1.0), room)  # fmt: skip
+            real.solved(psi, torque, real.setup(1.0), room)
         except ImpossibleMechanism:
             return False
         return limits is None or all(
@@ -151,19 +154,19 @@ class Fit:
         -------
         ImpossibleMechanism
         """
-        room, real = self.room, self.real
-        where = {} if room.crank_angle is None else {"crank_angle": room.crank_angle}
-        pair = room.binding[0] if room.binding else None
+        room, where, pair = self.room, {}, Binding(1, 1, "radial")  # where all do alike: any
+        if room.crank_angle is not None:
+            where = {"crank_angle": room.crank_angle}
+            (pair, *_) = room.binding
         return ImpossibleMechanism(
             "cannot_assemble",
             where,
-            parameter="hole_radius" if real.clearance < 0 or room.crank_angle is None
-            else "deviations",
-            satellite=pair.satellite if pair else 1,
-            pin=pair.pin if pair else 1,
+            parameter="deviations" if where and self.real.clearance >= 0 else "hole_radius",
+            satellite=pair.satellite,
+            pin=pair.pin,
             missing_length=-room.least,
             needed_length=self.needed_hole_radius,
-        )  # fmt: skip
+        )
 
 
 def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from core.arrays import BoolArray, FloatArray, IntArray
+from core.arrays import BoolArray, ComplexArray, FloatArray, IntArray
 from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
@@ -31,7 +31,7 @@ from core.output.pin_search import (
     sampled,
     summits,
 )
-from core.output.pin_turn import ComplexArray, PinTurn, combine
+from core.output.pin_turn import PinTurn, combine
 from core.output.sampled_turn import PinSamples
 
 Sharing = Literal["equal", "stiffness"]

@@ -180,6 +180,11 @@ def slip_notices(
     tuple of Notice
         Their numbers are in mm.
 
+    Notes
+    -----
+    The bands about each slip are no limits of mechanics: they leave room for the clearance that was
+    meant (0 to 0.3 of the eccentricity), and nothing is offered that would not fit.
+
     Examples
     --------
     Pin 24 mm and hole 29 mm in diameter, typed as radii:
@@ -204,7 +209,7 @@ def slip_notices(
         ("eccentricity_doubled", abs(hole - pin - e / 2) <= 0.15 * e, pin, hole, e / 2),
         ("eccentricity_forgotten", abs(hole - pin) <= 0.3 * e, pin, hole + e, e),
     )
-    strange = abs(clearance) > e / 2 - tolerance or clearance < -0.3 * e
+    strange = not -0.3 * e <= clearance <= LIKE_ECCENTRICITY * e - tolerance
     for code, alike, meant_pin, meant_hole, meant_e in slips:
         if strange and alike and meant_hole - meant_pin - meant_e >= -tolerance:
             meant = {"pin": meant_pin, "hole": meant_hole, "eccentricity": meant_e}

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, IntArray, check_positive
+from core.arrays import ComplexArray, FloatArray, IntArray, check_positive
 from core.errors import InvalidInput
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
@@ -31,8 +31,6 @@ from core.output.mechanism import Mechanism, WavePhases
 from core.output.peak_force import PHASE_ROUNDING
 from core.quadrature import tanh_sinh_rule
 from core.results import ROUNDING
-
-ComplexArray = NDArray[np.complex128]
 
 MANY = 64
 """Driving pairs above which samples are fewer: each pair changes little over an arc."""

@@ -9,10 +9,10 @@ from functools import cache
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite, check_single
+from core.arrays import ComplexArray, FloatArray, check_finite, check_single
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sampled_turn import ComplexArray, Made, SampledTurn, off_straight
+from core.output.sampled_turn import Made, SampledTurn, off_straight
 from core.output.turn import Turn
 
 ENOUGH = 1e-5

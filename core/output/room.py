@@ -9,11 +9,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import ComplexArray, FloatArray, IntArray
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import Deviations
@@ -110,24 +110,50 @@ class TurnRoom:
     binding: tuple[Binding, ...]
 
 
-def _best_of_two(
-    low: FloatArray, high: FloatArray, one: list[FloatArray], other: list[FloatArray]
-) -> tuple[FloatArray, FloatArray]:
-    """Lag between two at which the worse of two pairs has most left, and how much that is; of each
-    pair its own lag, C, ``(p - h)^2`` and ``4*p*h``.
+class _Pairs(NamedTuple):
+    """Pins and the centres of their holes, of each position and pair: distances p and h from the
+    centre of the output, m, the lag at which the pin is nearest, rad, and C, m.
     """
 
-    def left(lag: FloatArray, pair: list[FloatArray]) -> FloatArray:
-        nearest, gap, square, product = pair
-        sine = np.sin((lag - nearest) / 2)
-        return np.asarray(gap - np.sqrt(square + product * sine * sine))
+    p: FloatArray
+    h: FloatArray
+    nearest: FloatArray
+    gap: FloatArray
 
+    def left(self, lag: FloatArray) -> FloatArray:
+        """What is left to each pair at a lag, m."""
+        sine = np.sin((lag - self.nearest) / 2)
+        apart = np.sqrt((self.p - self.h) ** 2 + 4 * self.p * self.h * sine * sine)
+        return np.asarray(self.gap - apart)
+
+    def chosen(self, pair: IntArray) -> "_Pairs":
+        """One pair of each position."""
+        row = np.arange(len(pair))
+        return _Pairs(*[each[row, pair] for each in self])
+
+
+class _Placed(NamedTuple):
+    """The parts at rest: pins, holes without their crank, differences of radii, eccentricities and
+    crank angles of the satellites.
+    """
+
+    pin: ComplexArray  # [N]
+    hole: ComplexArray  # [K, N]
+    gap: FloatArray  # [K, N]
+    eccentricity: FloatArray  # [K]
+    cranks: FloatArray  # [K]
+
+
+def _best_of_two(
+    low: FloatArray, high: FloatArray, one: _Pairs, other: _Pairs
+) -> tuple[FloatArray, FloatArray]:
+    """Lag between two at which the worse of two pairs has most left, and how much that is."""
     for _ in range(HALVINGS):
         lag = (low + high) / 2
-        ahead = lag > np.where(left(lag, one) < left(lag, other), one[0], other[0])
+        ahead = lag > np.where(one.left(lag) < other.left(lag), one.nearest, other.nearest)
         low, high = np.where(ahead, low, lag), np.where(ahead, lag, high)
     lag = (low + high) / 2
-    return lag, np.minimum(left(lag, one), left(lag, other))
+    return lag, np.minimum(one.left(lag), other.left(lag))
 
 
 @dataclass(frozen=True)
@@ -168,10 +194,7 @@ class Rooms:
     deviations: Deviations = field(default_factory=Deviations)
 
     @cached_property
-    def _placed(self) -> tuple[Any, Any, FloatArray, FloatArray, FloatArray]:
-        """Pins P, holes H without their crank [K, N], differences of radii C [K, N], eccentricities
-        and crank angles [K].
-        """
+    def _placed(self) -> _Placed:
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         rows = self.deviations.rows(pins, satellites)
         own = {name: np.array(row) for name, row in rows._asdict().items()}
@@ -184,17 +207,14 @@ class Rooms:
         hole = hole * outward * np.exp(1j * turned)[:, None]
         gap = self.eccentricity + self.clearance + own["hole_radius"] - own["pin_radius"]
         cranks = np.array(self.mechanism.crank_angles) + own["crank_phase"]
-        return pin, hole, gap, self.eccentricity + own["eccentricity"], cranks
+        return _Placed(pin, hole, gap, self.eccentricity + own["eccentricity"], cranks)
 
     @property
     def even(self) -> bool:
         """Whether the room is the clearance at all angles: no deviations, and more than one pin."""
         return self.deviations == Deviations() and self.mechanism.pins > 1
 
-    def _pairs(self, wave: FloatArray, disc: int | None) -> tuple[FloatArray, ...]:
-        """Of each position and pair: distances p and h from the centre, lag at which the pin is
-        nearest to its hole's centre, C.
-        """
+    def _pairs(self, wave: FloatArray, disc: int | None) -> _Pairs:
         pin, hole, gap, eccentricity, cranks = self._placed
         chosen = slice(None) if disc is None else slice(disc, disc + 1)
         angle = np.add.outer(wave, cranks[chosen])
@@ -204,7 +224,7 @@ class Rooms:
         nearest = first + np.remainder(nearest - first + np.pi, 2 * np.pi) - np.pi
         h = np.abs(centre).reshape(len(wave), -1)
         p = np.broadcast_to(np.abs(pin), centre.shape).reshape(len(wave), -1)
-        return p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape)
+        return _Pairs(p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape))
 
     def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
         """Least and largest lag at which all pins are in their holes.
@@ -253,27 +273,18 @@ class Rooms:
         lag : array, shape (M,)
             Where, rad.
         """
-        p, h, nearest, gap = self._pairs(wave, disc)
-        square, product, row = (p - h) ** 2, 4 * p * h, np.arange(len(wave))
-
-        def left(lag: FloatArray) -> FloatArray:
-            sine = np.sin((lag[:, None] - nearest) / 2)
-            return np.asarray(gap - np.sqrt(square + product * sine * sine))
-
-        low, high = nearest.min(axis=1), nearest.max(axis=1)
-        rising, falling = left(low).argmin(axis=1), left(high).argmin(axis=1)
+        pairs, row = self._pairs(wave, disc), np.arange(len(wave))
+        low, high = pairs.nearest.min(axis=1), pairs.nearest.max(axis=1)
+        rising, falling = (pairs.left(lag[:, None]).argmin(axis=1) for lag in (low, high))
         for _ in range(STEPS):
             # of the worst pairs of both ends alone
-            lag, two = _best_of_two(
-                low, high, *([each[row, pair] for each in (nearest, gap, square, product)]
-                             for pair in (rising, falling))
-            )  # fmt: skip
-            heights = left(lag)
+            lag, two = _best_of_two(low, high, pairs.chosen(rising), pairs.chosen(falling))
+            heights = pairs.left(lag[:, None])
             worst = heights.argmin(axis=1)
             room = heights[row, worst]
             if (room >= two - self._rounding).all():
                 break
-            ahead = lag > nearest[row, worst]
+            ahead = lag > pairs.nearest[row, worst]
             low, rising = np.where(ahead, low, lag), np.where(ahead, rising, worst)
             high, falling = np.where(ahead, lag, high), np.where(ahead, worst, falling)
         return room, lag
@@ -325,7 +336,7 @@ class Rooms:
         """How fast the room may change with the wave angle, m/rad: a hole moves on a circle of the
         eccentricity.
         """
-        return float(np.abs(self._placed[3]).max())
+        return float(np.abs(self._placed.eccentricity).max())
 
     def over_turn(self, disc: int | None = None) -> TurnRoom:
         """The room over the turn, and where it is least.
@@ -338,17 +349,15 @@ class Rooms:
         Returns
         -------
         TurnRoom
-
         """
         pin, hole, gap, eccentricity, _ = self._placed
         if (gap >= np.abs(pin) + np.abs(hole) + eccentricity[:, None]).all():
             return TurnRoom("no_bound", math.inf, None, ())
         if self.even:
-            return self._turn_room(self.clearance, None, (), lambda: self.clearance)
+            return self._turn_room(self.clearance, None, (), disc)
         grid = self._grid()
         heights, _ = self.rooms(grid, disc)
-        least, greatest = float(heights.min()), float(heights.max())
-        flat = greatest - least <= TIE * self.eccentricity
+        least, flat = float(heights.min()), self._flat(heights)
         if not flat:
             place, least = self._extreme(grid, heights, -1, disc)
         below = self._below(grid, heights, disc) if least >= 0 else None
@@ -357,29 +366,34 @@ class Rooms:
                 lambda wave: self.rooms(wave, disc)[0], np.array([below]), 1e-3, -1
             )
         elif flat:
-            return self._turn_room(least, None, (), lambda: greatest)
-        return self._turn_room(
-            least,
-            self.crank_angle(place),
-            self._binding(place, disc),
-            lambda: self._extreme(grid, heights, 1, disc)[1],
-        )
+            return self._turn_room(least, None, (), disc)
+        angle = self.crank_angle(place)
+        return self._turn_room(least, angle, self._binding(place, disc), disc)
 
     def _turn_room(
         self,
         least: float,
         angle: float | None,
         binding: tuple[Binding, ...],
-        greatest: Callable[[], float],
+        disc: int | None,
     ) -> TurnRoom:
         state: State = "fits"
         nothing = -FIT_TOLERANCE * (self.pin_radius + self.eccentricity)
         if least < nothing:
-            state = "binds_in_turning" if greatest() >= nothing else "does_not_fit"
+            state = "binds_in_turning" if self.greatest(disc) >= nothing else "does_not_fit"
         return TurnRoom(state, least, angle, binding)
 
-    def greatest(self) -> float:
+    def _flat(self, heights: FloatArray) -> bool:
+        """Whether the room is the same at all positions."""
+        return float(np.ptp(heights)) <= TIE * self.eccentricity
+
+    def greatest(self, disc: int | None = None) -> float:
         """Greatest room over the turn, m.
+
+        Parameters
+        ----------
+        disc : int, optional
+            Of this satellite alone, from 0.
 
         Returns
         -------
@@ -388,9 +402,10 @@ class Rooms:
         if self.even:
             return self.clearance
         grid = self._grid()
-        heights, _ = self.rooms(grid)
-        flat = float(np.ptp(heights)) <= TIE * self.eccentricity
-        return float(heights.max()) if flat else self._extreme(grid, heights, 1, None)[1]
+        heights, _ = self.rooms(grid, disc)
+        if self._flat(heights):
+            return float(heights.max())
+        return self._extreme(grid, heights, 1, disc)[1]
 
     def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
         """A position without room between those of a grid that all have some, or None: intervals in
@@ -418,10 +433,10 @@ class Rooms:
         """The pairs that limit the room at a wave angle."""
         where = np.array([wave])
         (room,), (lag,) = self.rooms(where, disc)
-        p, h, nearest, gap = (row[0] for row in self._pairs(where, disc))
-        away = np.sin((lag - nearest) / 2)
-        left = gap - np.sqrt((p - h) ** 2 + 4 * p * h * away * away)
-        lever = p * h * np.sin(lag - nearest) / np.maximum(gap - left, 1e-300)
+        pairs = _Pairs(*[row[0] for row in self._pairs(where, disc)])
+        left = pairs.left(lag)
+        away = np.maximum(pairs.gap - left, 1e-300)
+        lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
         found = []
         for i in np.flatnonzero(left <= room + TIE * self.eccentricity):
             j, n = divmod(int(i), self.mechanism.pins)
@@ -445,8 +460,8 @@ class Rooms:
         -------
         tuple of DiscRoom, K
         """
-        pin, hole, *_ = self._placed
-        turned = np.angle((hole * pin.conj()).sum(axis=1))
+        placed = self._placed
+        turned = np.angle((placed.hole * placed.pin.conj()).sum(axis=1))
         return tuple(
             DiscRoom(j + 1, self.over_turn(j).least, float(turned[j]))
             for j in range(self.mechanism.satellites)
@@ -461,7 +476,7 @@ class Rooms:
             Angles, rad; negative where the parts do not fit.
         """
         grid, step = self._grid(), 2 * np.pi / POSITIONS
-        pins, cranks = self.mechanism.pins, self._placed[4]
+        pins, cranks = self.mechanism.pins, self._placed.cranks
         dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
         near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
         around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel()

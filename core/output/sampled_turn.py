@@ -11,9 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray
-
-ComplexArray = NDArray[np.complex128]
+from core.arrays import ComplexArray, FloatArray
 
 Direction = Literal["driving", "reverse", "alternating"]
 

@@ -5,11 +5,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import ComplexArray, FloatArray
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
 from core.output.pin_strength import PinStresses, pin_stresses
-from core.output.pin_turn import ComplexArray, PinTurn, all_pairs, pin_turn
+from core.output.pin_turn import PinTurn, all_pairs, pin_turn
 from core.work_precision.study import (
     GOLDEN_STEPS,
     REFERENCE_DIGITS,
