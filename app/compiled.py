@@ -47,7 +47,8 @@ def _mark() -> Path | None:
         return None
     source = Path(sharing_kernel.__file__)
     place = Path(os.environ.get("NUMBA_CACHE_DIR") or source.parent / "__pycache__")
-    names = numba, sys.version, platform.machine(), os.environ.get("NUMBA_CPU_NAME", "")
+    cpu = os.environ.get("NUMBA_CPU_NAME", "generic")  # which `compiled.load` sets
+    names = numba, sys.version, platform.machine(), cpu
     made_of = source.read_bytes() + "\0".join(names).encode()
     digest = hashlib.blake2b(made_of, digest_size=12).hexdigest()
     return place / f"{source.stem}.{digest}.compiled"

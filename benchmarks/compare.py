@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -75,14 +76,16 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
     dict
         Its `answers`, and its `description` of the API.
     """
-    done = subprocess.run(
-        [sys.executable, __file__, "--ask", str(requests)],
+    run = partial(
+        subprocess.run,
         cwd=folder,
         env={"PYTHONPATH": str(folder), "PATH": "/usr/bin:/bin"},
         stdout=subprocess.PIPE,
         check=True,
         text=True,
     )
+    run([sys.executable, "-m", "app.compiled"])  # studies say it where their loops are not at hand
+    done = run([sys.executable, __file__, "--ask", str(requests)])
     found: dict[str, Any] = json.loads(done.stdout)
     return found
 

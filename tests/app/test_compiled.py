@@ -33,6 +33,14 @@ def test_an_installation_prepares_once(elsewhere, monkeypatch):
     assert (compiled.state(), done) == ("ready", [1])
 
 
+def test_what_loading_sets_for_other_processes_moves_no_mark(elsewhere, monkeypatch):
+    monkeypatch.delenv("NUMBA_CPU_NAME", raising=False)
+    before = compiled._mark()
+    monkeypatch.setenv("NUMBA_CPU_NAME", "generic")  # as `core.output.compiled.load` does
+    compiled._mark.cache_clear()
+    assert compiled._mark() == before
+
+
 def test_a_process_from_before_they_were_compiled_uses_them_once_they_are(elsewhere, monkeypatch):
     def used():
         told = []
