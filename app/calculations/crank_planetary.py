@@ -117,6 +117,9 @@ STRENGTH: dict[Section, str] = {
 }
 """Sections of strength and life, and what of a design they answer."""
 
+AS_MADE = ("hertz", "geometry", *STRENGTH)
+"""Sections that follow from the forces of the mechanism as it is made, where it is given so."""
+
 MOST_PAIRS: dict[Section, int] = {
     "pin_strength": MOST_PIN_PAIRS,
     "satellite_bearing": MOST_BEARING_PAIRS,
@@ -174,7 +177,8 @@ class CrankPlanetaryRequest(DesignFields):
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: all but geometry, checks and fixes, as far as their input is given; load_sharing "
         "where clearance, deviations, a contact law or satellites that give are. load_sharing and "
-        "hertz with these are left out then where the forces cannot be solved.",
+        "hertz with these are left out then where the forces cannot be solved. What rests on the "
+        "forces of parts that cannot be put together is always: the check interference says why.",
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -219,7 +223,7 @@ class CrankPlanetaryRequest(DesignFields):
     def sections(self) -> list[Section]:
         """Sections of the answer."""
         if self.include is not None:
-            return self.include
+            return [each for each in self.include if not self._unfit(each)]
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
         allowed = [
@@ -229,7 +233,13 @@ class CrankPlanetaryRequest(DesignFields):
             return allowed
         if self.design.judged_forces is None:
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
-        return [*allowed, "load_sharing"]
+        return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
+
+    def _unfit(self, section: Section) -> bool:
+        """Whether a section rests on forces of parts that cannot be put together."""
+        made = section == "load_sharing" or (self.as_made and section in AS_MADE)
+        fit = self.design.fit if made else None
+        return fit is not None and fit.impossible
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations

@@ -81,9 +81,11 @@ export function createView({ id, logic, asking }) {
       const { reading: { input } } = state;
       const older = Boolean(answer) && JSON.stringify(logic.asked(input)) !== of;
       if (phase) root.dataset.begun = "true";
+      const held = [run, stop].includes(document.activeElement); // a button that is disabled would lose it
       run.disabled = running;
       run.textContent = message(answer && !older ? "study.again" : "study.run");
       stop.disabled = !running;
+      if (held) (running ? stop : run).focus();
       bar.classList.toggle("idle", !running);
       if (running && progress === undefined) bar.removeAttribute("value");
       else bar.value = running ? progress : 0;

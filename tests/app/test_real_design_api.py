@@ -203,20 +203,40 @@ async def test_of_hole_eccentricity_and_clearance_two_say_the_third(api, contact
         ),
         ({"mechanism__pins": 51, "deviations": None}, "/mechanism/pins", "too_many_pairs"),
         ({"load__torque_direction": "both"}, "/load/torque_direction", "literal_error"),
-        (
-            {"deviations__disc_phase_deg": [0, 5], "include": ["load_sharing"]},
-            "/deviations",
-            "cannot_assemble",
-        ),
-        (
-            {"deviations__disc_phase_deg": [0, 5], "include": ["hertz"]},
-            "/deviations",
-            "cannot_assemble",
-        ),
     ],
 )
 async def test_what_does_not_fit_together_is_refused(api, changes, pointer, code):
     assert await refused(api, changed(**changes)) == (pointer, code)
+
+
+@pytest.mark.parametrize(
+    "include", [["load_sharing"], ["hertz", "contact_force", "geometry"], None]
+)
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"deviations__disc_phase_deg": [0, 5]}, "discs_out_of_phase"),
+        ({"deviations": None, "contact__hole_clearance_mm": -1.0}, "cannot_assemble"),
+    ],
+)
+async def test_parts_that_cannot_be_put_together_are_judged_not_refused(
+    api, changes, reason, include
+):
+    """Without the sections of their forces: the verdict and the fit say what is wrong."""
+    body = changed(**changes, include=include)
+    if include:
+        body["include"] = [*include, "checks"]
+    answer = await answered(api, body)
+    assert "load_sharing" not in answer and ("contact_force" in answer) == (
+        include != ["load_sharing"]
+    )
+    assert ("hertz" in answer) == (
+        "hertz" in (include or ["hertz"]) and body.get("deviations") is None
+    )
+    assert (answer["verdict"], answer["governing"]) == ("fail", "interference")
+    assert answer["fit"]["state"] == "does_not_fit" and answer["fit"]["needed_hole_radius_mm"] > 0
+    if include:
+        assert answer["checks"][0]["reason"]["code"] == reason
 
 
 async def test_uneven_sharing_may_be_assumed_of_ideal_forces_only(api):

@@ -135,6 +135,9 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     expect(study.locator(".ranked tbody tr")).to_have_count(2, timeout=60_000)
     expect(study.locator(".sentences")).to_contain_text("with 45 pieces")
     expect(study.locator(".histogram")).to_have_count(1)
+    expect(
+        controls.locator('[data-do="run"]')
+    ).to_be_focused()  # though it could not be pressed while the study ran
     box(page, "tolerances.hole_position_mm").fill("0.03")
     expect(study.locator(".state")).to_have_text("Numbers of earlier inputs")
     expect(study.locator(".outcome")).to_have_attribute("data-stale", "true")
@@ -153,6 +156,16 @@ def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watc
     box(page, "samples").fill("1000000")
     run.click()
     expect(words_at(page, "samples")).to_contain_text("ust be at most", timeout=30_000)
+
+
+def test_parts_that_cannot_be_put_together_are_judged(page: Page, service: str) -> None:
+    """Not possible, by how much, and the hole that would do: the input itself is right."""
+    pressed = {"real.on": "on", "contact.hole_clearance_mm": "-0.3"}
+    show(page, service, "crank-planetary", **DESIGN, **pressed)
+    verdict = page.locator(".outputs .verdict").first
+    expect(verdict).to_contain_text("Not possible")
+    expect(verdict).to_contain_text("Room of the pins in their holes")
+    expect(page.locator(".checks")).to_contain_text("6.7 mm → 7 mm")
 
 
 @pytest.mark.parametrize("clearance", ["", "0.02"])
