@@ -15,7 +15,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run check test lint types fast slow node page accuracy compare bench bench-page \
+.PHONY: help run check test lint types compiled fast node accuracy compare bench bench-page \
 	requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
@@ -42,7 +42,9 @@ check: .venv/test  ## what to run while working: style, types, imports, fast tes
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync lint types node fast \
 		QUICK=--hypothesis-profile=quick
 
-test: lint types node fast slow page  ## everything: check, and all that is slower, the page too
+test: lint types node compiled  ## everything: check, and all that is slower, the page too
+	@tests/tools.sh chromium chromium fonts-dejavu-core
+	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal
 	@echo
 	@echo "make test: style, types, imports, tests and doctests passed"
 	@command -v node >/dev/null && echo "make test: the page's modules passed" \
@@ -58,19 +60,15 @@ lint: .venv/test
 types: .venv/test
 	$(BIN)/mypy
 
-fast: .venv/test
-	$(BIN)/pytest --quiet --numprocesses auto $(QUICK) -m "not slow and not browser"
+compiled: .venv/test
+	@$(BIN)/python -m app.compiled
 
-slow: .venv/test
-	$(BIN)/pytest --numprocesses auto -m "slow and not browser"
+fast: compiled
+	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal $(QUICK) -m "not slow and not browser"
 
 node:
 	@tests/tools.sh node nodejs
 	@! command -v node >/dev/null || node --test tests/static/*.test.mjs
-
-page: .venv/test
-	@tests/tools.sh chromium chromium fonts-dejavu-core
-	$(BIN)/pytest -m browser --numprocesses auto tests
 
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability

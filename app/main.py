@@ -20,7 +20,7 @@ from fastapi.telemetry import TelemetryConfig
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
-from app import VERSION, about, batch, compiled, observability
+from app import VERSION, about, batch, observability
 from app.about import API
 from app.endpoint import (
     JSON,
@@ -140,7 +140,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
     counting = asyncio.create_task(observability.counting())
-    async with app.state.jobs, compiled.prepared():
+    async with app.state.jobs:
         yield
     ahead.cancel()
     counting.cancel()

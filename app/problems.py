@@ -13,7 +13,6 @@ from pydantic import BaseModel, Field, ValidationError
 from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
-from app import compiled
 from app.jobs import Busy, CannotRun, Stopped, TooLong
 from app.model import UNION_TAGS, api_params
 from app.record import root_path
@@ -300,13 +299,8 @@ def _count(wrong: int) -> str:
 
 
 def too_long(limit_s: float) -> Problem:
-    """Problem of a calculation that is not done in time; it would not be another time, unless the
-    load sharing is yet being prepared.
-    """
-    detail = f"It was not done within {limit_s:g} s"
-    if compiled.came_late(limit_s):
-        return not_prepared(detail)
-    return Problem("too-long", detail)
+    """Problem of a calculation that is not done in time; it would not be another time."""
+    return Problem("too-long", f"It was not done within {limit_s:g} s")
 
 
 def http_problem(error: HTTPException) -> Problem:
@@ -320,11 +314,6 @@ def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     """Problem of a service that cannot answer now but may soon."""
     headers = {"retry-after": str(retry_after_s)}
     return Problem("unavailable", detail, headers=headers)
-
-
-def not_prepared(detail: str) -> Problem:
-    """Problem of what has to wait for the compiled loops of the load sharing."""
-    return unavailable(f"{detail}: the load sharing is prepared, once after an installation", 10)
 
 
 def pointer(path: Iterable[str | int]) -> str:

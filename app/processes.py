@@ -14,7 +14,6 @@ from typing import Any
 
 from starlette.requests import ClientDisconnect
 
-from app import compiled
 from app.jobs import Job, Jobs, Stopped
 from app.problems import Problem, impossible
 from app.record import Record, at_hand
@@ -98,10 +97,7 @@ async def wanted(record: Record) -> AsyncIterator[None]:
 def _told(tell: Callable[..., None], job: Job, args: tuple[Any, ...]) -> None:
     """Do a job in this process, and tell with each part how long its calculations took; or its
     error.
-
-    It may be a process from before the loops were compiled.
     """
-    compiled.use()
     record = Record()
     at_hand.set(record)
 

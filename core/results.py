@@ -17,10 +17,6 @@ NOTICES = {
     "touches until the output has turned through the lost motion, and the load sharing differs.",
     "clearance_like_eccentricity": "The clearance is {ratio:.3g} of the eccentricity: such "
     "mechanisms move, with very much play; clearances of working ones are near a hundredth.",
-    "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same "
-    "numbers, but only small studies.",
-    "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once "
-    "after an installation: the same numbers; larger studies in a moment.",
     "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where "
     "the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the "
     "ratio of the ring's forces is made for.",

@@ -28,16 +28,11 @@ SLOW = {
 """Folders and files that take seconds each; `make check` leaves them out."""
 
 
-@pytest.fixture
-def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The compiled loops are used, which takes ten seconds once an installation; other tests find
-    what they had.
-    """
-    from app.compiled import prepare
+@pytest.fixture(scope="session", autouse=True)
+def compiled_loops() -> None:
+    """Turns and pieces are calculated by the compiled loops, as in the service."""
     from core.output import compiled
 
-    monkeypatch.setattr(compiled, "_at_hand", compiled.PLAIN)
-    prepare()
     compiled.load()
 
 

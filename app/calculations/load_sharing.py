@@ -29,7 +29,6 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import not_prepared
 from app.running import run
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
@@ -49,9 +48,11 @@ from core.results import Accuracy, Notice
 
 Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
 
-MAX_TURN_PAIRS = {"ready": 1000, "preparing": 100, "missing": 100}
-"""Most pairs over the turn, by the state of the compiled loops: thousands of positions are solved,
-which takes a second, or without these several."""
+MAX_TURN_PAIRS = 1000
+"""Most pairs over the turn: thousands of positions are solved, which takes a second."""
+
+MAX_TURN_SHARED = 100
+"""The same of given shares, whose loops are interpreted: several seconds."""
 
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
@@ -111,21 +112,15 @@ class LoadSharingRequest(CurveFields, RealDesignFields):
         self.refuse_other_shares(self.mechanism.satellites)
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
-        preparing = self.loops == "preparing"
+        turn = MAX_TURN_SHARED if self.interpreted else MAX_TURN_PAIRS
         for section, limit in (
-            ("over_turn", MAX_TURN_PAIRS["ready" if preparing else self.loops] // times),
+            ("over_turn", turn // times),
             ("positions", forces // len(self.crank_angle_deg)),
             ("stiffness_curve", forces // len(self.torques)),
             ("curves", forces // self.samples),
         ):
             if section in self.include and pairs > limit:
                 self._refuse_pairs(limit)
-        if (
-            preparing
-            and "over_turn" in self.include
-            and pairs > MAX_TURN_PAIRS[self.loops] // times
-        ):
-            raise not_prepared("There are many pairs")
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 

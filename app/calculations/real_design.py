@@ -6,7 +6,6 @@ from typing import Any, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
 
-from app import compiled
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
     BOTH,
@@ -105,9 +104,9 @@ class RealDesignFields(GivingFields):
         return 1 if self.support is None else TIMES_AS_LONG
 
     @property
-    def loops(self) -> compiled.State:
-        """Whether the compiled loops are at hand: not for given shares."""
-        return "missing" if isinstance(self.support, Shares) else compiled.state()
+    def interpreted(self) -> bool:
+        """Whether the loops are those that are not compiled: of given shares."""
+        return isinstance(self.support, Shares)
 
     @cached_property
     def built(self) -> Mechanism:

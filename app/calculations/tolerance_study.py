@@ -10,7 +10,6 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, PrivateAttr
 
-from app import compiled
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import OneWayLoadFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
@@ -27,7 +26,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import not_prepared, refusal
+from app.problems import refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -50,9 +49,12 @@ Name = Literal[
     "stiffness_min_Nm_per_arcmin",
 ]
 
-POSITIONS_PER_SECOND = {"ready": 500_000, "preparing": 25_000, "missing": 25_000}
-"""Positions of a pair that a study may have for each second that a calculation may take, by the
-state of the compiled loops: with the slowest law one processor solves some three times as many."""
+POSITIONS_PER_SECOND = 500_000
+"""Positions of a pair that a study may have for each second that a calculation may take: with the
+slowest law one processor solves some three times as many."""
+
+SHARED_PER_SECOND = 25_000
+"""The same of given shares, whose loops are interpreted."""
 
 LOST_MOTION_SOLVES = 3
 """Solves of a position where the lost motion is asked: in both directions besides."""
@@ -180,20 +182,15 @@ class ToleranceStudyRequest(RealDesignFields):
         """Refuse more samples than there is time for, if all is done so many times over; where
         none are given so many fit.
         """
-        loops, positions = self.loops, times * self._positions_of_a_pair
-        budget, soon = (
-            int(POSITIONS_PER_SECOND[state] * settings.max_seconds)
-            for state in (loops, "ready" if loops == "preparing" else loops)
-        )
-        most = soon // (positions * self.mechanism.pairs)
+        rate = SHARED_PER_SECOND if self.interpreted else POSITIONS_PER_SECOND
+        budget, positions = int(rate * settings.max_seconds), times * self._positions_of_a_pair
+        most = budget // (positions * self.mechanism.pairs)
         if most < FEWEST:
-            limit = self.mechanism.most_pins(soon // (positions * FEWEST))
+            limit = self.mechanism.most_pins(budget // (positions * FEWEST))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
         self._fitting = min(self._fitting, most)
         if self.drawn > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
-        if self.drawn > budget // (positions * self.mechanism.pairs):
-            raise not_prepared("It is a large study")
 
     @property
     def _positions_of_a_pair(self) -> int:
@@ -259,7 +256,6 @@ class ToleranceStudyRequest(RealDesignFields):
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
-        now = compiled.state()
         study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}
@@ -282,8 +278,6 @@ class ToleranceStudyRequest(RealDesignFields):
         grid = max(found.angle_grid_error.values())
         values["accuracy"] = {"sampling_error": sampling, "angle_grid_error": grid}
         notices = self._few(found)
-        if now != "ready" and self.support is None:
-            notices = (*notices, Notice(f"compiled_{now}"))
         if notices:
             values["warnings"] = [*map(warning, notices)]
         return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)

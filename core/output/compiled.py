@@ -78,12 +78,6 @@ def load() -> None:
     _at_hand = _compiled()
 
 
-def unload() -> None:
-    """Have the loops run as they are from now on."""
-    global _at_hand
-    _at_hand = PLAIN
-
-
 @functools.cache
 def _compiled() -> types.SimpleNamespace:
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")

@@ -902,18 +902,6 @@ export default {
       why: "Two pins cannot stand in one place.",
       mend: "Enlarge the pin circle, or take fewer or thinner pins.",
     },
-    compiled_missing: {
-      title: "Without the compiled loops",
-      tests: "Whether the compiled loops of the load sharing are at hand.",
-      why: "The numbers are the same, but only small studies are answered.",
-      mend: "Install numba, or take fewer samples.",
-    },
-    compiled_preparing: {
-      title: "Compiled loops are being prepared",
-      tests: "Whether the compiled loops of the load sharing are at hand.",
-      why: "They are compiled once after an installation; until then only small studies are answered, with the same numbers.",
-      mend: "Ask again in a moment.",
-    },
     large_rotation: {
       title: "Large rotation under load",
       tests: "Whether the output turns by little of the eccentricity under load.",

@@ -95,8 +95,6 @@ export default {
     "approximation_spacing": "The approximation is made for two cranks half a turn apart.",
     "clearance": "The hole is larger than pin and eccentricity need, {limit} mm: no pair touches until the output has turned through the lost motion, and the load sharing differs.",
     "clearance_like_eccentricity": "The clearance is {ratio} of the eccentricity: such mechanisms move, with very much play; clearances of working ones are near a hundredth.",
-    "compiled_missing": "Calculated without the compiled loops, as numba is not at hand: the same numbers, but only small studies.",
-    "compiled_preparing": "Calculated without the compiled loops, which are being prepared, once after an installation: the same numbers; larger studies in a moment.",
     "cycloid_difference": "The ring has {difference} pins more than a satellite has lobes: where the branches of such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the ring's forces is made for.",
     "diameters_as_radii": "Are diameters given as radii? With radii of {pin} and {hole} mm the parts fit.",
     "eccentricity_assumed": "The eccentricity is taken as hole less pin radius: clearance or interference would not be seen.",

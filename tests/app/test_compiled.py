@@ -1,128 +1,122 @@
-"""The compiled loops in the service: compiled once, told, and never waited for."""
+"""The cache of the compiled loops: made once, read where turns are calculated, mended."""
 
-import asyncio
-import importlib
+import ast
+import json
+import os
+import signal
 import subprocess
 import sys
-import time
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 
-from app import compiled, loaded, processes
+import core
+from app import compiled
+from app.problems import Problem
+from app.registry import CALCULATIONS
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
 from core.output import sharing_kernel
+
+CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
+WALKED = ("crank-planetary", "load-sharing", "tolerance-study", "crankshaft", "satellite-bearing")
+
+
+def called() -> set[str]:
+    """What core calls of the loops by name."""
+    trees = (ast.parse(path.read_text()) for path in Path(core.__file__).parent.rglob("*.py"))
+    return {
+        node.func.attr
+        for tree in trees
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)
+        if (isinstance(of := node.func.value, ast.Name) and of.id == "kernel")
+        or (isinstance(of, ast.Attribute) and of.attr == "kernel")
+    } - {"row", "table", "none"}  # `none` is of given shares, which are interpreted
+
+
+def test_all_that_is_called_of_the_loops_is_in_the_cache():
+    """Nothing is compiled any more by turns, curves and pieces of whatever design."""
+    names = called()
+    assert names == {"poses", "pair_forces", "values", "narrow", "pieces"}
+    compiled.load()
+    kernel = loops.at_hand()
+    before = {name: getattr(kernel, name).signatures for name in names}
+    assert {name: len(each) for name, each in before.items()} == dict.fromkeys(names, 1)
+    asked = 0
+    for request in json.loads(CORPUS.read_text()):
+        if request["path"] in WALKED and "contact" in request["body"]:
+            calculation = CALCULATIONS[request["path"]]
+            with suppress(ValidationError, InvalidInput, ImpossibleMechanism, Problem):
+                calculation.solve(calculation.request.model_validate(request["body"]))
+                asked += 1
+    assert asked > 100
+    assert {name: getattr(kernel, name).signatures for name in names} == before
+
+
+def test_without_numba_the_loops_run_as_they_are():
+    code = """
+import sys
+sys.modules["numba"] = None
+import app.loaded, app.main
+from core.output import compiled
+print(compiled.at_hand() is compiled.PLAIN)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["True"]
+    assert "numba is not installed" in done.stderr
 
 
 @pytest.fixture
 def elsewhere(monkeypatch, tmp_path):
-    """A cache of its own."""
+    """A place of its own for the cache."""
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    compiled._mark.cache_clear()
-    yield tmp_path
-    compiled._mark.cache_clear()
+    return tmp_path
 
 
-def test_an_installation_prepares_once(elsewhere, monkeypatch):
-    done = []
-    monkeypatch.setattr(compiled, "run_once", lambda: done.append(1))
-    monkeypatch.setattr(loops, "load", lambda: None)
-    assert compiled.state() == "preparing"
-    assert compiled.use() == "preparing"
-    compiled.prepare()
-    compiled.prepare()
-    assert (compiled.state(), done) == ("ready", [1])
+def test_a_cache_is_one_that_was_made_after_its_source(elsewhere):
+    assert not compiled.cached()
+    made = elsewhere / "output_0" / "sharing_kernel.pieces-1.py311.nbi"
+    made.parent.mkdir()
+    (made.parent / "sharing_kernel.poses-1.py311.nbi").touch()
+    assert not compiled.cached()
+    made.touch()
+    assert compiled.cached()
+    changed = compiled.SOURCE.stat().st_mtime
+    os.utime(made, (changed - 1, changed - 1))
+    assert not compiled.cached()
 
 
-def test_what_loading_sets_for_other_processes_moves_no_mark(elsewhere, monkeypatch):
-    monkeypatch.delenv("NUMBA_CPU_NAME", raising=False)
-    before = compiled._mark()
-    monkeypatch.setenv("NUMBA_CPU_NAME", "generic")  # as `core.output.compiled.load` does
-    compiled._mark.cache_clear()
-    assert compiled._mark() == before
+def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
+    runs = []
+
+    def run_once():
+        runs.append([*elsewhere.rglob("*.nb?")])
+        if runs[-1]:
+            raise EOFError
+
+    (elsewhere / "sharing_kernel.pieces-1.py311.1.nbc").write_bytes(b"broken")
+    monkeypatch.setattr(compiled, "run_once", run_once)
+    compiled.load()
+    assert [*map(bool, runs)] == [True, False]
 
 
-def test_a_process_from_before_they_were_compiled_uses_them_once_they_are(elsewhere, monkeypatch):
-    def used():
-        told = []
-        processes._told(told.append, lambda tell: tell(loops.at_hand()), ())
-        return [part for part, _ in told]
-
-    monkeypatch.setattr(compiled, "run_once", lambda: None)
-    monkeypatch.setattr(loops, "_compiled", lambda: "compiled")
-    monkeypatch.setattr(loops, "_at_hand", loops.PLAIN)
-    assert used() == [loops.PLAIN]
-    compiled._mark().touch()
-    assert used() == ["compiled"]
-
-
-def test_what_began_before_the_loops_were_there_may_be_faster_another_time(elsewhere, monkeypatch):
-    assert compiled.came_late(10.0)
-    mark = compiled._mark()
-    mark.touch()
-    monkeypatch.setattr(time, "time", lambda: mark.stat().st_mtime + 8)
-    assert compiled.came_late(10.0) and not compiled.came_late(6.0)
-    mark.unlink()
-    monkeypatch.setattr("os.access", lambda path, mode: False)
-    assert compiled.state() == "missing" and not compiled.came_late(10.0)
+def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplog):
+    run = []
+    monkeypatch.setattr(subprocess, "run", lambda command, check: run.append(command[1:]))
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    with caplog.at_level("INFO", logger="khv.compiled"):
+        compiled.make_cache()
+        assert run == [["-c", "import app.loaded"]]
+        assert "once an installation" in caplog.text
+        (elsewhere / "sharing_kernel.pieces-1.py311.nbi").touch()
+        compiled.make_cache()
+    assert len(run) == len(caplog.records) == 1
 
 
-def test_what_failed_is_not_ready(elsewhere, monkeypatch):
-    def fails():
-        raise RuntimeError
-
-    monkeypatch.setattr(compiled, "run_once", fails)
-    monkeypatch.setattr(loops, "load", lambda: None)
-    with pytest.raises(RuntimeError):
-        compiled.prepare()
-    assert compiled.state() == "preparing"
-
-
-def test_a_cache_that_cannot_be_written_is_not_waited_for(elsewhere, monkeypatch):
-    monkeypatch.setattr("os.access", lambda path, mode: False)
-    assert compiled.state() == "missing"
-
-
-def test_without_numba_all_is_answered_as_it_is():
-    code = """
-import sys
-sys.modules["numba"] = None
-import importlib.metadata as installed
-version = installed.version
-def without(name):
-    if name == "numba":
-        raise installed.PackageNotFoundError
-    return version(name)
-installed.version = without
-from app.compiled import prepare, state, use, run_once
-import app.loaded, app.main
-prepare()
-run_once()
-print(state(), use())
-"""
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["missing", "missing"]
-
-
-def test_a_broken_cache_is_done_without_and_compiled_anew(elsewhere, monkeypatch):
-    for name in ("sharing_kernel.solve-1.py311.nbi", "sharing_kernel.solve-1.py311.1.nbc"):
-        (elsewhere / "output_0").mkdir(exist_ok=True)
-        (elsewhere / "output_0" / name).write_bytes(b"broken")
-    compiled._mark().touch()
-
-    def fails():
-        raise EOFError
-
-    monkeypatch.setattr(loops, "_at_hand", None)
-    monkeypatch.setattr(loops, "load", lambda: None)
-    monkeypatch.setattr(compiled, "run_once", fails)
-    importlib.reload(loaded)
-    assert loops.at_hand() is loops.PLAIN
-    assert compiled.state() == "preparing"
-    assert not [*elsewhere.rglob("*.nb?")]
-
-
-@pytest.mark.usefixtures("compiled_loops")
-def test_a_cache_can_be_read_where_it_cannot_be_written(monkeypatch):
+def test_a_cache_can_be_read_where_it_cannot_be_written(elsewhere, monkeypatch):
     """As in an image, whose files are another user's: no locator of numba's own takes that."""
 
     def refuse(path):
@@ -130,24 +124,6 @@ def test_a_cache_can_be_read_where_it_cannot_be_written(monkeypatch):
 
     from numba.core.caching import UserProvidedCacheLocator
 
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(compiled._mark().parent))
     monkeypatch.setattr(UserProvidedCacheLocator, "ensure_cache_path", refuse)
     found = loops.Place.from_function(sharing_kernel.solve, sharing_kernel.__file__)
     assert found.get_cache_path()
-
-
-@pytest.mark.anyio
-@pytest.mark.parametrize("failed", [False, True])
-async def test_the_service_compiles_beside_itself_and_says_so(
-    elsewhere, monkeypatch, caplog, failed
-):
-    monkeypatch.setattr(sys, "executable", "/bin/false" if failed else "/bin/true")
-    with caplog.at_level("INFO", logger="khv.compiled"):
-        async with compiled.prepared():
-            for _ in range(600):
-                if len(caplog.records) == 2:
-                    break
-                await asyncio.sleep(0.1)
-    first, last = (record.message for record in caplog.records)
-    assert "until then" in first
-    assert ("was not compiled" in last) == failed

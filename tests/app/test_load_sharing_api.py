@@ -145,6 +145,7 @@ async def test_nothing_given_is_no_clearance(api):
 FIRST = {"geometry": "first_order", "crank_angle_deg": [37.0]}
 BEARINGS = {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.02}
 MESH = {"kind": "elastic", "stiffness_Nm_per_arcmin": 30.0}
+SHARES = {"kind": "shares", "shares": [0.5, 0.5]}
 BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34.0}
 
 
@@ -175,7 +176,7 @@ BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34
         (changed(pin=BEND | {"satellite_positions_mm": [9, 40]}),
          "/pin/satellite_positions_mm/1", "smaller_than"),
         (changed(crank_support=BEARINGS), "/geometry", "first_order_only"),
-        (changed(satellite_coupling={"kind": "shares", "shares": [0.5, 0.5]}), "/geometry",
+        (changed(satellite_coupling=SHARES), "/geometry",
          "first_order_only"),
         (changed(crank_support=BEARINGS, satellite_coupling=MESH, **FIRST), "/satellite_coupling",
          "only_one"),
@@ -212,35 +213,19 @@ async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
 @pytest.mark.parametrize(
     ("include", "pins", "more", "limit"),
     [
-        (["over_turn"], 51, {}, 50),
+        (["over_turn"], 13, {"satellite_coupling": SHARES, **FIRST}, 12),
         (["over_turn"], 501, {}, 500),
         (["positions"], 5001, {}, 5000),
         (["positions"], 501, {"crank_angle_deg": [0.0] * 100}, 500),
         (["curves"], 501, {"samples": 1001}, 49),
     ],
 )
-async def test_more_pairs_than_there_is_time_for_are_refused(
-    api, monkeypatch, include, pins, more, limit
-):
-    monkeypatch.setattr("app.compiled.state", lambda: "missing" if limit == 50 else "ready")
+async def test_more_pairs_than_there_is_time_for_are_refused(api, include, pins, more, limit):
     body = changed(mechanism={"pins": pins}, include=include, **more)
     del body["deviations"]
     error = (await api.post(PATH, json=body)).json()["errors"][0]
     assert (error["pointer"], error["code"]) == ("/mechanism/pins", "too_many_pairs")
     assert error["params"]["limit"] == limit
-
-
-@pytest.mark.parametrize(("pins", "status"), [(51, 503), (501, 422)])
-async def test_turns_of_many_pairs_wait_for_the_compiled_loops(api, monkeypatch, pins, status):
-    """Two satellites: 100 pairs until these are there, 1,000 then."""
-    monkeypatch.setattr("app.compiled.state", lambda: "preparing")
-    body = changed(mechanism={"pins": pins}, include=["over_turn"])
-    del body["deviations"]
-    response = await api.post(PATH, json=body)
-    assert response.status_code == status
-    assert response.headers.get("retry-after") == ("10" if status == 503 else None)
-    if status == 422:
-        assert response.json()["errors"][0]["params"]["limit"] == 500
 
 
 async def test_ten_thousand_pairs_at_one_position(api):
@@ -250,7 +235,6 @@ async def test_ten_thousand_pairs_at_one_position(api):
     assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=1e-9)
 
 
-@pytest.mark.usefixtures("compiled_loops")
 async def test_a_turn_of_a_thousand_pairs(api):
     """By symmetry that of two discs of as many pins each: no pair of one has the load of all."""
     body = changed(mechanism={"pins": 500}, load={"pin_circle_radius_mm": 2_000},

@@ -12,7 +12,12 @@ import plotly.graph_objects as go
 import pytest
 from pydantic import ValidationError
 
-from app.calculations.tolerance_study import POSITIONS_PER_SECOND, ToleranceStudyRequest
+from app.calculations.real_design import TIMES_AS_LONG
+from app.calculations.tolerance_study import (
+    POSITIONS_PER_SECOND,
+    SHARED_PER_SECOND,
+    ToleranceStudyRequest,
+)
 from app.endpoint import read_body
 from app.examples import REQUESTS
 from app.problems import Problem
@@ -184,7 +189,6 @@ async def test_percentiles_are_those_of_the_pieces(api):
     assert found["yield"]["value"] == pytest.approx(kept / 9)
 
 
-@pytest.mark.usefixtures("compiled_loops")  # else there is a warning
 async def test_only_what_is_asked_is_sent(api):
     answer = await answered(api, changed(limits={}))
     assert set(answer["quantities"]) == {"peak_force_N"}
@@ -368,10 +372,8 @@ def refusal(body, seconds):
     return caught.value.parameter, caught.value.code, caught.value.params
 
 
-@pytest.mark.parametrize("state", ["ready", "missing"])
-def test_work_is_bounded_by_samples_pairs_and_positions(monkeypatch, state):
-    monkeypatch.setattr("app.compiled.state", lambda: state)
-    budget = POSITIONS_PER_SECOND[state] * 10
+def test_work_is_bounded_by_samples_pairs_and_positions():
+    budget = POSITIONS_PER_SECOND * 10
     body = CHECKED | {"samples": 100_000, "percentiles": [50]}
     most = budget // (12 * 60)
     assert refusal(body, 10) == ("samples", "service_limit", {"limit": most})
@@ -389,25 +391,26 @@ def test_work_is_bounded_by_samples_pairs_and_positions(monkeypatch, state):
     ToleranceStudyRequest.model_validate(fits).refuse_beyond(Settings())
 
 
-def test_the_usual_study_is_answered_once_the_loops_are_compiled(monkeypatch):
-    """4,096 samples at 60 angles; until then it is to be asked again, and told so."""
+def test_given_shares_whose_loops_are_interpreted_have_smaller_studies():
+    shares = {"satellite_coupling": {"kind": "shares", "shares": [0.5, 0.5]}}
+    body = CHECKED | shares | {"samples": 100_000, "percentiles": [50]}
+    most = SHARED_PER_SECOND * 10 // (12 * 60 * TIMES_AS_LONG)
+    assert refusal(body, 10) == ("samples", "service_limit", {"limit": most})
+
+
+def test_the_usual_study_is_answered():
+    """4,096 samples at 60 angles."""
     body = {name: value for name, value in CHECKED.items() if name != "limits"}
     usual = ToleranceStudyRequest.model_validate(body)
     assert (usual.drawn, usual.crank_angles) == (4096, 60)
-    monkeypatch.setattr("app.compiled.state", lambda: "ready")
     usual.refuse_beyond(Settings())
-    monkeypatch.setattr("app.compiled.state", lambda: "preparing")
-    with pytest.raises(Problem) as caught:
-        usual.refuse_beyond(Settings())
-    assert caught.value.status == 503 and int(caught.value.headers["retry-after"]) > 0
 
 
 @pytest.mark.parametrize(
     ("pins", "seconds", "samples"), [(6, 60, 1024), (6, 10, 462), (32, 60, 520), (50, 10, 55)]
 )
-def test_samples_that_are_not_given_are_as_many_as_fit(monkeypatch, pins, seconds, samples):
+def test_samples_that_are_not_given_are_as_many_as_fit(pins, seconds, samples):
     """With contributions of six tolerances fifteen times the pieces of one quantity."""
-    monkeypatch.setattr("app.compiled.state", lambda: "ready")
     body = CHECKED | {"include": ["contributions"], "percentiles": [50], "limits": {}}
     body["mechanism"] = CHECKED["mechanism"] | {"pins": pins}
     study = ToleranceStudyRequest.model_validate(body)
@@ -424,15 +427,6 @@ async def test_the_answer_says_how_many_samples_were_drawn(api):
     assert len(answer["quantities"]["peak_force_N"]["contributions"]) == 6
     given = await answered(api, body | {"samples": 1024})
     assert given["quantities"] == answer["quantities"]
-
-
-@pytest.mark.parametrize("state", ["preparing", "missing"])
-def test_small_studies_are_answered_without_the_compiled_loops(monkeypatch, state):
-    monkeypatch.setattr("app.compiled.state", lambda: state)
-    body = ToleranceStudyRequest.model_validate(changed())
-    body.refuse_beyond(Settings())
-    answer = CALCULATIONS[PATH].solve(body)
-    assert [each["code"] for each in answer["warnings"]] == [f"compiled_{state}"]
 
 
 def test_the_percentile_is_judged_by_its_own_number():

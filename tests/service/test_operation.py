@@ -75,7 +75,6 @@ def test_a_stopping_service_waits_only_so_long(serve):
         assert broken[0] == 503 or isinstance(broken[0], httpx.TransportError)
 
 
-@pytest.mark.usefixtures("compiled_loops")  # what compiles would go on to its end
 def test_no_process_outlives_a_worker_that_is_killed(serve):
     """Not even one that has something to do."""
     with serve(processes=1) as service, nothing_is_calculated(service, 1) as go_on:

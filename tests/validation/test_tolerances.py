@@ -61,7 +61,6 @@ def test_the_first_pieces() -> None:
     assert ideal == pytest.approx(1666.67, abs=5e-3)
 
 
-@pytest.mark.usefixtures("compiled_loops")
 def test_the_whole_run() -> None:
     """It had the pieces that do not fit in it, pressed together: they are solved for it here."""
     study = Study(REAL, TOLERANCES, ASKED, samples=4096, seed=7)
