@@ -16,7 +16,7 @@ export function createBounds({ bounds: { path, list, of, body, shown: names, nam
   let asked = null; // those that it is of
 
   async function ask() {
-    if (!root.open || asked === latest) return;
+    if (root.hidden || !root.open || asked === latest) return;
     asked = latest;
     const { filled, answer, requests } = latest;
     const { answer: found, problem, superseded } = await newest.ask((signal) => client.post(path, body(filled, answer, requests), { signal }));
