@@ -9,7 +9,7 @@ from app.model import RequestModel, api_params
 from app.problems import Problem, impossible, pointer, refusal
 from app.record import at_hand
 from app.units import from_si
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 
 Result = TypeVar("Result")
 
@@ -45,6 +45,10 @@ def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, 
         result = calculation()
     except InvalidInput as error:
         raise named(error, body) from error
+    except NotKnown as error:
+        if error.refusal is None:  # what a section needs is required of its request
+            raise
+        raise named(error.refusal, body) from error
     except ImpossibleMechanism as error:
         if not error.parameter:
             raise

@@ -115,6 +115,26 @@ class InvalidInput(CalculationError):
         self.params = params
 
 
+class NotKnown(CalculationError):
+    """A result that a design does not have: too little of it is given, or it is too large.
+
+    Parameters
+    ----------
+    code : str
+        Why, a key of `core.checks.kinds.REASONS`.
+    *missing : str
+        Core names of inputs that would have to be given.
+    refusal : InvalidInput, optional
+        What is wrong with a request that asks for this result, where nothing is missing.
+    """
+
+    def __init__(self, code: str, *missing: str, refusal: InvalidInput | None = None) -> None:
+        super().__init__(", ".join((code, *missing)))
+        self.code = code
+        self.missing = missing
+        self.refusal = refusal
+
+
 class ImpossibleMechanism(CalculationError):
     """Every parameter is allowed, and yet the mechanism cannot exist or cannot work.
 

@@ -63,9 +63,8 @@ from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.largest_torque import exact_torque
 from core.checks.real_forces import RealForces
 from core.checks.sections import Friction, RollingBearing
-from core.errors import ImpossibleMechanism
+from core.derived import if_known
 from core.fixes.crank import crank_fixes
-from core.hertz import HertzContact
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position
 from core.output.pin_geometry import (
@@ -231,14 +230,14 @@ class CrankPlanetaryRequest(DesignFields):
         ]
         if not self.as_made or "hertz" not in allowed:
             return allowed
-        if self.design.judged_forces is None:
+        if if_known(lambda: self.design.judged_forces) is None:
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
         made = section == "load_sharing" or (self.as_made and section in AS_MADE)
-        fit = self.design.fit if made else None
+        fit = if_known(lambda: self.design.fit) if made else None
         return fit is not None and fit.impossible
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -256,26 +255,6 @@ class CrankPlanetaryRequest(DesignFields):
         if "contact_force" not in self.sections:
             load = load.model_copy(update={"include": []})
         return load.solve_for(self.design.driven)
-
-    def solve_hertz(self) -> HertzContact:
-        """Contact under the ideal peak force, or under those of the mechanism as it is made."""
-        if self.as_made:
-            self.known(self.design.loading)
-        if isinstance(self.design.force, ImpossibleMechanism):
-            raise self.design.force
-        if self.design.contact is None:
-            raise self.too_many(MOST_PIN_PAIRS)
-        return self.design.contact
-
-    def solve_strength(self, section: Section) -> Any:
-        """Result of a section of strength and life."""
-        found = getattr(self.design, STRENGTH[section])
-        most = MOST_PAIRS.get(section, MOST_PIN_PAIRS)  # others are of few because of bending pins
-        return self.found(found, most)
-
-    def solve_sharing(self) -> RealForces:
-        """Forces of the mechanism as it is made, under the torque itself."""
-        return self.known(self.design.real_forces)
 
     def parts(self) -> dict[str, Any]:
         """All sections and what is required, in SI units."""
@@ -317,7 +296,7 @@ class CrankPlanetaryRequest(DesignFields):
         if not self.as_made:
             forces = self.load.forces_at(self.design.driven, crank_angle)
         else:
-            solved = self.known(self.design.real_forces)
+            solved = self.design.real_forces
             torque = solved.way * solved.torque
             found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
             forces = np.array(found.force)
@@ -540,24 +519,24 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
-        sharing, sharing_us = run(body, body.solve_sharing)
-        forces, _ = run(body, lambda: body.design.judged_forces)
+        sharing, sharing_us = run(body, lambda: body.design.real_forces)
+        forces = if_known(lambda: body.design.judged_forces)
         force_N = forces.force if isinstance(forces, RealForces) else None
         sections["load_sharing"] = LoadSharingOut.values(
             sharing, sharing_us, judged_force_N=force_N
         )
     if "hertz" in asked:
-        contact, hertz_us = run(body, body.solve_hertz)
+        contact, hertz_us = run(body, lambda: body.design.contact)
         factor = body.design.line_load_factor if body.pin else None
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:
-            found, run_us = run(body, partial(body.solve_strength, name))
+            found, run_us = run(body, partial(getattr, body.design, STRENGTH[name]))
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     sizes, _ = run(body, body.solve_fit)
-    fit, _ = run(body, lambda: body.design.fit)
+    fit, _ = run(body, lambda: if_known(lambda: body.design.fit))
     if fit is not None:
         sections["fit"] = FitOut.values(fit)
     notices = (() if sizes is None else sizes.notices) + (

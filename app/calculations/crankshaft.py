@@ -25,7 +25,6 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
-from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.sections import RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 
@@ -93,7 +92,7 @@ class CrankshaftRequest(CrankedRequest):
 
     def solve(self) -> Crankshaft:
         """Reactions and balance."""
-        return self.fitted(self.design.shaft, MOST_BEARING_PAIRS)
+        return self.with_fit(self.design.shaft)
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """The same, and curves over the turn."""

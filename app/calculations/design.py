@@ -42,9 +42,7 @@ from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
 from core.checks.crank_design import CrankDesign
-from core.checks.real_forces import RealForces
 from core.checks.sections import DesignPin
-from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -317,59 +315,10 @@ class DesignFields(GivingFields):
             given["dynamic_factor"] = load.application_factor
         return CrankDesign(**given)
 
-    def found(self, result: Result | ImpossibleMechanism | None, most_pairs: int) -> Result:
-        """A result of the design, or why there is none.
-
-        Parameters
-        ----------
-        result : object
-            What the design answers.
-        most_pairs : int
-            Most pairs of which it is calculated.
-
-        Raises
-        ------
-        ImpossibleMechanism, InvalidInput
-            If there is none.
-        """
-        if isinstance(result, ImpossibleMechanism):
-            raise result
-        if result is None and self.design.unmade:
-            self.known(self.design.real_forces)
-        if result is None:
-            raise self.too_many(most_pairs)
-        return result
-
-    def fitted(self, result: Result | ImpossibleMechanism | None, most_pairs: int) -> Result:
-        """The same with the notices of how pins and holes fit."""
-        fit, found = self.solve_fit(), self.found(result, most_pairs)
-        if fit is None:
-            return found
-        known: Any = found
-        return cast(Result, replace(known, notices=fit.notices + known.notices))
-
-    def too_many(self, most_pairs: int) -> InvalidInput:
-        """Refusal of more pairs than something is calculated for."""
-        limit = self.mechanism.most_pins(most_pairs)
-        return InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
-
-    def known(self, forces: RealForces | ImpossibleMechanism | None) -> RealForces:
-        """Forces of the mechanism as it is made, or why there are none.
-
-        Raises
-        ------
-        ImpossibleMechanism, InvalidInput
-            If there are none.
-        """
-        if isinstance(forces, ImpossibleMechanism):
-            raise forces
-        most = self.design.most_real_pairs
-        if forces is None and self.mechanism.pairs > most:
-            raise self.too_many(most)
-        if forces is None:
-            than = {"field": "pin_circle_radius", "limit": self.design.pin_circle_radius}
-            raise InvalidInput("eccentricity", None, "smaller_than", **than)
-        return forces
+    def with_fit(self, result: Result) -> Result:
+        """A result with the notices of how pins and holes fit."""
+        fit, known = self.solve_fit(), cast(Any, result)
+        return result if fit is None else replace(known, notices=fit.notices + known.notices)
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of a figure's curves, and where ideal pairs switch, rad."""

@@ -47,7 +47,6 @@ from app.theme import (
 )
 from app.units import from_si
 from core.arrays import FloatArray
-from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.sections import Friction
 from core.output.losses import LossCurves, PinLosses
 
@@ -125,7 +124,7 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
 
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
-        return self.fitted(self.design.losses, MOST_PIN_PAIRS)
+        return self.with_fit(self.design.losses)
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, and their curves over a turn where they are asked."""

@@ -35,7 +35,6 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
-from core.checks.design.pins import MOST_PIN_PAIRS
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
 
@@ -100,7 +99,7 @@ class PinStrengthRequest(DesignFields):
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
         found = self.design.judged_pins(locus=locus or "locus" in self.include)
-        return self._asked(self.fitted(found, MOST_PIN_PAIRS))
+        return self._asked(self.with_fit(found))
 
     def _asked(self, strength: PinStrength) -> PinStrength:
         return strength if "deflection" in self.include else replace(strength, deflection=None)
@@ -110,7 +109,7 @@ class PinStrengthRequest(DesignFields):
         design = self.design
         assert design.pin is not None
         held = replace(design, pin=replace(design.pin, support=support))
-        return self._asked(self.found(held.pin_strength, MOST_PIN_PAIRS))
+        return self._asked(held.pin_strength)
 
     def bounds(self) -> Iterator[Values]:
         """Strength of the pin in the supports between which the truth of a cage lies."""

@@ -33,7 +33,6 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
 from core.arrays import FloatArray
-from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.sections import RollingBearing
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 
@@ -146,7 +145,7 @@ class SatelliteBearingRequest(CrankedRequest):
 
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
-        return self.fitted(self.design.bearings, MOST_BEARING_PAIRS)
+        return self.with_fit(self.design.bearings)
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """The same, curves over the turn, and the switching angles, rad."""

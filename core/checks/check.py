@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, get_args
 
 from core.checks.kinds import CHECKS, Kind
+from core.derived import UNKNOWN
+from core.errors import ImpossibleMechanism, NotKnown
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.results import ROUNDING
 
@@ -84,6 +86,58 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
 
+UNSOLVED = {
+    "cannot_assemble": "cannot_assemble",
+    "dead_centre": "dead_centre",
+    "beyond_hertz": "no_pressure",
+}
+"""Why forces are not known, as the reason of a check, where there is one of its own."""
+
+
+def not_checked(code: str, why: NotKnown | ImpossibleMechanism, **more: Any) -> Check:
+    """A check that could not be made.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    why : NotKnown or ImpossibleMechanism
+        Why what it looks at is not known.
+    **more
+        Other attributes of the check.
+
+    Returns
+    -------
+    Check
+    """
+    if isinstance(why, ImpossibleMechanism):
+        reason = UNSOLVED.get(why.code, "no_balance")
+        return Check(code=code, status="not_checked", reason=reason, **more)
+    return Check(code=code, status="not_checked", reason=why.code, missing=why.missing, **more)
+
+
+def attempt(code: str, check: Callable[[], Check], **more: Any) -> Check:
+    """A check, or that it could not be made.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    check : callable
+        What makes it.
+    **more
+        Attributes of one that could not be made, as its limit.
+
+    Returns
+    -------
+    Check
+    """
+    try:
+        return check()
+    except UNKNOWN as why:
+        return not_checked(code, why, **more)
+
+
 def judged(
     code: str,
     value: float,
@@ -156,47 +210,68 @@ def judged(
     )
 
 
-def asked(
-    code: str,
-    value: float | None,
-    limit: float | None,
-    *,
-    name: str,
-    unknown: Callable[[], Check] | None = None,
-    reserve: Callable[[float], float] | None = None,
-    **more: Any,
-) -> Check:
+class Measure(NamedTuple):
+    """What a check compares with a limit that somebody may ask.
+
+    Attributes
+    ----------
+    value : float
+        The value, in SI units.
+    error : float
+        Its relative error, of number and model.
+    at : mapping
+        Where it is reached.
+    reserve : callable, optional
+        Factor on the torque under which the value is so many times as large, where it grows with
+        it.
+    rough : bool
+        Whether that is rough.
+    """
+
+    value: float
+    error: float = 4 * ROUNDING
+    at: Mapping[str, float] = {}
+    reserve: Callable[[float], float] | None = None
+    rough: bool = False
+
+
+def asked(code: str, limit: float | None, measure: Callable[[], Measure], *, name: str) -> Check:
     """A value against a limit that somebody may ask.
 
     Parameters
     ----------
     code : str
-        Which.
-    value : float or None
-        What is compared, where it is known.
+        Which check.
     limit : float or None
-        Its limit; None where nobody asks.
+        The limit; None where nobody asks.
+    measure : callable
+        What is compared.
     name : str
         Core name of the limit.
-    unknown : callable, optional
-        The check where a limit is asked and the value is not known.
-    reserve : callable, optional
-        Factor on the torque under which the value is so many times as large, where it grows with
-        it.
-    **more
-        As of `judged`.
 
     Returns
     -------
     Check
     """
-    if limit is None:
+    try:
+        found = measure()
+    except UNKNOWN as why:
+        if limit is not None:
+            return not_checked(code, why, limit=limit)
+        found = None
+    if limit is None or found is None:
+        value = found and found.value
         return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
-    if value is None:
-        assert unknown is not None
-        return unknown()
-    factor = reserve(limit / value) if reserve is not None and value > 0 else None
-    return judged(code, value, limit, reserve=factor, **more)
+    reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
+    return judged(
+        code,
+        found.value,
+        limit,
+        reserve=reserve,
+        error=found.error,
+        at=found.at,
+        rough=found.rough,
+    )
 
 
 def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:

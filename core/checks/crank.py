@@ -2,46 +2,57 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
+from typing import TypeVar
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.checks.check import Check, asked, judged, wall
+from core.checks.check import Check, Measure, asked, attempt, judged, wall
 from core.checks.crank_design import CrankDesign
-from core.checks.play import no_eccentricity
 from core.checks.sections import RollingBearing
 from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY, system_life
-from core.crank.crankshaft import Crankshaft
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
+from core.errors import NotKnown
+
+Value = TypeVar("Value")
 
 
-def _unknown(
-    design: CrankDesign, code: str, found: object, limit: float | None, section: str
-) -> Check:
-    """A check whose loads are not known: why, and what is missing."""
-    if getattr(design, section) is None or design.gear is None:
-        missing: tuple[str, ...] = (section if getattr(design, section) is None else "gear",)
-        reason = "section_missing"
-    else:
-        reason, missing = design.unturned(found, speed=section != "bearing")
-    return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+Judge = Callable[[CrankDesign], Check]
 
 
-def _rating(code: str, limit: float, name: str) -> Check:
-    """A check that needs a load rating."""
-    missing = (name,)
-    return Check(
-        code=code, status="not_checked", limit=limit, reason="rating_unknown", missing=missing
-    )
+def against(code: str, limit: Callable[[CrankDesign], float | None]) -> Callable[[Judge], Judge]:
+    """A check that says its limit where it could not be made, too.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    limit : callable
+        Its limit, of a design.
+
+    Returns
+    -------
+    callable
+        Decorator of the check.
+    """
+    return lambda judge: lambda design: attempt(code, partial(judge, design), limit=limit(design))
 
 
-def _no_life(design: CrankDesign, code: str, limit: float, bearing: RollingBearing) -> Check:
-    """A life that is not known: without a rating, or without a speed."""
-    if bearing.dynamic_rating is None:
-        return _rating(code, limit, "bearing.dynamic_rating")
-    reason, missing = design.unturned(None)
-    return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+def _required(value: Value | None, name: str) -> Value:
+    """A number of bearings, which needs a load rating, and of a life a speed."""
+    if value is None:
+        raise NotKnown("rating_unknown", name)
+    return value
+
+
+def _lives(found: SatelliteBearings, bearing: RollingBearing) -> FloatArray:
+    """Lives of the bearings."""
+    _required(bearing.dynamic_rating, "bearing.dynamic_rating")
+    if found.life is None:
+        raise NotKnown("speed_missing", "input_speed")
+    return found.life
 
 
 def _left_out(
@@ -67,17 +78,19 @@ def _equivalent(design: CrankDesign) -> float:
     return float(design.bearing.ring_factor) * design.centrifugal
 
 
+def _required_life(design: CrankDesign) -> float:
+    return design.life
+
+
+@against("bearing_life", _required_life)
 def _life(design: CrankDesign) -> Check:
-    code, limit, found = "bearing_life", design.life, design.bearings
-    if not isinstance(found, SatelliteBearings):
-        return _unknown(design, code, found, limit, "bearing")
+    found, limit = design.bearings, design.life
     assert design.bearing is not None
-    if found.life is None:
-        return _no_life(design, code, limit, design.bearing)
-    worst, power = int(np.argmin(found.life)), EXPONENTS[design.bearing.kind]
-    value = float(found.life[worst])
+    lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
+    worst = int(np.argmin(lives))
+    value = float(lives[worst])
     return judged(
-        code,
+        "bearing_life",
         value,
         limit,
         reserve=design.reserve(
@@ -96,22 +109,22 @@ def _life(design: CrankDesign) -> Check:
     )
 
 
+def _required_safety(design: CrankDesign) -> float:
+    assert design.bearing is not None
+    return design.static_safety or STATIC_SAFETY[design.bearing.kind]
+
+
+@against("bearing_static", _required_safety)
 def _static(design: CrankDesign) -> Check:
-    code, limit, found = "bearing_static", design.static_safety, design.bearings
-    source = ""
-    if limit is None and design.bearing is not None:
-        limit, source = STATIC_SAFETY[design.bearing.kind], "static_guide"
-    if not isinstance(found, SatelliteBearings):
-        return _unknown(design, code, found, limit, "bearing")
-    assert limit is not None
-    if found.static_safety_factor is None:
-        return _rating(code, limit, "bearing.static_rating")
-    worst = int(np.argmin(found.static_safety_factor))
-    value, error = float(found.static_safety_factor[worst]), float(found.accuracy.relative_error)
-    assert design.bearing is not None and design.bearing.static_rating is not None
+    found, limit = design.bearings, _required_safety(design)
+    assert design.bearing is not None
+    rating = _required(design.bearing.static_rating, "bearing.static_rating")
+    safety = np.asarray(found.static_safety_factor)
+    worst = int(np.argmin(safety))
+    value, error = float(safety[worst]), float(found.accuracy.relative_error)
     share = design.static_share
     return judged(
-        code,
+        "bearing_static",
         value,
         limit,
         reserve=design.reserve(
@@ -120,32 +133,38 @@ def _static(design: CrankDesign) -> Check:
         error=4 * error
         + _left_out(
             design.centrifugal,
-            design.bearing.static_rating / value,
+            rating / value,
             short=value < limit,
             of=lambda load: 1 / load,
         ),
         rough=design.as_made,
-        limit_source=source,
+        limit_source="" if design.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
 
 
+@against("system_life", _required_life)
 def _system(design: CrankDesign) -> Check:
-    code, limit, found = "system_life", design.life, design.bearings
+    code, limit = "system_life", design.life
     assert design.bearing is not None
     if design.satellites == 1:
         return Check(code=code, status="not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
         return Check(code=code, status="not_asked", missing=("bearing.weibull_slope",))
-    if not isinstance(found, SatelliteBearings):
-        return _unknown(design, code, found, limit, "bearing")
-    if found.system_life is None:
-        return _no_life(design, code, limit, design.bearing)
-    value, power = float(found.system_life), EXPONENTS[design.bearing.kind]
-    error, slope = 4 * power * float(found.accuracy.relative_error), design.bearing.weibull_slope
+    found, slope, power = (
+        design.bearings,
+        design.bearing.weibull_slope,
+        EXPONENTS[design.bearing.kind],
+    )
+
+    def together_of(lives: FloatArray) -> FloatArray:
+        return np.asarray(system_life(lives=lives, weibull_slope=slope))
+
+    value = float(together_of(_lives(found, design.bearing)))
+    error = 4 * power * float(found.accuracy.relative_error)
 
     def lasting(loads: FloatArray) -> FloatArray:
-        return np.asarray(system_life(lives=loads**-power, weibull_slope=slope))
+        return together_of(loads**-power)
 
     error += _left_out(_equivalent(design), found.equivalent_load, short=value < limit, of=lasting)
 
@@ -157,12 +176,12 @@ def _system(design: CrankDesign) -> Check:
 
 
 def _pressure_angle(design: CrankDesign) -> Check:
-    code, mesh = "pressure_angle", design.mesh
+    code = "pressure_angle"
     if design.gear is not None and design.gear.kind != "involute":
         return Check(code=code, status="not_applicable", reason="no_involute")
-    if mesh is None or mesh.operating_pressure_angle is None:
-        return no_eccentricity(code)
-    return judged(code, float(mesh.operating_pressure_angle), STEEP, warning="steep_mesh")
+    angle = design.mesh.operating_pressure_angle
+    assert angle is not None  # of an involute
+    return judged(code, float(angle), STEEP, warning="steep_mesh")
 
 
 def within_roots(*, design: CrankDesign, code: str, least: float | None = None) -> Check:
@@ -195,7 +214,7 @@ def within_roots(*, design: CrankDesign, code: str, least: float | None = None) 
         return shallow
     cycloid = design.gear is not None and design.gear.kind == "cycloid"
     if cycloid and design.eccentricity is None:
-        return no_eccentricity(code)
+        raise NotKnown("eccentricity_missing", "eccentricity")
     name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(
         code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
@@ -209,16 +228,16 @@ def _gear_room(design: CrankDesign) -> Check:
     return within_roots(design=design, code="gear_room")
 
 
+@against("crank_bearing_life", _required_life)
 def _shaft_life(design: CrankDesign) -> Check:
-    code, limit, found = "crank_bearing_life", design.life, design.shaft
+    code, limit = "crank_bearing_life", design.life
     assert design.crankshaft is not None
     bearings = design.crankshaft.bearings
     if bearings is None:
         return Check(code=code, status="not_asked", missing=("crankshaft.bearings",))
-    if any(each.dynamic_rating is None for each in bearings):
-        return _rating(code, limit, "crankshaft.bearings")
-    if not isinstance(found, Crankshaft):
-        return _unknown(design, code, found, limit, "crankshaft")
+    for each in bearings:
+        _required(each.dynamic_rating, "crankshaft.bearings")
+    found = design.shaft
     lives = [math.inf if each is None else each for each in found.basic_life]
     if math.isinf(min(lives)):
         return Check(code=code, status="not_applicable", limit=limit, reason="unloaded")
@@ -233,8 +252,7 @@ def _shaft_life(design: CrankDesign) -> Check:
 
     left_out = 0.0
     if found.balance is not None:  # what balances the satellites is what presses the bearings
-        assert design.input_speed is not None
-        speed = design.input_speed
+        speed = design.known_speed
         left_out = max(
             _left_out(each.unbalance * speed**2, load, short=value < limit, of=lasting(power))
             for each, load, power in zip(
@@ -259,26 +277,18 @@ def _shaft_life(design: CrankDesign) -> Check:
 
 def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> Check:
     """What is left of the satellites' centrifugal forces against what is asked."""
-    found = design.shaft
-    known = found.balance if isinstance(found, Crankshaft) else None
-    made = design.deviations
-    deviate = made is not None and any((*made.eccentricity, *made.crank_phase))
-    if deviate:
-        known = None
-    value = None if known is None else getattr(known, code.removeprefix("unbalance_"))
 
-    def unknown() -> Check:
-        assert design.crankshaft is not None
-        if design.crankshaft.satellite_mass is None:
-            missing = ("crankshaft.satellite_mass",)
-            return Check(
-                code=code, status="not_checked", limit=limit, reason="mass_unknown", missing=missing
-            )
-        if deviate:
-            return Check(code=code, status="not_checked", limit=limit, reason="cranks_deviate")
-        return _unknown(design, code, found, limit, "crankshaft")
+    def left() -> Measure:
+        shaft, made = design.crankshaft, design.deviations
+        if shaft is not None and shaft.satellite_mass is None:
+            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+        if made is not None and any((*made.eccentricity, *made.crank_phase)):
+            raise NotKnown("cranks_deviate")
+        balance = design.shaft.balance
+        assert balance is not None  # of a mass that is known
+        return Measure(getattr(balance, code.removeprefix("unbalance_")))
 
-    return asked(code, value, limit, name=name, unknown=unknown)
+    return asked(code, limit, left, name=name)
 
 
 def _unbalance_force(design: CrankDesign) -> Check:

@@ -1,13 +1,12 @@
 """A crank-planetary reducer as its checks look at it: ring, bearings, shaft over all the rest."""
 
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.checks.design.losses import DesignLosses
-from core.checks.design.refusals import known, named
+from core.checks.design.refusals import named
 from core.crank.crankshaft import (
     Crankshaft,
     ReactionCurves,
@@ -24,7 +23,8 @@ from core.crank.satellite_bearing import (
     moved_loads,
     satellite_bearings,
 )
-from core.errors import ImpossibleMechanism
+from core.derived import derived
+from core.errors import NotKnown
 from core.output.sampled_turn import WAYS
 
 MOST_BEARING_PAIRS = 2000
@@ -37,30 +37,30 @@ MISSED_OF_PEAK = 0.01
 class CrankDesign(DesignLosses):
     """A crank-planetary reducer, as far as it is given; SI units. Inputs: `GivenDesign`."""
 
-    @cached_property
-    def mesh(self) -> RingMesh | None:
-        """The ring's force on a satellite; None without a ring or an eccentricity."""
-        gear, eccentricity = self.gear, self.eccentricity
-        if gear is None or eccentricity is None:
-            return None
-        ratio = self.mechanism.ratio
+    @derived
+    def mesh(self) -> RingMesh:
+        """The ring's force on a satellite."""
+        gear = self.gear
+        if gear is None:
+            raise NotKnown("section_missing", "gear")
+        eccentricity, ratio = self.known_eccentricity, self.mechanism.ratio
         return named(
             section="gear",
             calculation=lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio),
         )
 
-    @cached_property
-    def bearings(self) -> SatelliteBearings | ImpossibleMechanism | None:
+    @derived
+    def bearings(self) -> SatelliteBearings:
         """Load and life of the satellites' bearings under the torque, their static safety under the
-        peak torque; why they are not known; None where ring, bearing or eccentricity is not given,
-        or of too many pairs. Without a speed there is no life.
+        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
         """
-        bearing, mesh = self.bearing, self.mesh
-        if bearing is None or mesh is None or not self.loaded:
-            return None
-        if self.pairs > MOST_BEARING_PAIRS or self.unmade:
-            return None
-        return known(
+        bearing = self.bearing
+        if bearing is None:
+            raise NotKnown("section_missing", "bearing")
+        mesh, made = self.mesh, self.made
+        if made is None and self.pairs > MOST_BEARING_PAIRS:
+            raise self.too_many(MOST_BEARING_PAIRS)
+        return named(
             section="bearing",
             calculation=lambda: satellite_bearings(
                 **self._turning,
@@ -76,23 +76,24 @@ class CrankDesign(DesignLosses):
             ),
         )
 
-    @cached_property
-    def shaft(self) -> Crankshaft | ImpossibleMechanism | None:
-        """Reactions and balance of the crankshaft under the torque; why they are not known; None
-        where shaft, ring, speed or eccentricity is not given, or of too many pairs.
+    @derived
+    def shaft(self) -> Crankshaft:
+        """Reactions and balance of the crankshaft under the torque, of at most
+        `MOST_BEARING_PAIRS`.
         """
-        own, mesh = self.crankshaft, self.mesh
-        if own is None or mesh is None or not (self.loaded and self.input_speed):
-            return None
-        if self.pairs > MOST_BEARING_PAIRS or self.unmade:
-            return None
-        given = self._turning
+        own = self.crankshaft
+        if own is None:
+            raise NotKnown("section_missing", "crankshaft")
+        mesh, speed, made = self.mesh, self.known_speed, self.made
+        if made is None and self.pairs > MOST_BEARING_PAIRS:
+            raise self.too_many(MOST_BEARING_PAIRS)
+        given = self._turning | {"input_speed": speed}
         if own.bearings is not None:
             given |= {
                 "kinds": tuple(each.kind for each in own.bearings),
                 "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
             }
-        return known(
+        return named(
             section="crankshaft",
             calculation=lambda: crankshaft(
                 **given,
@@ -115,13 +116,12 @@ class CrankDesign(DesignLosses):
 
     def _moved(self, factors: FloatArray) -> dict[str, Any]:
         """What loads follow from under so many times the torque, as arguments."""
-        assert self.mesh is not None and self.eccentricity is not None
         assert self.pin_circle_radius is not None
         return {
             "sharing": self.sharing,
             "factors": factors,
             "radial_force_ratio": float(self.mesh.radial_force_ratio),
-            "arm": self.eccentricity * self.mechanism.ratio / self.pin_circle_radius,
+            "arm": self.known_eccentricity * self.mechanism.ratio / self.pin_circle_radius,
         }
 
     def moved_loads(self, factors: FloatArray, exponent: float | None = None) -> FloatArray:
@@ -146,10 +146,8 @@ class CrankDesign(DesignLosses):
         """Load of the satellites' bearings at crank angles in each direction of the torque and, of
         ideal forces, in each way in which the satellites may share them.
         """
-        mesh = self.mesh
-        assert mesh is not None and self.eccentricity is not None
+        eccentricity, rho = self.known_eccentricity, float(self.mesh.radial_force_ratio)
         assert self.output_torque is not None and self.pin_circle_radius is not None
-        rho = float(mesh.radial_force_ratio)
         ways = WAYS[self.torque_direction]
         if self.made is None:
             return [
@@ -158,7 +156,7 @@ class CrankDesign(DesignLosses):
                     force_exponent=self.force_exponent,
                     output_torque=self.output_torque,
                     pin_circle_radius=self.pin_circle_radius,
-                    eccentricity=self.eccentricity,
+                    eccentricity=eccentricity,
                     radial_force_ratio=rho,
                     crank_angle=crank_angle,
                     torque_direction="driving" if way > 0 else "reverse",
@@ -167,7 +165,7 @@ class CrankDesign(DesignLosses):
                 for stiffness in dict.fromkeys((None, self.pair_stiffness))
                 for way in ways
             ]
-        arm = self.eccentricity * self.mechanism.ratio
+        arm = eccentricity * self.mechanism.ratio
         wave = self.mechanism.wave_angle(crank_angle)
         curves = []
         for way in ways:

@@ -3,15 +3,18 @@
 import cmath
 import math
 from collections.abc import Callable
+from functools import partial
 
-from core.checks.check import Check, Status, Verdict, asked, judged, verdict, wall
+from core.checks.check import Check, Measure, Status, Verdict, asked, attempt, judged, verdict, wall
 from core.checks.crank import BEARING, GEAR, SHAFT, within_roots
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pins import PIN_FATIGUE, PINS
-from core.checks.play import PLAY, no_eccentricity
+from core.checks.play import PLAY
 from core.checks.real_forces import RealForces
+from core.derived import if_known
+from core.errors import NotKnown
 from core.output.mechanism import assembly_angles
 
 
@@ -39,27 +42,26 @@ def _assembly(design: CrankDesign) -> Check:
 
 def _interference(design: CrankDesign) -> Check:
     """By geometry, before any force: the room over the turn."""
-    code, clearance, fit = "interference", design.clearance, design.fit
-    if clearance is None:
-        return no_eccentricity(code)
-    if fit is None and clearance >= 0 and not design.deviations:  # the room is the clearance
-        return judged(code, clearance, 0.0)._replace(utilisation=None)
-    if fit is None and not design.loaded:
-        why, missing = "section_missing", ("load",)
-        return Check(code=code, status="not_checked", reason=why, missing=missing)
-    if fit is None:
-        impossible = clearance < 0
-        status: Status = "fail" if impossible else "not_checked"
-        why = "cannot_assemble" if impossible else "too_many_pairs"
-        return Check(code=code, status=status, value=clearance if impossible else None, limit=0.0,
-                     impossible=impossible, reason=why)  # fmt: skip
+    code, clearance = "interference", design.known_clearance
+    try:
+        fit = design.fit
+    except NotKnown:
+        if clearance >= 0 and not design.deviations:  # the room is the clearance
+            return judged(code, clearance, 0.0)._replace(utilisation=None)
+        if not design.loaded:
+            raise
+        if clearance < 0:
+            return Check(code=code, status="fail", value=clearance, limit=0.0,
+                         impossible=True, reason="cannot_assemble")  # fmt: skip
+        return Check(code=code, status="not_checked", limit=0.0, reason="too_many_pairs")
     at: dict[str, float] = {}
     if fit.room.binding:
         pair = fit.room.binding[0]
         at = {"satellite": pair.satellite, "pin": pair.pin}
     if fit.room.crank_angle is not None:
         at["crank_angle"] = fit.room.crank_angle
-    misfit, status = fit.misfit, "fail"
+    misfit = fit.misfit
+    status: Status = "fail"
     if not misfit or misfit == "fits_by_bearing_clearance":
         status = "marginal" if misfit else "pass"
     return Check(
@@ -79,11 +81,8 @@ what the mechanism moves by."""
 
 
 def _clearance(design: CrankDesign) -> Check:
-    code, clearance = "clearance", design.clearance
-    if clearance is None:
-        return no_eccentricity(code)
-    assert design.eccentricity is not None
-    share = max(clearance, 0.0) / design.eccentricity
+    code, clearance = "clearance", design.known_clearance
+    share = max(clearance, 0.0) / design.known_eccentricity
     wanted = [
         PLAY[name](design).status == "pass"
         for name in ("backlash", "lost_motion")
@@ -135,18 +134,13 @@ def _wall_bore(design: CrankDesign) -> Check:
 def _outer_diameter(design: CrankDesign) -> Check:
     """Of the circle in which a satellite moves."""
     code, limit = "outer_diameter", design.max_outer_diameter
-    radius, eccentricity = design.outer_radius, design.eccentricity
-    value = None if radius is None or eccentricity is None else 2 * (radius + eccentricity)
 
-    def unknown() -> Check:
-        if radius is not None:
-            return no_eccentricity(code)
-        missing = ("satellite_body.outer_radius",)
-        return Check(
-            code=code, status="not_checked", limit=limit, reason="size_missing", missing=missing
-        )
+    def circle() -> Measure:
+        if design.outer_radius is None:
+            raise NotKnown("size_missing", "satellite_body.outer_radius")
+        return Measure(2 * (design.outer_radius + design.known_eccentricity))
 
-    return asked(code, value, limit, name="max_outer_diameter", unknown=unknown)
+    return asked(code, limit, circle, name="max_outer_diameter")
 
 
 Table = dict[str, Callable[[CrankDesign], Check]]
@@ -164,11 +158,18 @@ PLACE: Table = {
 }
 SPACE: Table = {"outer_diameter": _outer_diameter}
 SATELLITE: Table = {"wall_rim": _wall_rim, "wall_bore": _wall_bore} | SPACE
-CRANK = (
+_ALL = (
     MECHANISM | CONTACT | FIT | PLAY | PLACE | SATELLITE
     | PINS | PIN_FATIGUE | FRICTION | GEAR | BEARING | SHAFT
 )  # fmt: skip
-"""Checks of a crank-planetary reducer, by code."""
+
+
+def _attempted(design: CrankDesign, code: str) -> Check:
+    return attempt(code, partial(_ALL[code], design))
+
+
+CRANK: Table = {code: partial(_attempted, code=code) for code in _ALL}
+"""Checks of a crank-planetary reducer, by code; each says why where it could not be made."""
 
 
 def crank_tables(design: CrankDesign) -> Table:
@@ -194,7 +195,7 @@ def crank_tables(design: CrankDesign) -> Table:
         for section, table in SECTIONS.items():
             if getattr(design, section):
                 tables |= table
-    return tables
+    return {code: CRANK[code] for code in tables}
 
 
 SECTIONS: dict[str, Table] = {
@@ -223,12 +224,14 @@ def crank_checks(design: CrankDesign) -> Verdict:
     """
     tables = crank_tables(design)
     pressed = design.loaded and design.touching
-    real = pressed and isinstance(design.judged_forces, RealForces)
+    forces = if_known(lambda: design.judged_forces) if pressed else None
+    fit = if_known(lambda: design.fit)
+    solved = isinstance(forces, RealForces) or (fit is not None and fit.impossible)
     absent = {
         "load": not design.loaded,
         "contact": not design.touching,
         "satellite_body": not design.has_body,
-        "clearance": not real and not (pressed and design.fit and design.fit.impossible),
+        "clearance": not solved,
         "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
         "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
         **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
-from core.checks.check import Check, asked
+from core.checks.check import Check, Measure, asked
 from core.checks.crank_design import CrankDesign
+from core.derived import if_known
+from core.errors import NotKnown
 from core.output.losses import PinLosses
 
 LIMITS = {
@@ -20,28 +21,24 @@ LIMITS = {
 def _asked(
     design: CrankDesign,
     code: str,
-    of: Callable[[PinLosses], float | None],
+    of: Callable[[PinLosses], float],
     *,
     with_torque: bool = False,
-    **more: Any,
 ) -> Check:
     """A value of the losses against what is asked."""
-    found, limit = design.losses, getattr(design, LIMITS[code])
-    value = None
-    if isinstance(found, PinLosses):
-        value = of(found)
-        if with_torque:
-            more["error"] = 4 * float(found.accuracy.relative_error)
-            more["rough"] = design.as_made
-            more["reserve"] = partial(design.reserve, value=design.moved_peak)
 
-    def unknown() -> Check:
-        reason, missing = design.unturned(found)
-        if isinstance(found, PinLosses):
-            reason, missing = "wear_unknown", ("friction.wear_rate",)
-        return Check(code=code, status="not_checked", limit=limit, reason=reason, missing=missing)
+    def measure() -> Measure:
+        found = design.losses
+        if not with_torque:
+            return Measure(of(found))
+        return Measure(
+            of(found),
+            error=4 * float(found.accuracy.relative_error),
+            reserve=partial(design.reserve, value=design.moved_peak),
+            rough=design.as_made,
+        )
 
-    return asked(code, value, limit, name=LIMITS[code], unknown=unknown, **more)
+    return asked(code, getattr(design, LIMITS[code]), measure, name=LIMITS[code])
 
 
 def _efficiency(design: CrankDesign) -> Check:
@@ -58,17 +55,19 @@ def _sliding_speed(design: CrankDesign) -> Check:
 def _pv(design: CrankDesign) -> Check:
     """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
     assert design.friction is not None
-    code, found = "pv", design.losses
-    if isinstance(found, PinLosses) and not design.friction.sleeve:
-        value, limit, why = float(found.peak_pv), design.max_pv, "no_bush"
-        return Check(code=code, status="not_applicable", value=value, limit=limit, reason=why)
-    return _asked(design, code, lambda losses: float(losses.peak_pv), with_torque=True)
+    losses = None if design.friction.sleeve else if_known(lambda: design.losses)
+    if losses is None:
+        return _asked(design, "pv", lambda losses: float(losses.peak_pv), with_torque=True)
+    value, limit = float(losses.peak_pv), design.max_pv
+    return Check(code="pv", status="not_applicable", value=value, limit=limit, reason="no_bush")
 
 
 def _wear(design: CrankDesign) -> Check:
-    def depth(losses: PinLosses) -> float | None:
-        both = (losses.pin_wear, losses.hole_wear)
-        return max((float(each) for each in both if each is not None), default=None)
+    def depth(losses: PinLosses) -> float:
+        depths = [each for each in (losses.pin_wear, losses.hole_wear) if each is not None]
+        if not depths:
+            raise NotKnown("wear_unknown", "friction.wear_rate")
+        return float(max(depths))
 
     return _asked(design, "wear", depth, with_torque=True)
 

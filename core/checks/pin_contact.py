@@ -4,10 +4,12 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from core.checks.check import Check, judged
+from core.checks.check import Check, judged, not_checked
 from core.checks.crank_design import CrankDesign
 from core.checks.design.contact import force_factor
 from core.checks.design.given import Body
+from core.derived import UNKNOWN, if_known
+from core.errors import NotKnown
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
 from core.materials import ElasticMaterial
 from core.output.limit_torque import limit_torque
@@ -28,11 +30,14 @@ def _missing(design: CrankDesign, body: Body, value: str) -> tuple[str, ...]:
 
 def _against(design: CrankDesign, code: str, warning: str = "", **more: Any) -> Check:
     """The governing pressure against its limit."""
-    contact, limit = design.contact, design.pressure_limits[code]
-    pressure = None if contact is None else contact.governing_pressure
-    if contact is None or pressure is None:
-        reason = design.unsolved if contact is None else "no_pressure"
-        return Check(code=code, status="not_checked", limit=limit, reason=reason, **more)
+    limit = design.pressure_limits[code]
+    try:
+        contact = design.contact
+    except UNKNOWN as why:
+        return not_checked(code, why, limit=limit, **more)
+    pressure = contact.governing_pressure
+    if pressure is None:
+        return not_checked(code, NotKnown("no_pressure"), limit=limit, **more)
     return judged(
         code,
         pressure,
@@ -62,7 +67,7 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
     float
     """
     real, torque = design.real, design.output_torque
-    assert real is not None and torque is not None
+    assert torque is not None
 
     def contact(force: float) -> HertzContact:
         found = real.contact(0, force)
@@ -83,12 +88,13 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
 def _pressure(design: CrankDesign, body: Body) -> Check:
     code, limit = f"contact_pressure_{body}", _material(design, body).limit
     if limit is None:
+        contact = if_known(lambda: design.contact)
         return Check(
             code=code,
             status="not_checked",
-            value=None if design.contact is None else design.contact.governing_pressure,
+            value=contact and contact.governing_pressure,
             reason="limit_unknown",
-            at=design.peak,
+            at=if_known(lambda: design.peak) or {},
             missing=_missing(design, body, "allowable_pressure"),
         )
     reason, missing = "life_of_teeth", tuple[str, ...]()
@@ -133,8 +139,6 @@ def _yield(design: CrankDesign, body: Body) -> Check:
 
 def _conformity(design: CrankDesign) -> Check:
     contact, code = design.contact, "contact_conformity"
-    if contact is None:
-        return Check(code=code, status="not_checked", reason=design.unsolved)
     ratio, limit = float(contact.half_width_ratio), HALF_WIDTH_RATIO_LIMIT
     if contact.conformal_pressure is not None:
         why = "conformal_solution"

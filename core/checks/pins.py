@@ -2,12 +2,10 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
-from core.checks.check import Check, asked, judged
+from core.checks.check import Check, Measure, asked, judged
 from core.checks.crank_design import CrankDesign
 from core.checks.design.pins import NEAR_CYCLE
-from core.errors import ImpossibleMechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength
 
@@ -16,18 +14,6 @@ NO_BASIS = {"fatigue_no_basis": "endurance_unknown", "fatigue_no_notch": "notch_
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
-
-
-def _unknown(design: CrankDesign, code: str, limit: float | None = None) -> Check:
-    """A check whose forces are not known."""
-    if design.pin is None:
-        missing = ("pin",)
-        return Check(code=code, status="not_checked", reason="section_missing", missing=missing)
-    found = design.pin_strength
-    reason = "too_large"
-    if isinstance(found, ImpossibleMechanism) or design.unmade:
-        reason = design.why_unknown(found if isinstance(found, ImpossibleMechanism) else None)
-    return Check(code=code, status="not_checked", limit=limit, reason=reason)
 
 
 def _of_size(design: CrankDesign, check: Check) -> Check:
@@ -46,8 +32,6 @@ def _of_size(design: CrankDesign, check: Check) -> Check:
 
 def _static(design: CrankDesign) -> Check:
     code, found = "pin_static", design.pin_strength
-    if not isinstance(found, PinStrength):
-        return _unknown(design, code)
     assert design.pin is not None
     stress, tensile = found.static_stress, design.pin.tensile_strength
     strength = design.pin.material.yield_strength
@@ -69,8 +53,6 @@ def _static(design: CrankDesign) -> Check:
 
 def _fatigue(design: CrankDesign) -> Check:
     code, found = "pin_fatigue", design.pin_strength
-    if not isinstance(found, PinStrength):
-        return _unknown(design, code)
     assert design.pin is not None
     if found.fatigue is None:
         judged_by = design.fatigue_strength
@@ -100,27 +82,23 @@ def _used(pins: PinStrength) -> float:
 
 def _bent(design: CrankDesign, code: str, limit: float | None) -> Check:
     """The largest deflection or slope against what is asked."""
-    found = design.pin_strength
-    value, more = None, dict[str, Any]()
 
     def bent(pins: PinStrength) -> float:
         return float(getattr(pins.deflection, code.removeprefix("pin_")))
 
-    if isinstance(found, PinStrength) and found.deflection is not None:
-        value = bent(found)
+    def measure() -> Measure:
+        found = design.pin_strength
+        assert found.deflection is not None
         bends, slopes = found.deflection.satellite, found.deflection.slope_satellite
-        more["at"] = {"satellite": bends if code == "pin_deflection" else slopes}
-        more["error"] = 4 * found.accuracy.relative_error
-    return asked(
-        code,
-        value,
-        limit,
-        name=code.replace("pin", "max"),
-        unknown=partial(_unknown, design, code, limit),
-        reserve=partial(design.pin_reserve, value=bent),
-        rough=design.as_made,
-        **more,
-    )
+        return Measure(
+            bent(found),
+            error=4 * found.accuracy.relative_error,
+            at={"satellite": bends if code == "pin_deflection" else slopes},
+            reserve=partial(design.pin_reserve, value=bent),
+            rough=design.as_made,
+        )
+
+    return asked(code, limit, measure, name=code.replace("pin", "max"))
 
 
 def _deflection(design: CrankDesign) -> Check:

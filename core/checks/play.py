@@ -2,58 +2,30 @@
 
 from collections.abc import Callable
 
-from core.checks.check import Check, asked
+from core.checks.check import Check, Measure, asked
 from core.checks.crank_design import CrankDesign
-from core.checks.design.forces import Forces
-from core.checks.real_forces import RealForces
-
-
-def no_eccentricity(code: str) -> Check:
-    """A check that hangs on the clearance where that is not known.
-
-    Parameters
-    ----------
-    code : str
-        Which.
-
-    Returns
-    -------
-    Check
-    """
-    missing = ("eccentricity",)
-    return Check(code=code, status="not_checked", reason="eccentricity_missing", missing=missing)
-
-
-def _asked(
-    design: CrankDesign, code: str, limit: float | None, value: float | None, forces: Forces
-) -> Check:
-    """A play against what is asked."""
-    if limit is not None and design.eccentricity is None:
-        return no_eccentricity(code)
-
-    def unknown() -> Check:
-        reason = design.why_unknown(forces)
-        return Check(code=code, status="not_checked", limit=limit, reason=reason)
-
-    return asked(code, value, limit, name=f"max_{code}", unknown=unknown)
+from core.errors import NotKnown
 
 
 def _backlash(design: CrankDesign) -> Check:
-    forces = design.loading if design.as_made else None
-    value = forces.turn.backlash_max if isinstance(forces, RealForces) else None
-    if not design.as_made and design.clearance is not None:  # none, or interference
-        value = 0.0
-    return _asked(design, "backlash", design.max_backlash, value, forces)
+    def play() -> Measure:
+        of_fit = design.known_eccentricity and 0.0  # no clearance, or interference
+        return Measure(design.loading.turn.backlash_max if design.as_made else of_fit)
+
+    return asked("backlash", design.max_backlash, play, name="max_backlash")
 
 
 def _lost_motion(design: CrankDesign) -> Check:
     limit = design.max_lost_motion
-    wanted = limit is not None and design.eccentricity is not None
-    # at the torque itself, of which it takes a share
-    known = wanted or (limit is None and design.as_made and design.dynamic_factor == 1)
-    forces = design.real_forces if known else None
-    value = forces.turn.lost_motion if isinstance(forces, RealForces) else None
-    return _asked(design, "lost_motion", limit, value, forces)
+
+    def motion() -> Measure:
+        """At the torque itself, of which it takes a share; not solved for where nobody asks."""
+        solved = design.as_made and design.dynamic_factor == 1
+        if not (design.known_eccentricity and (solved or limit is not None)):
+            raise NotKnown("no_limit")
+        return Measure(design.real_forces.turn.lost_motion)
+
+    return asked("lost_motion", limit, motion, name="max_lost_motion")
 
 
 PLAY: dict[str, Callable[[CrankDesign], Check]] = {

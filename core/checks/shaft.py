@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from core.checks.check import Check, Verdict, asked, judged, verdict, wall
+from core.checks.check import Check, Measure, Verdict, asked, judged, verdict, wall
 from core.checks.rollers import fatigue_check
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
@@ -81,8 +81,8 @@ def shaft_checks(
     error = float(result.accuracy.relative_error)
 
     def beyond(code: str, value: float, limit: float | None) -> Check:
-        name = code.replace("shaft", "max")
-        return asked(code, value, limit, name=name, reserve=float, error=4 * error)
+        measure = Measure(value, error=4 * error, reserve=float)
+        return asked(code, limit, lambda: measure, name=code.replace("shaft", "max"))
 
     limits = {"deflection": max_deflection, "slope": max_slope}
     unasked = [name for name, limit in limits.items() if limit is None]

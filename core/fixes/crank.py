@@ -9,6 +9,7 @@ from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
 from core.checks.pin_contact import CONTACT, real_reserve
 from core.checks.play import PLAY
+from core.derived import if_known
 from core.errors import CalculationError
 from core.exploration.solve import Solution
 from core.fixes.changes import count_may_change, value_of, vary
@@ -168,9 +169,8 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
         place = math.floor((place - (value - check.limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
         if place < 0:
             return None
-        found = CRANK[code](
-            vary(design=design, variable="hole_radius", value=hole + place - clearance)
-        )
+        smaller = vary(design=design, variable="hole_radius", value=hole + place - clearance)
+        found = CRANK[code](smaller)
         if found.value is None or found.value >= former:
             return None
         value, slope = found.value, (former - found.value) / (before - place)
@@ -207,8 +207,9 @@ def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> 
         if design.eccentricity is None or design.pin_radius is None or design.hole_radius is None:
             return None
         before, after = design.hole_radius, design.pin_radius + design.eccentricity
-        if design.fit is not None:
-            after = design.fit.needed_hole_radius
+        fit = if_known(lambda: design.fit)
+        if fit is not None:
+            after = fit.needed_hole_radius
     exact = Solution("solved", after, None, ((after, after),), None, True, 1)
     changed = replace(design, **{variable: after})  # type: ignore[arg-type]
     if code not in crank_tables(changed) or not before:

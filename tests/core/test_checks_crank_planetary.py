@@ -17,6 +17,7 @@ from core.checks.crank_planetary import (
 )
 from core.checks.real_forces import RealForces
 from core.checks.sections import Ring
+from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
 from tests.oracles.checks import REF, WHOLE, says
@@ -224,6 +225,16 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
     assert crank_checks(no_body).not_considered == ("satellite_body", *loaded)
     assert crank_checks(no_load).not_considered == ("load", *later)
     bare = replace(no_contact, output_torque=None, has_body=False)
-    assert no_load.force is None and no_load.contact is None
+    for result in (
+        "force",
+        "contact",
+        "real_forces",
+        "pin_strength",
+        "losses",
+        "bearings",
+        "shaft",
+    ):
+        with pytest.raises(NotKnown, match="section_missing"):
+            getattr(no_load, result)
     assert not CrankDesign(pins=3, satellites=1, ratio=20.0).has_body
     assert crank_checks(bare).not_considered == ("load", "contact", "satellite_body", *later)

@@ -10,12 +10,12 @@ import numpy as np
 from core.checks.design.given import Body
 from core.checks.design.pins import DesignPins
 from core.checks.real_forces import RealForces
+from core.derived import derived
 from core.exploration.solve import edge
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
 from core.materials import FIRST_YIELD
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.moving_sharing import torque_factors
-from core.output.pin_strength import PinStresses
 from core.results import ROUNDING
 
 SHAKEDOWN = 4 / math.sqrt(3)
@@ -26,39 +26,33 @@ quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
 class DesignContact(DesignPins):
     """The contact with the largest pressure."""
 
-    @cached_property
-    def contact(self) -> HertzContact | None:
-        """The contact with the largest pressure, where the forces are known: at the end of the
-        length where the pin slopes.
-        """
-        if self.judged_forces is None:
-            return None
-        if self.pin is not None and not isinstance(self._pin_stresses, PinStresses):
-            return None
+    @derived
+    def contact(self) -> HertzContact:
+        """The contact with the largest pressure: at the end of the length where the pin slopes."""
         return self.contact_at(self.line_load_factor)
 
-    @cached_property
+    @derived
     def line_load_factor(self) -> float:
         """Largest line load of a contact over the mean one of the largest force: where pins bend,
         by the worse of equal and stiffness sharing, and by their slope at that angle.
         """
-        edge, judged = self.edge, self.judged_forces
-        if edge is None or judged is None:
+        judged, edge = self.judged_forces, self.edge
+        if edge is None:
             return 1.0
         if isinstance(judged, RealForces):
             return edge.force / judged.force
         return edge.force / (self.dynamic_factor * judged.peak_force)
 
-    @cached_property
+    @derived
     def _sloping(self) -> SlopingContacts | None:
         """The contacts of pins that slope; None without pins."""
-        stresses = self._pin_stresses
-        if not isinstance(stresses, PinStresses):
+        if self.pin is None:
             return None
+        stresses = self._pin_stresses
         assert self.contact_length is not None
         return SlopingContacts(stresses.pin, stresses.loads, self.contact_length, self._compliance)
 
-    @cached_property
+    @derived
     def edge(self) -> EdgeLoad | None:
         """The contact with that line load; None without pins."""
         return None if self._sloping is None else self._sloping.largest()
@@ -68,7 +62,6 @@ class DesignContact(DesignPins):
         force = self.judged_forces
         if isinstance(force, RealForces):
             return force.contact_at(factor)
-        assert force is not None
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
         pin, hole = self.lasting["pin"], self.lasting["hole"]
@@ -99,14 +92,12 @@ class DesignContact(DesignPins):
                 found[f"contact_yield_{body}"] = FIRST_YIELD * material.yield_strength
         return found
 
-    @cached_property
+    @derived
     def contact_reserves(self) -> dict[str, float]:
         """Factors on the torque under which the contact is at its limits, by the code of their
         check, where its pressure is known.
         """
         contact = self.contact
-        if contact is None:
-            return {}
         factors = {
             "contact_conformity": float(HALF_WIDTH_RATIO_LIMIT / contact.half_width_ratio) ** 2
         }
@@ -140,7 +131,7 @@ class DesignContact(DesignPins):
         ).tolist()
         return found
 
-    @cached_property
+    @derived
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
@@ -148,12 +139,11 @@ class DesignContact(DesignPins):
             at: dict[str, float] = {"satellite": edge.satellite}
             if edge.pin is not None:
                 at["pin"] = edge.pin
-            known = isinstance(force, RealForces) and at.items() <= force.place.items()
-            return force.place if known else at  # type: ignore[union-attr]
+            if isinstance(force, RealForces) and at.items() <= force.place.items():
+                return force.place
+            return at
         if isinstance(force, RealForces):
             return force.place
-        if force is None:
-            return {}
         return {
             "satellite": force.peak_pair.satellite,
             "pin": force.peak_pair.pin,

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Literal
 
 from core.checks.sections import DesignPin, FatigueBasis, Friction, Ring, RollingBearing, Shaft
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
@@ -240,6 +240,37 @@ class GivenDesign:
         )
 
     @property
+    def known_eccentricity(self) -> float:
+        """The eccentricity, which has to be given, m."""
+        if self.eccentricity is None:
+            raise NotKnown("eccentricity_missing", "eccentricity")
+        return self.eccentricity
+
+    @property
+    def known_speed(self) -> float:
+        """The speed of the crank, which has to be given, rad/s."""
+        if self.input_speed is None:
+            raise NotKnown("speed_missing", "input_speed")
+        return self.input_speed
+
+    def too_many(self, most: int, code: str = "too_large") -> NotKnown:
+        """What is not calculated of so many pairs.
+
+        Parameters
+        ----------
+        most : int
+            Most pairs of which it is.
+        code : str
+            The reason.
+
+        Returns
+        -------
+        NotKnown
+        """
+        limit = {"limit": most // self.satellites, "satellites": self.satellites}
+        return NotKnown(code, refusal=InvalidInput("pins", self.pins, "too_many_pairs", **limit))
+
+    @property
     def loaded(self) -> bool:
         """Whether a load is given."""
         return self.output_torque is not None
@@ -286,6 +317,13 @@ class GivenDesign:
             return None
         clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
         return felt(clearance=clearance, hole_radius=self.hole_radius)
+
+    @property
+    def known_clearance(self) -> float:
+        """The same, which needs the eccentricity, m."""
+        if self.clearance is None:
+            raise NotKnown("eccentricity_missing", "eccentricity")
+        return self.clearance
 
     @cached_property
     def roots(self) -> tuple[float, float]:

@@ -6,18 +6,17 @@ sharing.
 """
 
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.design.contact import DesignContact
-from core.checks.design.refusals import known
+from core.checks.design.refusals import named
 from core.checks.sections import Friction
-from core.errors import ImpossibleMechanism
+from core.derived import derived
+from core.errors import NotKnown
 from core.output.losses import LossCurves, PinLosses, loss_curves, pin_losses
 from core.output.moving_sharing import shared_largest
-from core.output.pin_strength import PinStrength
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy, Notice
 
@@ -25,30 +24,30 @@ from core.results import Accuracy, Notice
 class DesignLosses(DesignContact):
     """Losses of ideal forces, or of those of the mechanism as it is made."""
 
-    @cached_property
-    def losses(self) -> PinLosses | ImpossibleMechanism | None:
-        """Friction and wear of the pins under the torque; why they are not known; None where
-        friction, speed or eccentricity is not given, or of pins with too many pairs.
+    @derived
+    def losses(self) -> PinLosses:
+        """Friction and wear of the pins under the torque; of bending pins, of so many pairs as of
+        the pins themselves.
         """
         friction = self.friction
-        if friction is None or not (self.loaded and self.input_speed and self.eccentricity):
-            return None
-        if self.unmade or (self.pair_stiffness and not isinstance(self.pin_loads, PinStrength)):
-            return None
+        if friction is None:
+            raise NotKnown("section_missing", "friction")
         inside = self.pin.diameter if friction.sleeve and self.pin else None
         life = self.life if friction.life is None else friction.life
-        return known(section="pin", calculation=lambda: self._losses(friction, inside, life))
+        return named(section="pin", calculation=lambda: self._losses(friction, inside, life))
 
     def _losses(self, friction: Friction, inside: float | None, life: float) -> PinLosses:
         """Losses of the ideal forces, or of those of the mechanism as it is made."""
+        eccentricity, speed, turn = self.known_eccentricity, self.known_speed, self.lossy_turn
+        loads = self.pin_loads if self.pair_stiffness else None
         assert self.output_torque is not None and self.pin_circle_radius is not None
         found = pin_losses(
             mechanism=self.driven,
             force_exponent=self.force_exponent,
             output_torque=self.output_torque,
             pin_circle_radius=self.pin_circle_radius,
-            input_speed=self.input_speed,
-            eccentricity=self.eccentricity,
+            input_speed=speed,
+            eccentricity=eccentricity,
             pin_radius=self.pin_radius,
             hole_radius=self.hole_radius,
             contact_length=self.contact_length,
@@ -60,16 +59,12 @@ class DesignLosses(DesignContact):
         bare = self.sleeved and not friction.sleeve
         if bare and self.pin is not None and self.pin.diameter < 2 * (self.pin_radius or 0.0):
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
-        if self.lossy_turn is not None:
+        if turn is not None:
             reference = self.output_torque / self.pin_circle_radius
             largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
-            return made_losses(
-                losses=found, turn=self.lossy_turn, reference=reference, largest=largest
-            )
-        if not self.pair_stiffness:
+            return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
+        if loads is None:
             return found
-        loads = self.pin_loads
-        assert isinstance(loads, PinStrength)
         peak = loads.peak_force / (self.dynamic_factor * float(found.peak_force))
         return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
 
@@ -86,7 +81,7 @@ class DesignLosses(DesignContact):
 
         return np.asarray(sharing.worse(factors=factors, of=peaks).max(axis=1))
 
-    @cached_property
+    @derived
     def _lossy_turns(self) -> list[SampledTurn]:
         """Forces of the mechanism as it is made, in each direction of the torque; none where the
         ideal ones are judged.
@@ -96,7 +91,7 @@ class DesignLosses(DesignContact):
         assert self.output_torque is not None
         return [self.made(way * self.output_torque) for way in WAYS[self.torque_direction]]
 
-    @cached_property
+    @derived
     def lossy_turn(self) -> SampledTurn | None:
         """Of these the ones with the larger losses."""
         return max(self._lossy_turns, key=lambda turn: float(turn.mean(turn.total)), default=None)

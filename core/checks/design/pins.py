@@ -10,9 +10,9 @@ import numpy as np
 
 from core.arrays import FloatArray, Number
 from core.checks.design.forces import DesignForces
-from core.checks.design.refusals import known, named
-from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.contact_force import ContactForce
+from core.checks.design.refusals import named
+from core.derived import derived
+from core.errors import InvalidInput, NotKnown
 from core.output.contact_law import HertzLaw, contact_compliance
 from core.output.moving_sharing import MovingSharing, torque_factors
 from core.output.pin_beam import PinBeam
@@ -51,14 +51,14 @@ class DesignPins(DesignForces):
             hole=self.hole_material,
         )
 
-    @cached_property
+    @derived
     def pair_stiffness(self) -> tuple[float, ...] | None:
         """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
         where all are alike.
         """
         return self._stiffness(self.dynamic_factor)
 
-    @cached_property
+    @derived
     def static_stiffness(self) -> tuple[float, ...] | None:
         """The same under the torque of static strength."""
         if self.pair_stiffness is None or self.static_share == 1:
@@ -67,8 +67,8 @@ class DesignPins(DesignForces):
 
     def _stiffness(self, factor: float) -> tuple[float, ...] | None:
         """The same under so many times the torque."""
-        pin, force = self.pin, self.force
-        if pin is None or not self.touching or self.as_made or not isinstance(force, ContactForce):
+        pin = self.pin
+        if pin is None or not self.touching or self.as_made:
             return None
         length = self.pin_length
         far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
@@ -85,16 +85,15 @@ class DesignPins(DesignForces):
         )
         found = beam.pair_stiffness(
             positions=pin.satellite_positions,
-            contact_compliance=float(self._compliance(force.peak_force * factor)),
+            contact_compliance=float(self._compliance(self.force.peak_force * factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
 
-    @cached_property
+    @derived
     def sharing(self) -> MovingSharing | None:
         """How bending pins share an ideal load under other torques; None where that stays."""
         if self.pair_stiffness is None:
             return None
-        assert isinstance(self.force, ContactForce)
         return MovingSharing(
             stiffness=self.pair_stiffness,
             compliance=self._compliance,
@@ -172,16 +171,14 @@ class DesignPins(DesignForces):
             "span": pin.span,
         }
 
-    @cached_property
-    def _pin_stresses(self) -> PinStresses | ImpossibleMechanism | None:
-        """Stresses of the pins under the dynamic load; why they are not known; None without pins,
-        or of too many.
-        """
-        if not (self.loaded and self.pin) or self.unmade:
-            return None
-        if self.pairs > MOST_PIN_PAIRS:
-            return None
-        return known(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
+    @derived
+    def _pin_stresses(self) -> PinStresses:
+        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`."""
+        if self.pin is None:
+            raise NotKnown("section_missing", "pin")
+        if self.made is None and self.pairs > MOST_PIN_PAIRS:
+            raise self.too_many(MOST_PIN_PAIRS)
+        return named(section="pin", calculation=lambda: pin_stresses(**self.loaded_pins))
 
     def pin_reserve(
         self,
@@ -214,9 +211,7 @@ class DesignPins(DesignForces):
         def under(factor: float) -> float:
             torques = {"output_torque": self.output_torque, "peak_torque": self.peak_torque}
             more = {name: each and each * factor for name, each in torques.items()}
-            found = (self if factor == 1 else replace(self, **more)).pin_strength  # type: ignore[arg-type]
-            assert isinstance(found, PinStrength)
-            return value(found)
+            return value((self if factor == 1 else replace(self, **more)).pin_strength)  # type: ignore[arg-type]
 
         return self.reserve(growth, lambda factors: np.array([*map(under, factors.tolist())]))
 
@@ -224,7 +219,7 @@ class DesignPins(DesignForces):
         """Whether stiffness sharing, as it is under so many times the torque, may load pins more
         than equal sharing, which does not move: by the force that each satellite may take more.
         """
-        if self.sharing is None or not isinstance(self._pin_stresses, PinStresses):
+        if self.sharing is None:
             return False
         stiff = self.sharing.under(np.array(factors))
         more = 1 + self.satellites * float((stiff.max(axis=1) / stiff.min(axis=1) - 1).max())
@@ -237,26 +232,20 @@ class DesignPins(DesignForces):
             or (other.slopes + (more - 1) * (arms @ other.forces)).max() >= one.slopes.max()
         )
 
-    @cached_property
-    def pin_loads(self) -> PinStrength | ImpossibleMechanism | None:
+    @derived
+    def pin_loads(self) -> PinStrength:
         """Strength of the pins without their fatigue, with their deflection."""
-        found = self._pin_stresses
-        return found.strength(deflection=True) if isinstance(found, PinStresses) else found
+        return self._pin_stresses.strength(deflection=True)
 
-    @cached_property
-    def pin_strength(self) -> PinStrength | ImpossibleMechanism | None:
-        """Strength of the pins under the dynamic load, its static safety under the peak torque; why
-        it is not known; None without pins, or of too many.
-        """
+    @derived
+    def pin_strength(self) -> PinStrength:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque."""
         return self.judged_pins()
 
-    def judged_pins(self, *, locus: bool = False) -> PinStrength | ImpossibleMechanism | None:
+    def judged_pins(self, *, locus: bool = False) -> PinStrength:
         """The same, at will with the locus of the moment."""
         judged, pin, found = self.fatigue_strength, self.pin, self.pin_loads
-        if pin is None or not isinstance(found, PinStrength):
-            return found
-        if locus or isinstance(judged, FatigueStrength):
-            assert isinstance(self._pin_stresses, PinStresses)
+        if pin is not None and (locus or isinstance(judged, FatigueStrength)):
             found = self._pin_stresses.strength(
                 rotates=pin.rotates,
                 fatigue=judged if isinstance(judged, FatigueStrength) else None,

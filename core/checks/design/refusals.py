@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import InvalidInput
 
 Result = TypeVar("Result")
 
@@ -44,24 +44,3 @@ def named(*, section: str, calculation: Callable[[], Result]) -> Result:
             name = f"{section}.{error.parameter}"
             raise InvalidInput(name, error.value, error.code, **error.params) from error
         raise
-
-
-def known(*, section: str, calculation: Callable[[], Result]) -> Result | ImpossibleMechanism:
-    """A result, or why there is none.
-
-    Parameters
-    ----------
-    section : str
-        The section, a key of `SECTION_OF`.
-    calculation : callable
-        What makes the result.
-
-    Returns
-    -------
-    object or ImpossibleMechanism
-        What it makes, or its refusal.
-    """
-    try:
-        return named(section=section, calculation=calculation)
-    except ImpossibleMechanism as refusal:
-        return refusal

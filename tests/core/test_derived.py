@@ -1,0 +1,75 @@
+"""What follows from a design is worked out once, and so is why it is not known."""
+
+from dataclasses import dataclass, field, replace
+
+import pytest
+
+from core.checks.crank_planetary import crank_checks
+from core.derived import derived, if_known
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from core.output.real_mechanism import RealMechanism
+from tests.oracles.checks import REF
+
+
+@dataclass(frozen=True)
+class Design:
+    why: Exception | None = None
+    asked: list[int] = field(default_factory=list)
+
+    @derived
+    def result(self) -> int:
+        """A result."""
+        self.asked.append(1)
+        if self.why is not None:
+            raise self.why
+        return 7
+
+
+def test_a_value_is_worked_out_once_for_each_design() -> None:
+    design = Design()
+    assert (design.result, design.result, design.asked) == (7, 7, [1])
+    assert replace(design, asked=[]).result == 7
+    assert Design.result.__doc__ == "A result."
+
+
+@pytest.mark.parametrize(
+    "why",
+    [NotKnown("too_large"), ImpossibleMechanism("dead_centre"), InvalidInput("r", 0, "not_zero")],
+)
+def test_a_refusal_is_kept_as_it_is(why: Exception) -> None:
+    design = Design(why)
+    for _ in range(3):
+        with pytest.raises(type(why)) as caught:
+            assert design.result
+        assert caught.value is why
+    assert design.asked == [1]
+
+
+def test_a_fault_of_the_program_is_no_result() -> None:
+    design = Design(ZeroDivisionError())
+    for _ in range(2):
+        with pytest.raises(ZeroDivisionError):
+            assert if_known(lambda: design.result)
+    assert design.asked == [1, 1]
+
+
+def test_what_is_not_known_is_none_where_that_is_asked() -> None:
+    assert if_known(lambda: Design().result) == 7
+    assert if_known(lambda: Design(NotKnown("too_large")).result) is None
+    with pytest.raises(InvalidInput):
+        assert if_known(lambda: Design(InvalidInput("r", 0, "not_zero")).result)
+
+
+def test_a_turn_that_cannot_be_solved_is_not_solved_for_each_check(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    turns = []
+
+    def over_turn(*, real: RealMechanism, output_torque: float) -> None:
+        turns.append(output_torque)
+        raise ImpossibleMechanism("not_stable")
+
+    monkeypatch.setattr("core.checks.real_forces.over_turn", over_turn)
+    found = crank_checks(replace(REF, hole_radius=0.01002))
+    assert turns == [REF.output_torque]
+    assert sum(check.reason == "no_balance" for check in found.checks) >= 4
