@@ -3,7 +3,7 @@
 import gzip
 import hashlib
 import re
-from collections.abc import Mapping
+from dataclasses import asdict
 from functools import cache
 from typing import Annotated, Any, Literal
 
@@ -289,11 +289,11 @@ class Words(ResponseModel):
     )
 
 
-def _named(texts: Mapping[str, str]) -> dict[str, str]:
+def _named(words: Any) -> Any:
     """Texts whose parameters are named only, without a format or a unit that the name ends in."""
-    return {
-        code: re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", text) for code, text in texts.items()
-    }
+    if isinstance(words, str):
+        return re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", words)
+    return {code: _named(each) for code, each in words.items()}
 
 
 class Packed:
@@ -389,32 +389,22 @@ async def examples() -> ExampleList:
 
 @cache
 def _words() -> Packed:
-    notices = _named({code: kind.text for code, kind in NOTICES.items()})
-    words = Words(
-        refusals=_named(TEXTS),
-        places={api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
-        notices={
-            code: NoticeWords(
-                text=notices[code],
-                title=kind.title,
-                tests=kind.tests,
-                why=kind.why,
-                mend=kind.mend,
-            )
-            for code, kind in NOTICES.items()
-        },
-        checks={code: CheckWords(title=kind.title, why=kind.why) for code, kind in CHECKS.items()},
-        check_groups=CHECK_GROUPS,
-        reasons=REASONS,
-        sources=CHECK_SOURCES | LIMIT_SOURCES,
-        criteria={**CRITERIA},
-        verified={**VERIFIED},
-        not_considered=NOT_CONSIDERED,
-        methods=METHODS,
-        settings=_named(SETTINGS),
-        figures=_named(theme.TEXTS),
-    )
-    return Packed(orjson.dumps(words.model_dump()), JSON)
+    words = {
+        "refusals": TEXTS,
+        "places": {api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
+        "notices": {code: asdict(kind) for code, kind in NOTICES.items()},
+        "checks": {code: {"title": kind.title, "why": kind.why} for code, kind in CHECKS.items()},
+        "check_groups": CHECK_GROUPS,
+        "reasons": REASONS,
+        "sources": CHECK_SOURCES | LIMIT_SOURCES,
+        "criteria": CRITERIA,
+        "verified": VERIFIED,
+        "not_considered": NOT_CONSIDERED,
+        "methods": METHODS,
+        "settings": SETTINGS,
+        "figures": theme.TEXTS,
+    }
+    return Packed(orjson.dumps(Words.model_validate(_named(words)).model_dump()), JSON)
 
 
 @router.get("/words", operation_id="words", response_model=Words)

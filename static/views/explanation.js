@@ -22,7 +22,7 @@ export function createExplanation({ calculator, materialOf }) {
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
       const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
-      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))];
+      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))].filter((code) => said("notices", code)); // not of a newer service
       fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
         ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
     }),
