@@ -23,8 +23,8 @@ Verified = Literal["standard", "secondary"]
 """Whether a value was read in its standard, or in two independent secondary sources."""
 
 VERIFIED: dict[Verified, str] = {
-    "standard": "read in the standard",
-    "secondary": "two secondary sources",
+    "standard": "standard",
+    "secondary": "secondary sources",
 }
 """The same in English."""
 

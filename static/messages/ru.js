@@ -1716,8 +1716,8 @@ export default {
       given: "задано",
     },
     verified: {
-      standard: "прочитано в стандарте",
-      secondary: "два вторичных источника",
+      standard: "стандарт",
+      secondary: "вторичные источники",
     },
     checks: {
       dead_centre: { title: "Мёртвые положения", why: "Там не работает ни одна пара и момент не передаётся." },

@@ -1716,8 +1716,8 @@ export default {
       given: "задано",
     },
     verified: {
-      standard: "прочитано в стандарті",
-      secondary: "два вторинні джерела",
+      standard: "стандарт",
+      secondary: "вторинні джерела",
     },
     checks: {
       dead_centre: { title: "Мертві положення", why: "Там не працює жодна пара й момент не передається." },
