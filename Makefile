@@ -66,7 +66,7 @@ compiled: .venv/test
 fast: compiled
 	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal $(QUICK) -m "not slow and not browser"
 
-node:
+node: .venv/test
 	@tests/tools.sh node nodejs
 	@! command -v node >/dev/null || node --test tests/static/*.test.mjs
 

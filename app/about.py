@@ -1,32 +1,47 @@
-"""What the service says about itself: health, calculations, materials, examples."""
+"""What the service says about itself: health, calculations, materials, examples, words."""
 
+import gzip
+import hashlib
+import re
+from dataclasses import asdict
+from functools import cache
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, HTTPException, Query
-from fastapi.responses import JSONResponse
+import orjson
+from fastapi import APIRouter, HTTPException, Query, Request
+from fastapi.responses import JSONResponse, Response
 from pydantic import Field
 from starlette.middleware.gzip import GZipMiddleware
+from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Receive, Scope, Send
 
-from app import VERSION
-from app.endpoint import COMPRESS_BYTES
+from app import VERSION, theme
+from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
 from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
-from app.problems import KINDS, RESPONSES
+from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
-from app.units import from_si, to_si
+from app.units import api_value, from_si, to_si
+from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
+from core.checks.kinds import GROUPS as CHECK_GROUPS
 from core.contact_life import LifeCurve
+from core.errors import PLACES
 from core.materials import (
+    CRITERIA,
     GROUPS,
     LIMIT_SOURCES,
     MATERIALS,
+    VERIFIED,
     Criterion,
     TableMaterial,
     Verified,
 )
+from core.notices import NOTICES
+from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
+from core.work_precision.study import SETTINGS
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
 CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
@@ -227,6 +242,86 @@ class ClassList(ResponseModel):
     tolerances: list[ClassOut]
 
 
+class CheckWords(ResponseModel):
+    """What a check says."""
+
+    title: str = Field(description="What it is.")
+    why: str = Field(description="What is wrong where it does not hold.")
+
+
+class NoticeWords(ResponseModel):
+    """What a warning says, and what is to be known of it."""
+
+    text: str = Field(description="The warning.")
+    title: str = Field(description="What it is.")
+    tests: str = Field(description="What is looked at.")
+    why: str = Field(description="Why it matters.")
+    mend: str = Field(description="What to do about it.")
+
+
+class Words(ResponseModel):
+    """What the service says by code, in English, a table for each kind of code.
+
+    A name in braces is that of a parameter of the refusal, the warning or the figure, whose value
+    is put there; with its unit, where the name ends in one.
+    """
+
+    refusals: dict[str, str] = Field(
+        description="What is wrong with a field, `code` of `errors`: the rest of a sentence that "
+        "starts with the field, or a sentence of its own where the mechanism is impossible."
+    )
+    places: dict[str, str] = Field(description="Names of what `where` of a refusal says.")
+    notices: dict[str, NoticeWords] = Field(description="Warnings, `code` of `warnings`.")
+    checks: dict[str, CheckWords] = Field(description="Checks, by `code`.")
+    check_groups: dict[str, str] = Field(description="What a check is about, `group`.")
+    reasons: dict[str, str] = Field(description="Why a check stands as it does, `reason.code`.")
+    sources: dict[str, str] = Field(
+        description="Where a check or a limit comes from, `source_code`."
+    )
+    criteria: dict[str, str] = Field(description="What a limit of the pressure is for.")
+    verified: dict[str, str] = Field(description="How the source of a limit was seen.")
+    not_considered: dict[str, str] = Field(description="What a verdict does not look at.")
+    methods: dict[str, str] = Field(description="How numbers were got, `method_code`.")
+    settings: dict[str, str] = Field(description="Settings of methods, `setting_code`.")
+    figures: dict[str, str] = Field(
+        description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
+        "`methods.` or `settings.` is one of those."
+    )
+
+
+def _named(words: Any) -> Any:
+    """Texts whose parameters are named only, without a format or a unit that the name ends in."""
+    if isinstance(words, str):
+        return re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", words)
+    return {code: _named(each) for code, each in words.items()}
+
+
+class Packed:
+    """What is served as it is: compressed and tagged once, as a page asks for some sixty files."""
+
+    def __init__(self, content: bytes, media_type: str) -> None:
+        self.plain = Response(content, media_type=media_type, headers={"vary": "accept-encoding"})
+        self.zipped = Response(
+            gzip.compress(content, mtime=0),
+            media_type=media_type,
+            headers={"vary": "accept-encoding", "content-encoding": "gzip"},
+        )
+        self.etag = f'"{hashlib.blake2b(content, digest_size=12).hexdigest()}"'
+        for each in (self.plain, self.zipped):
+            each.headers["etag"] = f"W/{self.etag}"
+
+    def response(self, scope: Scope) -> Response:
+        """The answer to a request, or that nothing has changed since."""
+        headers = dict(scope["headers"])
+        response = self.zipped if takes_gzip(headers) else self.plain
+        known = headers.get(b"if-none-match", b"").decode("latin-1")
+        if known.strip() == "*" or self.etag in [
+            each.strip().removeprefix("W/") for each in known.split(",")
+        ]:
+            return NotModifiedResponse(response.headers)
+        return response
+
+
 class Compressed(JSONResponse):
     """An answer that is compressed for those who take that."""
 
@@ -290,3 +385,33 @@ async def tolerances(
 async def examples() -> ExampleList:
     """The papers' figures and numbers as ready requests."""
     return ExampleList(examples=[Example(**example) for example in EXAMPLES])
+
+
+@cache
+def _words() -> Packed:
+    words = {
+        "refusals": TEXTS,
+        "places": {api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
+        "notices": {code: asdict(kind) for code, kind in NOTICES.items()},
+        "checks": {code: {"title": kind.title, "why": kind.why} for code, kind in CHECKS.items()},
+        "check_groups": CHECK_GROUPS,
+        "reasons": REASONS,
+        "sources": CHECK_SOURCES | LIMIT_SOURCES,
+        "criteria": CRITERIA,
+        "verified": VERIFIED,
+        "not_considered": NOT_CONSIDERED,
+        "methods": METHODS,
+        "settings": SETTINGS,
+        "figures": theme.TEXTS,
+    }
+    return Packed(orjson.dumps(Words.model_validate(_named(words)).model_dump()), JSON)
+
+
+@router.get("/words", operation_id="words", response_model=Words)
+async def words(request: Request) -> Response:
+    """What is said by code, in English: what other languages are made from.
+
+    Titles and help of fields are in the description of the API; `/calculations`, `/materials` and
+    `/examples` say what stands for their own codes and names.
+    """
+    return _words().response(request.scope)

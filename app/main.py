@@ -2,8 +2,6 @@
 
 import asyncio
 import gc
-import gzip
-import hashlib
 import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -17,17 +15,15 @@ from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
 from fastapi.telemetry import TelemetryConfig
-from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
 from app import VERSION, about, batch, observability
-from app.about import API
+from app.about import API, Packed
 from app.endpoint import (
     JSON,
     STREAMED,
     CalculationRoute,
     FigureOut,
-    takes_gzip,
 )
 from app.examples import REQUESTS
 from app.jobs import Jobs
@@ -76,32 +72,6 @@ def described(calculation: Calculation) -> dict[str, Any]:
         "responses": RESPONSES,
         "openapi_extra": {"requestBody": request},
     }
-
-
-class Packed:
-    """What is served as it is: compressed and tagged once, as a page asks for some sixty files."""
-
-    def __init__(self, content: bytes, media_type: str) -> None:
-        self.plain = Response(content, media_type=media_type, headers={"vary": "accept-encoding"})
-        self.zipped = Response(
-            gzip.compress(content, mtime=0),
-            media_type=media_type,
-            headers={"vary": "accept-encoding", "content-encoding": "gzip"},
-        )
-        self.etag = f'"{hashlib.blake2b(content, digest_size=12).hexdigest()}"'
-        for each in (self.plain, self.zipped):
-            each.headers["etag"] = f"W/{self.etag}"
-
-    def response(self, scope: Scope) -> Response:
-        """The answer to a request, or that nothing has changed since."""
-        headers = dict(scope["headers"])
-        response = self.zipped if takes_gzip(headers) else self.plain
-        known = headers.get(b"if-none-match", b"").decode("latin-1")
-        if known.strip() == "*" or self.etag in [
-            each.strip().removeprefix("W/") for each in known.split(",")
-        ]:
-            return NotModifiedResponse(response.headers)
-        return response
 
 
 @cache

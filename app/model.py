@@ -25,7 +25,8 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
-from core.results import METHODS, NOTICES, Accuracy, Notice
+from core.notices import NOTICES
+from core.results import METHODS, Accuracy, Notice
 
 SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
 """Limits of every positive physical quantity, in its unit: within them no result leaves the range
@@ -589,4 +590,5 @@ class WarningOut(BaseModel):
 def warning(notice: Notice) -> Values:
     """Warning of a core notice; the API's names stand in for the core's."""
     params = api_params(notice.params)
-    return {"code": notice.code, "params": params, "detail": NOTICES[notice.code].format(**params)}
+    detail = NOTICES[notice.code].text.format(**params)
+    return {"code": notice.code, "params": params, "detail": detail}

@@ -20,6 +20,7 @@ Modules, in reading order (each may use those above it)
 errors              what a calculation refuses, and why
 derived             what follows from a design, worked out once, or why it is not known
 arrays              one function for a number and for arrays of designs; types
+notices             what a strained limit of validity means, by code
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources

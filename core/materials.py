@@ -11,8 +11,22 @@ Criterion = Literal["endurance", "endurance_mean", "static", "given"]
 pressure of a mesh: then the largest one is on the safe side), a permanent set under a load at rest,
 or what whoever gave it has in mind."""
 
+CRITERIA: dict[Criterion, str] = {
+    "endurance": "endurance",
+    "endurance_mean": "endurance, mean pressure",
+    "static": "static",
+    "given": "given",
+}
+"""The same in English."""
+
 Verified = Literal["standard", "secondary"]
 """Whether a value was read in its standard, or in two independent secondary sources."""
+
+VERIFIED: dict[Verified, str] = {
+    "standard": "standard",
+    "secondary": "secondary sources",
+}
+"""The same in English."""
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield below the surface over the yield strength (Mises, v = 0.3)."""

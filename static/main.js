@@ -17,8 +17,8 @@ import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
-import { fieldWords, LANGUAGES, message, useLanguage } from "./messages/index.js";
-import { passingText } from "./service_texts.js";
+import { fieldWords, LANGUAGES, message, setEnglish, useLanguage } from "./messages/index.js";
+import { englishOf, passingText } from "./service_texts.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
@@ -35,7 +35,11 @@ let service = null;
 
 /** What the service says of itself, asked for already at the head of the page; after a failure anew. */
 function described() {
-  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations"].map((path) => client.get(path)))
+  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations", "/words"].map((path) => client.get(path)))
+    .then((descriptions) => {
+      setEnglish(englishOf(descriptions));
+      return descriptions;
+    })
     .catch((problem) => {
       service = null;
       throw problem;

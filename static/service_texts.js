@@ -4,16 +4,30 @@
  */
 import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
 import { fieldAtPointer, keysOf } from "./lib/form_state.js";
+import { fieldTexts } from "./lib/schema_form.js";
 import { shownUnit } from "./lib/units.js";
 import { message, said } from "./messages/index.js";
 
 const FIELDS = ["field", "other"]; // parameters that are names of fields
 const LIMITS = ["limit", "low", "high", "value"]; // and values of the field that the text is about
 
+/** What the service says in English, by kind and code: its words, and what its other descriptions name. */
+export function englishOf([openapi, { examples }, { materials }, { calculations }, words]) {
+  const named = (list, code, text) => Object.fromEntries(list.map((one) => [one[code], one[text]]));
+  return {
+    ...words,
+    fields: fieldTexts(openapi),
+    materials: named(materials, "name", "title"),
+    material_groups: named(materials, "group_code", "group"),
+    examples: named(examples, "id", "title"),
+    neglected: named(calculations.flatMap(({ model }) => model), "code", "detail"),
+  };
+}
+
 const quoted = (title) => message("page.quoted", { title });
 
 /** The title of a field: on the page, or as the service has it. */
-const titleOf = (name, titles) => titles.get(name) ?? said("fields", name)?.[0] ?? name;
+const titleOf = (name, titles) => titles.get(name) ?? said("fields", name)?.title ?? name;
 
 function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titleOf(value, titles));
@@ -23,11 +37,12 @@ function parameter(name, value, unit, titles) {
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
 }
 
-/** The words of a refusal or a warning; a code that the page does not know speaks English. */
+/** The words of a refusal or a warning; a code that is new to page and service alike speaks as its answer does. */
 function inWords(kind, { code, params, detail }, name, titles) {
   const unit = name ? unitOf(name) : "";
   const values = Object.fromEntries(Object.entries(params ?? {}).map(([key, value]) => [key, parameter(key, value, unit, titles)]));
-  const words = said(kind, code, values) ?? detail;
+  const own = said(kind, code, values);
+  const words = own?.text ?? own ?? detail;
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
@@ -112,7 +127,7 @@ export function warningText(warning, titles) {
 
 /** Why a check stands as it does. */
 export function reasonText(reason, titles) {
-  return inWords("checkReasons", reason, reason.params?.field, titles);
+  return inWords("reasons", reason, reason.params?.field, titles);
 }
 
 /** A number of a figure, or Plotly's placeholder of one, with its unit as it is shown. */
@@ -135,4 +150,4 @@ export function figureText(id, params) {
 }
 
 /** What the model of a calculation leaves out, in words. */
-export const neglectedIn = (about) => (about?.model ?? []).map(({ code, detail }) => said("neglected", code) ?? detail);
+export const neglectedIn = (about) => (about?.model ?? []).map(({ code }) => said("neglected", code));

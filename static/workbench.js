@@ -54,7 +54,7 @@ function lightEachOther(form, drawing) {
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
-    ...named(true), ...Object.entries(message("quantity")).map(([name, [title]]) => [name, title]), ...named(false),
+    ...named(true), ...Object.entries(message("quantity")).map(([name, { title }]) => [name, title]), ...named(false),
   ]);
   const materialOf = (path, given) => (typeof given === "string"
     ? catalogues[path].find(({ name }) => name === given) : given);
@@ -252,7 +252,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
         .map(({ symbol, title, help }) => [symbol, title, help]);
       const results = Object.values(store.state.shown?.answer ?? {}).flatMap(Object.keys)
-        .map((name) => message("quantity")[name] ?? []).map(([title, symbol]) => [symbol, title, ""]);
+        .map((name) => message("quantity")[name] ?? {}).map(({ title, symbol }) => [symbol, title, ""]);
       return {
         symbols: [...inputs, ...results].filter(([symbol], i, all) => symbol && all.findIndex(([other]) => other === symbol) === i),
         neglected: neglectedIn(calculation),

@@ -97,7 +97,7 @@ class Client:
         self._http.close()
 
     def get(self, name: str) -> Answer:
-        """What the service says about itself: `calculations`, `materials`, `examples`, `health`."""
+        """What the service says of itself: `calculations`, `materials`, `words`, `examples`, ..."""
         with self._answer("GET", name) as answer:
             return _object(answer.read())
 

@@ -43,7 +43,7 @@ export function wordIn(calculator, answer) {
 export const levelOfWord = (word) => (word === "impossible" ? "bad" : LEVELS[word]);
 
 export function titleOf({ code, title }) {
-  return said("checks", code)?.[0] ?? title ?? code;
+  return said("checks", code)?.title ?? title ?? code;
 }
 
 /** A share of a limit in per cent. */
@@ -64,15 +64,15 @@ export function checkRow(check, titles) {
     status,
     level: LEVELS[status],
     title: titleOf(check),
-    why: said("checks", code)?.[1] ?? check.why ?? "",
+    why: said("checks", code)?.why ?? check.why ?? "",
     value: amount(value, unit),
     limit: limit === undefined ? "" : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
     used: utilisation,
     formula: (check.formula ?? "").replace(/\d+\.\d+/g, (number) => formatNumber(Number(number), 15)),
     source: [
       criterion && (said("criteria", criterion) ?? criterion),
-      source && (said(criterion ? "limitSources" : "checkSources", sourceCode) ?? said(criterion ? "checkSources" : "limitSources", sourceCode) ?? source),
-      check.verified && message(`checks.${check.verified}`),
+      source && (said("sources", sourceCode) ?? source),
+      check.verified && (said("verified", check.verified) ?? check.verified),
       life !== undefined && message("checks.life", { factor: formatNumber(life, 3) }),
     ].filter(Boolean).join(": "),
     place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatAngle(at.crank_angle_deg ?? 0) }),
@@ -144,13 +144,13 @@ export function verdictSentence(judged, titles) {
 /** What the checks that have been judged are about. */
 export function groupsOf({ checks = [] }) {
   const groups = new Set(checks.filter(({ status }) => JUDGED.includes(status)).map(({ group }) => group));
-  return [...groups].map((group) => said("checkGroups", group) ?? group).join(", ").toLowerCase();
+  return [...groups].map((group) => said("check_groups", group) ?? group).join(", ").toLowerCase();
 }
 
 /** What is not looked at, in words. */
 export function notConsidered({ not_considered: codes = [] }) {
   if (codes.length === 0) return "";
-  return message("checks.notConsidered", { what: codes.map((code) => said("notConsidered", code) ?? code).join("; ") });
+  return message("checks.notConsidered", { what: codes.map((code) => said("not_considered", code) ?? code).join("; ") });
 }
 
 /** What was not given and is assumed, in words. */
@@ -159,7 +159,7 @@ export function assumedIn({ assumed = [] }) {
   const what = assumed.map(({ pointer, value, without }) => {
     const [name, group] = pointer.split("/").reverse();
     const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? "";
-    const words = { title: (fieldWords(name, group) ?? [name])[0], value: shown };
+    const words = { title: fieldWords(name, group)?.title ?? name, value: shown };
     if (!without) return message("checks.assumedOne", words);
     return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });
   });

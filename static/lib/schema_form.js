@@ -61,7 +61,7 @@ function kindOf(schema, resolve) {
 function fieldOf(schema, path, required, resolve) {
   const name = path.split(".").pop();
   const kind = kindOf(schema, resolve);
-  const [title, help] = resolve.words(name, schema["x-group"]) ?? [schema.title ?? name, schema.description ?? ""];
+  const { title, help } = resolve.words(name, schema["x-group"]) ?? { title: schema.title ?? name, help: schema.description ?? "" };
   const limited = kind === "numbers" ? resolve(schema.items) : schema;
   return {
     path,
@@ -220,7 +220,7 @@ function wantedGroup(openapi, { id, paths, fields, needs, judged = false }, word
     const named = name && words(name, group);
     return {
       ...field,
-      ...(named && { title: named[0], help: named[1] }),
+      ...named,
       ...(part.enum && { options: [...options, ...part.enum] }),
       ...(part.pattern && { kind: "option", options: [...options, ...allowedBy(part.pattern)] }),
       ...(!part.type && options.length > 0 && { kind: "option", options }),
@@ -261,8 +261,20 @@ function inOrder(items, arranged) {
 function asDiameter(item, words) {
   if (!item.path) return { ...item, options: item.options.map((option) => ({ ...option, fields: option.fields.map((field) => asDiameter(field, words)) })) };
   if (item.kind !== "number" || !(item.name in words)) return item;
-  const [title, help] = words[item.name];
-  return { ...item, title, help, unit: DIAMETER, symbol: `2${item.symbol}` };
+  return { ...item, ...words[item.name], unit: DIAMETER, symbol: `2${item.symbol}` };
+}
+
+/** Title and help of every field of a form by its name, or by group and name where groups differ. */
+export function fieldTexts({ components }) {
+  const texts = {};
+  for (const { properties = {} } of Object.values(components.schemas)) {
+    for (const [name, { title, description: help = "", "x-group": group }] of Object.entries(properties)) {
+      if (group) (texts[name] ??= {})[group] = { title, help };
+    }
+  }
+  const alike = (own) => new Set(Object.values(own).map((one) => JSON.stringify(one))).size === 1;
+  return Object.fromEntries(Object.entries(texts).flatMap(([name, own]) =>
+    (alike(own) ? [[name, Object.values(own)[0]]] : Object.entries(own).map(([group, one]) => [`${group}.${name}`, one]))));
 }
 
 /** The fields of an item: itself, or those of all options of a choice. */

@@ -11,7 +11,7 @@ export function targetsOf(calculator, answer, path) {
   const judged = judgedOf(calculator, answer);
   const checks = sizedBy(judged).filter(({ inputs = [] }) => inputs.some((pointer) => pathOf(pointer) === path));
   const own = (calculator.targets ?? []).map(({ pointer, quantity, value }) =>
-    ({ title: message(`quantity.${quantity}`)[0], pointer, sense: "at_least", value }));
+    ({ title: message(`quantity.${quantity}`).title, pointer, sense: "at_least", value }));
   const reserve = judged?.torque_reserve === undefined ? []
     : [{ title: message("checks.reserve"), pointer: "/torque_reserve", sense: "at_least", value: 1.1 }];
   const shares = checks.map((check) => ({

@@ -1,6 +1,6 @@
 /**
- * The page's texts by key, with `{name}` put in, in the language in use; what the service says has its
- * words by code under `service`, in English those that it says itself.
+ * The page's texts by key, with `{name}` put in, in the language in use; under `service` what the service
+ * says, by kind and code. What a language has no words of is said in English, as the service itself says it.
  */
 import { formatNumber, setNumerals } from "../lib/format.js";
 import { setUnitNames } from "../lib/units.js";
@@ -10,6 +10,7 @@ import en from "./en.js";
 export const LANGUAGES = { en: "English", uk: "Українська", ru: "Русский" };
 
 let texts = en;
+let english = {};
 let plural = new Intl.PluralRules("en");
 
 /** Read the texts of a language. */
@@ -19,6 +20,13 @@ export async function useLanguage(language) {
   setNumerals(texts.page);
   setUnitNames(texts.unit);
 }
+
+/** Take what the service says in English: `{ kind: { code: words } }`. */
+export function setEnglish(words) {
+  english = words;
+}
+
+const wordsOf = (kind, code) => texts.service[kind]?.[code] ?? english[kind]?.[code];
 
 /** A text with its places filled; one with forms of a noun takes that of `count`. */
 function filled(text, values) {
@@ -35,10 +43,11 @@ export function message(key, values = {}) {
   return typeof found === "string" || found.other ? filled(found, values) : found;
 }
 
-/** Words of the service by kind and code, a list of them where there are several; undefined for a code that this page does not know. */
+/** Words of the service by kind and code, a record of them where there are several; undefined for a code without words. */
 export function said(kind, code, values = {}) {
-  const text = texts.service[kind]?.[code];
-  return Array.isArray(text) ? text : text && filled(text, values);
+  const words = wordsOf(kind, code);
+  if (typeof words !== "object") return words && filled(words, values);
+  return Object.fromEntries(Object.entries(words).map(([name, one]) => [name, filled(one, values)]));
 }
 
 /** Title and symbol of a quantity of an answer by its name, or by section and name where sections differ. */
@@ -47,8 +56,8 @@ export function quantityWords(name, section) {
   return quantity[`${section}.${name}`] ?? message(`quantity.${name}`);
 }
 
-/** Title and help of a field by its name, or by group and name where groups differ; null for one that this page does not know. */
+/** Title and help of a field by its name, or by group and name where groups differ; null for one that neither page nor service knows. */
 export function fieldWords(name, group) {
-  const { own, service: { fields } } = texts;
-  return fields[`${group}.${name}`] ?? own[`${group}.${name}`] ?? fields[name] ?? null;
+  const named = `${group}.${name}`;
+  return wordsOf("fields", named) ?? texts.own[named] ?? wordsOf("fields", name) ?? null;
 }

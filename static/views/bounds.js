@@ -9,7 +9,7 @@ import { listMarkup } from "./parts.js";
 
 /** `bounds` says of which answers there is one (`of`), what is asked, and which of its quantities are `shown`. */
 export function createBounds({ bounds: { path, list, of, body, shown: names, nameOf }, client, titles }) {
-  const root = element(html`<details class="more bounds" hidden><summary>${message(`quantity.${list}`)[0]}</summary><div></div></details>`);
+  const root = element(html`<details class="more bounds" hidden><summary>${message(`quantity.${list}`).title}</summary><div></div></details>`);
   const host = root.querySelector("div");
   const newest = newestOnly();
   let latest = null; // the results on the screen

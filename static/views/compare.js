@@ -43,12 +43,12 @@ const XYZ = ["x", "y", "z"];
 /** The numbers of a section, those of vectors each: `[[name, title, unit, value]]`. */
 function numbersOf(id, section, elsewhere) {
   return flattened(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
-    const title = () => quantityWords(name, id)[0];
+    const title = () => quantityWords(name, id).title;
     if (isNumber(value)) return [[name, title(), unitOf(name), value]];
     const parts = Array.isArray(value) && value.length <= XYZ.length ? value.map((one, i) => [XYZ[i], one])
       : value && !Array.isArray(value) && typeof value === "object" ? Object.entries(value) : [];
     if (parts.length === 0 || name === "peak_pair" || !parts.every(([, one]) => isNumber(one))) return [];
-    return parts.map(([part, one]) => [`${name}.${part}`, `${title().split(":")[0]}: ${message(`quantity.${part}`)?.[0] ?? part}`, unitOf(name), one]);
+    return parts.map(([part, one]) => [`${name}.${part}`, `${title().split(":")[0]}: ${message(`quantity.${part}`)?.title ?? part}`, unitOf(name), one]);
   });
 }
 

@@ -17,7 +17,7 @@ export function createExamples({ examples, queries, labels, on }) {
         <button type="button" class="toggle new">${message("form.new")}</button></div>
       <select id="example" class="box">
         <option value="">${message("examples.own")}</option>
-        ${examples.map(({ id, title }) => html`<option value="${id}">${said("examples", id) ?? title}</option>`)}
+        ${examples.map(({ id }) => html`<option value="${id}">${said("examples", id)}</option>`)}
       </select>
       <p class="field-message" id="example-source"></p>
       <details class="more labels"><summary>${message("form.design")}</summary>${labels.map(box)}</details>

@@ -1,14 +1,15 @@
 /** The verdict in plain words, and of every warning what it tests, why it matters, how to mend it. */
 import { element, fill, html } from "../lib/html.js";
 import { levelOf, warningsOf } from "../lib/verdict.js";
-import { message } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { following } from "../store.js";
 import { sign } from "./parts.js";
 
 function warningMarkup(code) {
-  const part = (name) => html`<div><dt>${message(`words.${name}`)}</dt><dd>${message(`warnings.${code}.${name}`)}</dd></div>`;
+  const words = said("notices", code);
+  const part = (name) => html`<div><dt>${message(`words.${name}`)}</dt><dd>${words[name]}</dd></div>`;
   return html`<li class="explained ${levelOf(code)}" data-code="${code}">
-    <h3>${sign(levelOf(code))}${message(`warnings.${code}.title`)}</h3>
+    <h3>${sign(levelOf(code))}${words.title}</h3>
     <dl>${["tests", "why", "mend"].map(part)}</dl></li>`;
 }
 
@@ -21,7 +22,7 @@ export function createExplanation({ calculator, materialOf }) {
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
       const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
-      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))];
+      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))].filter((code) => said("notices", code)); // not of a newer service
       fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
         ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
     }),

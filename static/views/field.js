@@ -88,7 +88,7 @@ export function createField(field, { suggestion, sizable, on }) {
       const groups = [...new Set(all.map(({ group_code: group }) => group ?? ""))];
       fill(input, html`${groups.map((group) => {
         const members = all.filter((one) => (one.group_code ?? "") === group).map(option);
-        return group === "" ? members : html`<optgroup label="${said("materialGroups", group) ?? group}">${members}</optgroup>`;
+        return group === "" ? members : html`<optgroup label="${said("material_groups", group) ?? group}">${members}</optgroup>`;
       })}`);
       input.value = current;
     },

@@ -30,7 +30,7 @@ function properties(entry) {
     limit: limit ? message("form.allowable", {
       pressure: formatQuantity(limit.pressure_MPa, "MPa"),
       criterion: said("criteria", limit.criterion) ?? limit.criterion,
-      source: said("limitSources", limit.source_code) ?? limit.source,
+      source: said("sources", limit.source_code) ?? limit.source,
     }) : message("form.noLimit"),
   });
 }

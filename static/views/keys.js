@@ -9,7 +9,7 @@ export function createKeys({ button, about }) {
   const dialog = createDialog({
     id: "keys",
     title: message("keys.title"),
-    content: html`<dl>${rows.map(([key, does]) => html`<div><dt><kbd>${key}</kbd></dt><dd>${does}</dd></div>`)}</dl><div class="about"></div>`,
+    content: html`<dl>${rows.map(({ keys, does }) => html`<div><dt><kbd>${keys}</kbd></dt><dd>${does}</dd></div>`)}</dl><div class="about"></div>`,
   });
   const host = dialog.querySelector(".about");
 

@@ -72,8 +72,8 @@ export function createDialog({ id, title, content }) {
 export function listMarkup(name, records, nameOf) {
   const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, LIST_DIGITS).value);
   const keys = [...new Set(records.flatMap(Object.keys))];
-  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`)[0]}</caption>
+  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`).title}</caption>
     <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
-    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`)[0]}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
+    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`).title}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
       ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
 }

@@ -36,7 +36,7 @@ function asText(value, digits, unit = "", name = "") {
   }
   if (value && !Array.isArray(value) && Object.values(value).every((one) => typeof one === "number")) {
     return Object.entries(value)
-      .map(([name, one]) => `${message(`quantity.${name}`)[0]}\u00a0${quantityParts(one, unit, digits).value}`).join("; ");
+      .map(([name, one]) => `${message(`quantity.${name}`).title}\u00a0${quantityParts(one, unit, digits).value}`).join("; ");
   }
   return null;
 }
@@ -45,7 +45,7 @@ function row([name, value], accuracy, id) {
   const unit = unitOf(name);
   const text = asText(value, resultDigits(name, accuracy), unit, name);
   if (text === null) return null;
-  const [title, symbol = ""] = quantityWords(name, id);
+  const { title, symbol = "" } = quantityWords(name, id);
   return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
     <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
 }
@@ -56,8 +56,8 @@ function records([name, value], elsewhere) {
   if (value.length === 0 || !value.every(isRecord)) return null;
   const columns = [...new Set(value.flatMap(Object.keys))].filter((column) => !elsewhere.includes(column));
   return tableMarkup({
-    title: message(`quantity.${name}`)[0],
-    columns: columns.map((column) => ({ title: message(`quantity.${column}`)[0], unit: unitOf(column) })),
+    title: message(`quantity.${name}`).title,
+    columns: columns.map((column) => ({ title: message(`quantity.${column}`).title, unit: unitOf(column) })),
     rows: value.map((record) => columns.map((column) =>
       (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column), column) ?? "–"))),
   });

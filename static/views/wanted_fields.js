@@ -27,7 +27,7 @@ export function createSwitch(field, { on }) {
 /** Some of a list of names. */
 export function createNames(field, { on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
-  const title = (name) => quantityWords(name, field.section)[0];
+  const title = (name) => quantityWords(name, field.section).title;
   const root = element(html`
     <fieldset class="field kind-names" data-path="${field.path}"><legend>${field.title}</legend>
       ${field.options.map((name) => html`<label><input type="checkbox" value="${name}" aria-describedby="${id}-message"><span>${title(name)}</span></label>`)}

@@ -32,7 +32,7 @@ function noteText({ note, noteValues = {} }) {
   const texts = {
     object: (value) => formatQuantity(...value),
     number: (value) => formatNumber(value, 15),
-    string: (value, name) => said({ criterion: "criteria", source: "limitSources" }[name], value) ?? value,
+    string: (value, name) => said({ criterion: "criteria", source: "sources" }[name], value) ?? value,
   };
   const values = Object.entries(noteValues).map(([name, value]) => [name, texts[typeof value](value, name)]);
   return message(`worked.note.${note}`, Object.fromEntries(values));
@@ -45,7 +45,7 @@ function sourceText({ source, equation: number, after }) {
 
 function stepMarkup(step, section, accuracy) {
   const { name, intermediate, source, erratum, note } = step;
-  const title = intermediate ? message(`worked.value.${name}`) : quantityWords(name, section)[0];
+  const title = intermediate ? message(`worked.value.${name}`) : quantityWords(name, section).title;
   return html`
     <li class="step" data-name="${name}">
       <p class="step-head"><span class="step-title">${title}</span>

@@ -128,7 +128,7 @@ async def test_tags_are_those_of_the_content_and_heeded(api, tmp_path, monkeypat
     monkeypatch.setattr(main, "STATIC", copied)
     replica = httpx.ASGITransport(create_app(Settings()))
     async with httpx.AsyncClient(transport=replica) as other:
-        for path in ("/", "/docs", "/static/main.js", "/openapi.json"):
+        for path in ("/", "/docs", "/static/main.js", "/openapi.json", "/api/v1/words"):
             first, second = await api.get(SITE + path), await other.get(SITE + path)
             tag = first.headers["etag"]
             assert second.headers["etag"] == tag and tag.startswith('W/"')
@@ -399,7 +399,7 @@ async def test_large_answers_travel_compressed(api):
     assert plotly.headers["content-encoding"] == "gzip" and plotly.headers["etag"]
     small = await api.get("health")
     assert "content-encoding" not in small.headers
-    for path in ("materials", "examples", "calculations", "http://service/metrics"):
+    for path in ("materials", "examples", "calculations", "words", "http://service/metrics"):
         plain = await api.get(path, headers={"accept-encoding": "identity"})
         packed = await api.get(path, headers={"accept-encoding": "gzip"})
         assert packed.headers["content-encoding"] == "gzip"

@@ -57,7 +57,7 @@ def browser() -> Iterator[sync_api.Browser]:
 
 
 DESCRIPTION = [
-    f"/api/v1/{name}" for name in ("openapi.json", "examples", "materials", "calculations")
+    f"/api/v1/{name}" for name in ("openapi.json", "examples", "materials", "calculations", "words")
 ]
 
 

@@ -57,7 +57,7 @@ const model = (about = {}) => formModel(OPENAPI, {
 
 test("radii shown as diameters are the same body", () => {
   const inRadii = model();
-  const inDiameters = model({ diameters: { pin_radius_mm: ["Pin diameter", ""] } });
+  const inDiameters = model({ diameters: { pin_radius_mm: { title: "Pin diameter", help: "" } } });
   const state = stateFromInput(inDiameters, INPUT);
   assert.equal(state.texts["contact.pin_radius_mm"], "10");
   assert.equal(inDiameters.fields.get("contact.pin_radius_mm").title, "Pin diameter");

@@ -2,9 +2,9 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { Problem } from "../../static/lib/api.js";
-import { LANGUAGES, message, useLanguage } from "../../static/messages/index.js";
-import service from "../../static/messages/service.js";
+import { LANGUAGES, message, setEnglish, useLanguage } from "../../static/messages/index.js";
 import { problemText, refusalTexts, warningText } from "../../static/service_texts.js";
+import { english } from "./service.mjs";
 
 afterEach(() => useLanguage("en"));
 
@@ -59,11 +59,11 @@ test("a mechanism that cannot work is a sentence with its place", async () => {
 });
 
 test("every place of a refusal is said in words, in every language, whether or not the page has such a field", async () => {
-  const places = Object.keys(service.places);
+  const places = Object.keys(english.places);
   assert.ok(places.includes("roller") && places.includes("z_mm"));
   for (const language of Object.keys(LANGUAGES)) {
     await useLanguage(language);
-    for (const code of Object.keys(service.refusals)) {
+    for (const code of Object.keys(english.refusals)) {
       const where = Object.fromEntries(places.map((name) => [name, 1]));
       const refusal = new Problem({ status: 422, where, errors: [{ pointer: "", code, params: {}, detail: "" }] });
       const text = problemText(refusal, new Map()).replace(/\{\w+\}/g, ""); // parameters, of which there are none
@@ -78,7 +78,7 @@ test("every refusal and every warning has words in every language, with all its 
     await useLanguage(language);
     for (const [kind, say] of [["refusals", (one) => problemText(refusalOf({ ...one, pointer: "" }), TITLES)],
       ["notices", (one) => warningText(one, TITLES)]]) {
-      for (const [code, text] of Object.entries(service[kind])) {
+      for (const [code, text] of Object.entries(english[kind]).map(([code, words]) => [code, words.text ?? words])) {
         const params = Object.fromEntries([...text.matchAll(/\{(\w+)\}/g)].map(([, name]) =>
           [name, ["field", "other"].includes(name) ? "ratio" : name === "names" || name === "section" || name === "error" || name === "expected" ? "x" : 2.5]));
         const words = say({ code, params, detail: "" });
@@ -89,8 +89,13 @@ test("every refusal and every warning has words in every language, with all its 
   }
 });
 
-test("a code that the page does not know is said in English", () => {
-  assert.equal(warningText({ code: "new_one", params: {}, detail: "must be < b" }, TITLES), "Must be < b");
+test("a code that a language does not know is said in English: as the service words it, or else as its answer does", async () => {
+  const warning = { code: "new_one", params: { limit: 1.5 }, detail: "must be < 1.5" };
+  assert.equal(warningText(warning, TITLES), "Must be < 1.5");
+  setEnglish({ ...english, notices: { ...english.notices, new_one: { text: "must stay below {limit}" } } });
+  await useLanguage("uk");
+  assert.equal(warningText(warning, TITLES), "Must stay below 1,5");
+  setEnglish(english);
 });
 
 test("what is no refusal of a field says what it says", async () => {

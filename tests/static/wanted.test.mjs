@@ -15,6 +15,7 @@ import * as study from "../../static/calculators/crank-planetary/study.js";
 import { inputOf, partsOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
 import { pasted } from "../../static/views/wanted_fields.js";
 import { INPUT, OPENAPI } from "./model.mjs";
+import "./service.mjs";
 
 const number = { type: "number", minimum: -10, maximum: 10 };
 const list = { type: "array", items: number, "x-unit": "mm", "x-group": "deviations" };

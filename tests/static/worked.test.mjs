@@ -135,7 +135,7 @@ for (const [i, one] of cases.entries()) {
     const titled = new Map(); // numbers of one name are one number
     for (const id of sections.filter((each) => one.answer[each])) {
       for (const [name, value] of flattened(one.answer[id]).filter(([name, value]) => !aside.includes(name) && typeof value === "number")) {
-        const [title] = quantityWords(name, id);
+        const { title } = quantityWords(name, id);
         assert.ok(Math.abs((titled.get(title) ?? value) - value) <= 1e-9 * Math.abs(value), `${id}: ${title}`);
         titled.set(title, value);
       }

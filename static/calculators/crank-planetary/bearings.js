@@ -27,7 +27,7 @@ export function worstOf({ satellites }) {
 }
 
 export function cells(section) {
-  const title = (name) => message(`quantity.${name}`)[0];
+  const title = (name) => message(`quantity.${name}`).title;
   const satellite = worstOf(section) + 1;
   const { equivalent_load_N: load, peak_load_N: peak, life_h: life, basic_life_h: basic, static_safety_factor: safety } = section.satellites[satellite - 1];
   return [

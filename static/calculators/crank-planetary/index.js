@@ -108,7 +108,7 @@ function peakCell(section, { contact }, id) {
     ...section.peak_pair,
   });
   return {
-    label: quantityWords("peak_force_N", id)[0],
+    label: quantityWords("peak_force_N", id).title,
     ...stated(section, section.peak_force_N, "N", 6),
     note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };

@@ -18,7 +18,7 @@ function lossBody(input, answer, requests) {
 }
 
 export function cells(section) {
-  const title = (name) => message(`quantity.${name}`)[0];
+  const title = (name) => message(`quantity.${name}`).title;
   const { efficiency, min_efficiency: least, mean_loss_W: loss, output_power_W: power, peak_pv_MPa_m_per_s: pv, sliding_speed_m_per_s: speed } = section;
   return [
     { label: title("efficiency"), value: formatNumber(efficiency, 4), note: message("losses.least", { value: formatNumber(least, 4) }) },

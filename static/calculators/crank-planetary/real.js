@@ -143,7 +143,7 @@ export function cells({ over_turn: turn, ideal }) {
   const { satellite, pin } = turn.peak_pair;
   return [
     {
-      label: quantityWords("peak_force_N", "load_sharing")[0],
+      label: quantityWords("peak_force_N", "load_sharing").title,
       value: formatQuantity(turn.peak_force_N, "N", 5),
       note: message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), satellite, pin }),
     },
@@ -162,7 +162,7 @@ export function cells({ over_turn: turn, ideal }) {
 
 /** The rest as rows: `[title, value]`. */
 export function rows({ over_turn: turn, fit, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
-  const title = (name) => message(`quantity.${name}`)[0];
+  const title = (name) => message(`quantity.${name}`).title;
   const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
   return [
     [message("real.clearance"), fit

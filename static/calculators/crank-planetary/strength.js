@@ -34,7 +34,7 @@ export const bounds = {
 export const diameterOf = (input) => (sleeved(input) ? input.besides.pin.diameter_mm : 2 * input.contact.pin_radius_mm);
 
 export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection }) {
-  const title = (name) => message(`quantity.${name}`)[0];
+  const title = (name) => message(`quantity.${name}`).title;
   return [
     {
       label: title("peak_equivalent_stress_MPa"),

@@ -26,7 +26,7 @@ export const bodyOf = async (body) => body;
 
 export const ask = ({ client, body, signal, progressed }) => client.post("/tolerance-study", body, { signal, progressed });
 
-export const titleOf = (name) => quantityWords(name, "load_sharing")[0];
+export const titleOf = (name) => quantityWords(name, "load_sharing").title;
 
 const share = (value, digits = 3) => `${formatNumber(100 * value, digits)}\u00a0%`;
 const digitsOf = ({ value, low, high }) => Math.max(3, shownDigits((high - low) / 2 / Math.abs(value), 4) + 2);
@@ -98,7 +98,7 @@ export const rankedFit = ({ fit_contributions: contributions = [] }) =>
   contributions.map(({ fits_without: fits, ...one }) => ({ ...rowOf(one), without: share(fits.value) }));
 
 /** A tolerance by its name in the request. */
-export const sourceTitle = (source) => (fieldWords(source, "tolerances") ?? [source])[0];
+export const sourceTitle = (source) => fieldWords(source, "tolerances")?.title ?? source;
 
 /** What to tighten first, and what does hardly anything, `[level, sentence]`. */
 export function advice(name, of) {

@@ -66,7 +66,7 @@ function lineTables({ contact_line: { lines } }) {
   ];
   return [{
     title: message("figure.contactLines"),
-    columns: columns.map((name) => ({ title: message(`quantity.${name}`)[0], unit: unitOf(name) })),
+    columns: columns.map((name) => ({ title: message(`quantity.${name}`).title, unit: unitOf(name) })),
     rows: lines.map((line) => columns.map((name) => line[name])),
   }];
 }
