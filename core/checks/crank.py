@@ -14,6 +14,7 @@ from core.checks.sections import RollingBearing
 from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY, system_life
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
+from core.derived import if_known
 from core.errors import NotKnown
 
 Value = TypeVar("Value")
@@ -177,6 +178,7 @@ def _system(design: CrankDesign) -> Check:
 
 def _pressure_angle(design: CrankDesign) -> Check:
     code = "pressure_angle"
+    if_known(lambda: design.mesh)  # a ring that cannot be is refused, of whatever kind
     if design.gear is not None and design.gear.kind != "involute":
         return Check(code=code, status="not_applicable", reason="no_involute")
     angle = design.mesh.operating_pressure_angle
