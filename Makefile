@@ -15,7 +15,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run check test lint types compiled fast node accuracy compare bench bench-page \
+.PHONY: help run check test lint types compiled fast node accuracy compare house bench bench-page \
 	requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
@@ -80,6 +80,9 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 
 compare: .venv/test  ## ask a corpus of requests of revision BASE and of this one, and compare the answers
 	PYTHONPATH=. $(BIN)/python -m benchmarks.compare $(BASE)
+
+house: .venv/test  ## what the code weighs: the numbers that every larger change reports
+	PYTHONPATH=. $(BIN)/python -m benchmarks.house
 
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
