@@ -19,7 +19,6 @@ from core.errors import NotKnown
 
 Value = TypeVar("Value")
 
-
 Judge = Callable[[CrankDesign], Check]
 
 
@@ -152,20 +151,13 @@ def _system(design: CrankDesign) -> Check:
         return Check(code=code, status="not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
         return Check(code=code, status="not_asked", missing=("bearing.weibull_slope",))
-    found, slope, power = (
-        design.bearings,
-        design.bearing.weibull_slope,
-        EXPONENTS[design.bearing.kind],
-    )
-
-    def together_of(lives: FloatArray) -> FloatArray:
-        return np.asarray(system_life(lives=lives, weibull_slope=slope))
-
-    value = float(together_of(_lives(found, design.bearing)))
+    found, slope = design.bearings, design.bearing.weibull_slope
+    lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
+    value = float(system_life(lives=lives, weibull_slope=slope))
     error = 4 * power * float(found.accuracy.relative_error)
 
     def lasting(loads: FloatArray) -> FloatArray:
-        return together_of(loads**-power)
+        return np.asarray(system_life(lives=loads**-power, weibull_slope=slope))
 
     error += _left_out(_equivalent(design), found.equivalent_load, short=value < limit, of=lasting)
 
