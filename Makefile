@@ -77,6 +77,8 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.peaks
 	PYTHONPATH=. $(BIN)/python -m benchmarks.fit
 	PYTHONPATH=. $(BIN)/python -m benchmarks.turns
+	TIMES_AS_MANY_CASES=12 $(BIN)/pytest --quiet --numprocesses auto --dist worksteal \
+		--hypothesis-profile=many tests/reference tests/core
 
 compare: .venv/test  ## ask a corpus of requests of revision BASE and of this one, and compare the answers
 	PYTHONPATH=. $(BIN)/python -m benchmarks.compare $(BASE)

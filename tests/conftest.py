@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-settings.register_profile("khv", deadline=None, print_blob=True)
-settings.register_profile("quick", settings.get_profile("khv"), max_examples=20)
+settings.register_profile("khv", deadline=None, print_blob=True, max_examples=25)
+settings.register_profile("quick", settings.get_profile("khv"), max_examples=10)
+settings.register_profile("many", settings.get_profile("khv"), max_examples=300)
 settings.load_profile("khv")
 
 HERE = Path(__file__).parent

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -60,7 +60,6 @@ def changed(mechanism: Mechanism, **changes: object) -> Mechanism:
 
 
 @given(mechanisms(), exponents, st.floats(-7.0, 7.0))
-@settings(max_examples=300)
 def test_forces_are_in_equilibrium_with_the_torque(
     mechanism: Mechanism, exponent: float, phi: float
 ) -> None:
@@ -108,7 +107,6 @@ def test_reversing_the_torque_loads_the_idle_pairs(
 
 
 @given(mechanisms(), exponents)
-@settings(max_examples=60)
 def test_reversing_the_torque_keeps_the_peak(mechanism: Mechanism, exponent: float) -> None:
     reverse = changed(mechanism, initial_crank_angle=mechanism.initial_crank_angle + math.pi)
     one = peak_force(mechanism=mechanism, force_exponent=exponent)
@@ -119,7 +117,6 @@ def test_reversing_the_torque_keeps_the_peak(mechanism: Mechanism, exponent: flo
 
 
 @given(mechanisms(), exponents, st.floats(-7, 7), st.randoms(use_true_random=False))
-@settings(max_examples=60)
 def test_order_start_and_pin_pitches_do_not_change_the_peak(  # type: ignore[no-untyped-def]
     mechanism: Mechanism, exponent: float, turn: float, random
 ) -> None:
@@ -137,7 +134,6 @@ def test_order_start_and_pin_pitches_do_not_change_the_peak(  # type: ignore[no-
 
 
 @given(mechanisms(), exponents)
-@settings(max_examples=60)
 def test_no_sample_of_the_turn_exceeds_the_peak(mechanism: Mechanism, exponent: float) -> None:
     peak = peak_force(mechanism=mechanism, force_exponent=exponent)
     wave = np.linspace(0, 2 * math.pi / (1 + 1 / mechanism.ratio), 2001)
@@ -150,7 +146,6 @@ def test_no_sample_of_the_turn_exceeds_the_peak(mechanism: Mechanism, exponent: 
 
 
 @given(mechanisms(), exponents)
-@settings(max_examples=60)
 def test_the_named_pair_carries_the_peak_at_the_named_angle(
     mechanism: Mechanism, exponent: float
 ) -> None:
@@ -164,7 +159,6 @@ def test_the_named_pair_carries_the_peak_at_the_named_angle(
 
 
 @given(mechanisms(), exponents, st.integers(2, 4))
-@settings(max_examples=60)
 def test_doubling_every_satellite_halves_every_force(
     mechanism: Mechanism, exponent: float, times: int
 ) -> None:
@@ -175,7 +169,6 @@ def test_doubling_every_satellite_halves_every_force(
 
 
 @given(mechanisms(), exponents)
-@settings(max_examples=60)
 def test_peak_lies_between_equal_sharing_and_one_pair_alone(
     mechanism: Mechanism, exponent: float
 ) -> None:

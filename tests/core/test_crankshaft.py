@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.crank.crankshaft import crankshaft, reaction_curves
@@ -186,7 +186,6 @@ def test_forces_that_cancel_leave_nothing(
 
 
 @given(mechanism=mechanisms, speed=st.floats(1, 1e3))
-@settings(max_examples=30)
 def test_corrections_balance(mechanism: Mechanism, speed: float) -> None:
     places = tuple(0.01 + 0.022 * j for j in range(mechanism.satellites))
     design = LOAD | {"mesh": MESH, "mechanism": mechanism, "satellite_positions": places}
@@ -204,7 +203,6 @@ def test_corrections_balance(mechanism: Mechanism, speed: float) -> None:
 
 
 @given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
-@settings(max_examples=30)
 def test_reactions_by_brute_force(mechanism: Mechanism, exponent: float, rho: float) -> None:
     """In components, with the torque's balance: the satellites hold the crank back with T/u."""
     places = np.array([0.01 + 0.022 * j for j in range(mechanism.satellites)])

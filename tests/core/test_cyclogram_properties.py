@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -244,7 +244,6 @@ def test_dead_zones_are_where_the_count_is_nought(mechanism: Mechanism, turns: f
 
 
 @given(mechanisms(), st.sampled_from([2, 3, 5]))
-@settings(max_examples=50)
 def test_more_turns_go_on_where_fewer_end(mechanism: Mechanism, times: int) -> None:
     short = cyclogram(mechanism=mechanism, revolutions=1.0)
     long = cyclogram(mechanism=mechanism, revolutions=float(times))

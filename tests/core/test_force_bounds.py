@@ -10,6 +10,7 @@ from core.output.driving_set import segments
 from core.output.force_bounds import Look, least_total, most_summits
 from core.output.force_laws import _Power
 from core.output.mechanism import Mechanism
+from tests.oracles.seeds import seeds
 
 
 def stretches(seed: int) -> tuple[float, list[list[Look]]]:
@@ -29,7 +30,7 @@ def stretches(seed: int) -> tuple[float, list[list[Look]]]:
     return exponent, found
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", seeds(12))
 def test_bounds_hold_all_along(seed: int) -> None:
     exponent, found = stretches(seed)
     for looks in found:

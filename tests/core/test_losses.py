@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -191,7 +191,6 @@ def test_the_mean_does_not_depend_on_where_the_crank_starts(
     coefficient=st.floats(0, 1),
     share=st.floats(0.1, 0.99),
 )
-@settings(max_examples=50)
 def test_how_the_loss_grows(
     mechanism: Mechanism, factor: float, coefficient: float, share: float
 ) -> None:

@@ -216,7 +216,6 @@ def positions(mechanism: Mechanism) -> tuple[float, ...]:
 @example(mechanism=spaced(3, 2, 179.0), exponent=1.0, criterion="gerber")  # flat: many arcs reach 0
 @example(mechanism=spaced(3, 2, 183.0), exponent=1.5, criterion="goodman")
 @example(mechanism=spaced(3, 1), exponent=2.0, criterion="goodman")
-@settings(max_examples=40)
 def test_the_worst_cycle_by_brute_force(
     mechanism: Mechanism, exponent: float, criterion: str
 ) -> None:
@@ -281,7 +280,6 @@ def test_a_worst_cycle_at_a_corner_of_its_criterion() -> None:
 
 
 @given(mechanism=mechanisms, exponent=exponents, place=st.floats(0, 0.05))
-@settings(max_examples=60)
 def test_no_section_of_a_cantilever_is_worse_than_the_root(
     mechanism: Mechanism, exponent: float, place: float
 ) -> None:
@@ -310,7 +308,6 @@ def test_the_shear_force_of_a_cantilever_is_no_less_than_its_last_force() -> Non
 
 @given(mechanism=mechanisms, exponent=exponents, thick=st.sampled_from([0.016, 0.1, 1.0]))
 @example(mechanism=spaced(3, 3), exponent=1.0, thick=1.0)
-@settings(max_examples=30)
 def test_shear_and_equivalent_stress_of_a_cantilever_by_brute_force(
     mechanism: Mechanism, exponent: float, thick: float
 ) -> None:

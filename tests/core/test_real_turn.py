@@ -441,7 +441,6 @@ def test_clearance_of_crank_bearings_counts() -> None:
 
 
 @given(slope=st.floats(1e-6, 0.02), approach=st.floats(1e-6, 1e-4))
-@settings(max_examples=30)
 def test_the_face_load_factor_by_slices(slope: float, approach: float) -> None:
     """Slices along the contact, each with a load in proportion to its own approach."""
     length, slices = 0.02, 20_000

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.crank.bearing_life import rating_life, reliability_factor, system_life
@@ -120,7 +120,6 @@ def test_a_published_bearing_load() -> None:
 
 
 @given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
-@settings(max_examples=40)
 def test_the_turn_by_brute_force(mechanism: Mechanism, exponent: float, rho: float) -> None:
     design = REFERENCE | {"mesh": RingMesh(rho), "kind": "roller"}
     found = satellite_bearings(mechanism=mechanism, force_exponent=exponent, **design)
@@ -195,7 +194,6 @@ def test_curves_of_satellites_that_share_by_stiffness() -> None:
     exponent=st.sampled_from([1.0, 10 / 9, 1.5, 6.0]),
     seed=st.integers(0, 2**32 - 1),
 )
-@settings(max_examples=30)
 def test_errors_are_those_of_phases_that_are_off(
     mechanism: Mechanism, exponent: float, seed: int
 ) -> None:

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from core.errors import ImpossibleMechanism
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, pin_compliance
@@ -21,7 +21,6 @@ from tests.oracles.real_mechanisms import (
 )
 
 
-@settings(max_examples=30)
 @given(reals(), crank_angles, torques)
 def test_forces_lag_and_play_are_within_their_stated_errors(
     real: RealMechanism, angle: float, torque: float
