@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import orjson
-from fastapi import FastAPI, HTTPException, Request
+from fastapi import APIRouter, FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
 from fastapi.telemetry import TelemetryConfig
@@ -25,8 +25,8 @@ from app.about import API
 from app.endpoint import (
     JSON,
     STREAMED,
-    CalculationRoute,
     FigureOut,
+    route_of,
     takes_gzip,
 )
 from app.examples import REQUESTS
@@ -68,14 +68,36 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def described(calculation: Calculation) -> dict[str, Any]:
-    """What the description says of a calculation and of its figure alike."""
-    request = {"content": {JSON: {"example": REQUESTS[calculation.name]}}}
-    return {
-        "tags": [calculation.tag],
-        "responses": RESPONSES,
-        "openapi_extra": {"requestBody": request},
+def calculation_router(calculation: Calculation) -> APIRouter:
+    """The endpoint of a calculation, and that of its figure where it has one."""
+    name, example = calculation.name, REQUESTS[calculation.name]
+    described: dict[str, Any] = {
+        "methods": ["POST"],
+        "openapi_extra": {"requestBody": {"content": {JSON: {"example": example}}}},
     }
+    router = APIRouter(tags=[calculation.tag])
+    router.add_api_route(
+        f"/{name}",
+        calculation.solve,
+        operation_id=name.replace("/", "_").replace("-", "_"),
+        summary=calculation.title,
+        response_model=calculation.answer,
+        responses=STREAMED if calculation.reporting else RESPONSES,
+        route_class_override=route_of(calculation),
+        **described,
+    )
+    if calculation.figure is not None:
+        router.add_api_route(
+            f"/{name}/chart",
+            calculation.figure,
+            operation_id=f"{name}/chart".replace("/", "_").replace("-", "_"),
+            summary=f"{calculation.title}: figure",
+            response_model=FigureOut,
+            responses=RESPONSES,
+            route_class_override=route_of(calculation, drawn=True),
+            **described,
+        )
+    return router
 
 
 class Packed:
@@ -139,12 +161,9 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # The description, which takes half a second, is made before somebody opens the page.
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
-    counting = asyncio.create_task(observability.counting())
     async with app.state.jobs:
         yield
     ahead.cancel()
-    counting.cancel()
-    observability.count()
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -174,26 +193,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def static(request: Request) -> Response:
         return file_response(request.path_params["name"], request.scope)
 
-    app.router.route_class = CalculationRoute
-    for each in CALCULATIONS.values():
-        app.post(
-            f"{API}/{each.name}",
-            operation_id=each.name.replace("/", "_").replace("-", "_"),
-            summary=each.title,
-            response_model=each.answer,
-            **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
-        )(each.solve)
     # Paths are compared in this order.
-    app.add_route("/static/{name:path}", static, include_in_schema=False)
     for each in CALCULATIONS.values():
-        if each.figure is not None:
-            app.post(
-                f"{API}/{each.name}/chart",
-                operation_id=f"{each.name}/chart".replace("/", "_").replace("-", "_"),
-                summary=f"{each.title}: figure",
-                response_model=FigureOut,
-                **described(each),
-            )(each.figure)
+        app.include_router(calculation_router(each), prefix=API)
+    app.add_route("/static/{name:path}", static, include_in_schema=False)
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)
