@@ -10,10 +10,10 @@ from contextlib import asynccontextmanager
 from functools import cache
 from mimetypes import guess_type
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import orjson
-from fastapi import APIRouter, FastAPI, HTTPException, Request
+from fastapi import FastAPI, HTTPException, Request
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.responses import PlainTextResponse, Response
 from fastapi.telemetry import TelemetryConfig
@@ -68,36 +68,22 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def calculation_router(calculation: Calculation) -> APIRouter:
-    """The endpoint of a calculation, and that of its figure where it has one."""
-    name, example = calculation.name, REQUESTS[calculation.name]
-    described: dict[str, Any] = {
-        "methods": ["POST"],
-        "openapi_extra": {"requestBody": {"content": {JSON: {"example": example}}}},
-    }
-    router = APIRouter(tags=[calculation.tag])
-    router.add_api_route(
-        f"/{name}",
-        calculation.solve,
-        operation_id=name.replace("/", "_").replace("-", "_"),
-        summary=calculation.title,
-        response_model=calculation.answer,
-        responses=STREAMED if calculation.reporting else RESPONSES,
-        route_class_override=route_of(calculation),
-        **described,
+def add_route(app: FastAPI, calculation: Calculation, *, drawn: bool = False) -> None:
+    """Add the endpoint of a calculation, or that of its figure."""
+    path = f"{calculation.name}/chart" if drawn else calculation.name
+    example = {"example": REQUESTS[calculation.name]}
+    app.router.add_api_route(
+        f"{API}/{path}",
+        cast(Any, calculation.figure if drawn else calculation.solve),
+        methods=["POST"],
+        operation_id=path.replace("/", "_").replace("-", "_"),
+        tags=[calculation.tag],
+        summary=f"{calculation.title}: figure" if drawn else calculation.title,
+        response_model=FigureOut if drawn else calculation.answer,
+        responses=STREAMED if calculation.reporting and not drawn else RESPONSES,
+        openapi_extra={"requestBody": {"content": {JSON: example}}},
+        route_class_override=route_of(calculation, drawn=drawn),
     )
-    if calculation.figure is not None:
-        router.add_api_route(
-            f"/{name}/chart",
-            calculation.figure,
-            operation_id=f"{name}/chart".replace("/", "_").replace("-", "_"),
-            summary=f"{calculation.title}: figure",
-            response_model=FigureOut,
-            responses=RESPONSES,
-            route_class_override=route_of(calculation, drawn=True),
-            **described,
-        )
-    return router
 
 
 class Packed:
@@ -195,8 +181,11 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     # Paths are compared in this order.
     for each in CALCULATIONS.values():
-        app.include_router(calculation_router(each), prefix=API)
+        add_route(app, each)
     app.add_route("/static/{name:path}", static, include_in_schema=False)
+    for each in CALCULATIONS.values():
+        if each.figure is not None:
+            add_route(app, each, drawn=True)
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)
