@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import orjson
 from fastapi import APIRouter, Request
 from fastapi.responses import Response, StreamingResponse
-from pydantic import FailFast, Field, StringConstraints, ValidationError
+from pydantic import FailFast, Field, StringConstraints
 from pydantic_core import from_json, to_json
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import Receive, Scope, Send
@@ -19,6 +19,7 @@ from app.endpoint import (
     COMPRESS_LEVEL,
     JSON,
     LINES,
+    admitted,
     by_lines,
     encoded,
     read_body,
@@ -37,12 +38,10 @@ from app.problems import (
     problem_of,
     refusal,
     too_long,
-    wrong_fields,
 )
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
-from app.running import named
 from app.settings import Settings
 from core.errors import ImpossibleMechanism, InvalidInput
 
@@ -188,15 +187,10 @@ def split(tell: Tell, content: bytes, settings: Settings) -> None:
         If it is no batch, or has more requests than the operator allows.
     """
     try:
-        body = BatchRequest.model_validate(from_json(content))
-    except ValidationError as error:
-        raise wrong_fields(error) from None
+        values = from_json(content)
     except ValueError as error:
         raise refusal("", "json_invalid", error=str(error)) from None
-    try:
-        body.refuse_beyond(settings)
-    except InvalidInput as error:
-        raise named(error, body) from error
+    body = admitted(BatchRequest.model_validate, values, settings)
     enough = settings.max_body_bytes + 1  # to see that a request is too large
     requests = [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests]
     tell((body.calculation, requests, body.ids))

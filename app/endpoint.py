@@ -10,7 +10,7 @@ import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
 from functools import cache
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 import orjson
@@ -72,6 +72,9 @@ STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
     200: {"content": {LINES: {"schema": {"type": "string"}}}}
 }
 """Answers besides of what tells its progress where that is asked."""
+
+
+Body = TypeVar("Body", bound=RequestModel)
 
 
 class FigureOut(BaseModel):
@@ -252,8 +255,19 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
     """
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise refusal("", "too_nested", limit=MAX_NESTED)
+    return admitted(_reader(calculation.name), content, settings)
+
+
+def admitted(read: Callable[[Any], Body], content: Any, settings: Settings) -> Body:
+    """What a model reads, within what the operator allows.
+
+    Raises
+    ------
+    Problem
+        If it is not what the model says, or more.
+    """
     try:
-        body = _reader(calculation.name)(content)
+        body = read(content)
     except ValidationError as error:
         raise wrong_fields(error) from None
     try:
