@@ -4,7 +4,6 @@
 the bytes and orjson writes them, which takes half the time of FastAPI's own way.
 """
 
-import asyncio
 import gzip
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
@@ -206,12 +205,12 @@ async def received(record: Record, limit: int) -> bytes:
     Raises
     ------
     Problem
-        If that is more than so many bytes, or announced as more, or not sent as JSON, or not in
-        time; or if it is large and there is no place for it.
+        If that is more than so many bytes, or announced as more, or not sent as JSON; or if it is
+        large and there is no place for it.
     ClientDisconnect
         If the client goes before.
     """
-    headers, limit_s = record.headers, record.settings.receive_seconds
+    headers = record.headers
     media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
     if media_type != b"application/json" and not media_type.endswith(b"+json"):
         raise Problem("unsupported-media-type", f"Send {JSON}")
@@ -221,21 +220,16 @@ async def received(record: Record, limit: int) -> bytes:
     if announced.isdigit() and int(announced) > limit:
         raise Problem("too-large", f"The body exceeds {limit} bytes")
     content, more = bytearray(), True
-    try:
-        async with asyncio.timeout(limit_s):
-            while more:
-                message = await record.receive()
-                if message["type"] == "http.disconnect":
-                    raise ClientDisconnect
-                content += message.get("body", b"")
-                more = message.get("more_body", False)
-                if len(content) > limit:
-                    raise Problem("too-large", f"The body exceeds {limit} bytes")
-                if len(content) > LIGHT_BYTES:
-                    await take_place(record)
-    except TimeoutError:
-        late = f"The body did not arrive within {limit_s:g} s"
-        raise Problem("request-timeout", late, headers={"connection": "close"}) from None
+    while more:
+        message = await record.receive()
+        if message["type"] == "http.disconnect":
+            raise ClientDisconnect
+        content += message.get("body", b"")
+        more = message.get("more_body", False)
+        if len(content) > limit:
+            raise Problem("too-large", f"The body exceeds {limit} bytes")
+        if len(content) > LIGHT_BYTES:
+            await take_place(record)
     record.received = time.perf_counter()
     return bytes(content)
 

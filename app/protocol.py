@@ -1,8 +1,8 @@
 """HTTP connections that are bounded: uvicorn's protocol with limits of its own.
 
 What a proxy does well is left to it: slow heads, connections by address (`deploy/nginx.conf`). Here
-is what only the connection itself can do: refuse what is too many or too long, and end what is not
-taken. Slow bodies are ended by who reads them, `app.endpoint.received`.
+is what only the connection itself can do: refuse what is too many or too long, and end what does
+not come or is not taken.
 """
 
 import asyncio
@@ -36,13 +36,15 @@ class PatientProtocol(HttpToolsProtocol):
     """A connection with one request at a time, whose answer is taken part by part.
 
     A second request that comes before the first is answered is not read and ends the connection
-    after that answer. A client that takes nothing of its answer for `KHV_RECEIVE_SECONDS` is cut
-    off. What comes beyond `KHV_MAX_CONNECTIONS` is told when to come again.
+    after that answer. A body that is not whole within `KHV_RECEIVE_SECONDS` of its head is refused;
+    a client that takes nothing of its answer for as long is cut off. What comes beyond
+    `KHV_MAX_CONNECTIONS` is told when to come again.
     """
 
     def __init__(self, *args: Any, **given: Any) -> None:
         super().__init__(*args, **given)
         self.settings = current()
+        self.body_timer: asyncio.TimerHandle | None = None
         self.answer_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None
         self.stopping = self.ending = False
@@ -62,13 +64,16 @@ class PatientProtocol(HttpToolsProtocol):
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Wait for nothing."""
-        self._stop_waiting()
+        _cancel(self.body_timer)
+        _cancel(self.answer_timer)
         with suppress(ValueError):
             BEYOND.remove(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take a part of a request, unless it is not to be read or its head has no end."""
+        """Take a part of a request, unless it is not to be read or its head has no end; what comes
+        whole, as most do, waits for nothing.
+        """
         if self.ending:
             return
         super().data_received(data)
@@ -76,6 +81,10 @@ class PatientProtocol(HttpToolsProtocol):
             self.head_bytes += len(data)
             if self.head_bytes > MAX_HEAD_BYTES:
                 self._give_up(HEAD_TOO_LARGE)
+        elif self.cycle is not None and self.cycle.more_body and self.body_timer is None:
+            self.body_timer = self.loop.call_later(
+                self.settings.receive_seconds, self._give_up, TOO_SLOW
+            )
 
     def on_message_begin(self) -> None:
         """Begin a request, unless the one before is not answered yet."""
@@ -93,6 +102,12 @@ class PatientProtocol(HttpToolsProtocol):
         super().on_headers_complete()
         if self.stopping:
             self.cycle.keep_alive = False
+
+    def on_message_complete(self) -> None:
+        """The request is whole."""
+        _cancel(self.body_timer)
+        self.body_timer = None
+        super().on_message_complete()
 
     def on_response_complete(self) -> None:
         """End a connection that has more to bring than was asked of it: that is dropped as long as
@@ -120,7 +135,7 @@ class PatientProtocol(HttpToolsProtocol):
 
     def resume_writing(self) -> None:
         """Go on: the client has taken what was there."""
-        self._stop_waiting()
+        _cancel(self.answer_timer)
         super().resume_writing()
 
     def send_400_response(self, msg: str) -> None:
@@ -132,10 +147,6 @@ class PatientProtocol(HttpToolsProtocol):
         """Stop the parser within what it is given, and take nothing else."""
         self.ending = True
         raise ConnectionAbortedError
-
-    def _stop_waiting(self) -> None:
-        if self.answer_timer is not None:
-            self.answer_timer.cancel()
 
     def _give_up(self, problem: Problem) -> None:
         """Say why to a client that awaits an answer, and close the connection."""
@@ -168,8 +179,14 @@ class Full:
         await response(scope, receive, send)
 
 
+TOO_SLOW = Problem("request-timeout", "The body did not arrive in time")
 HEAD_TOO_LARGE = Problem("headers-too-large", f"The headers exceed {MAX_HEAD_BYTES} bytes")
 FULL = unavailable("Too many connections are open")
+
+
+def _cancel(timer: asyncio.TimerHandle | None) -> None:
+    if timer is not None:
+        timer.cancel()
 
 
 def _raw(problem: Problem) -> bytes:
