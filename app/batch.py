@@ -1,8 +1,6 @@
 """POST /batch: many requests of one calculation, in slices that are handed to processes."""
 
-import asyncio
 import time
-import zlib
 from collections.abc import AsyncIterator
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -10,19 +8,23 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import orjson
 from fastapi import APIRouter, Request
 from fastapi.responses import Response, StreamingResponse
-from pydantic import FailFast, Field, StringConstraints, ValidationError
+from pydantic import FailFast, Field, StringConstraints
 from pydantic_core import from_json, to_json
+from starlette.middleware.gzip import GZipMiddleware
+from starlette.types import Receive, Scope, Send
 
 from app.endpoint import (
     AS_IT_COMES,
+    COMPRESS_BYTES,
     COMPRESS_LEVEL,
     JSON,
     LINES,
+    admitted,
     by_lines,
     encoded,
     read_body,
     received,
-    takes_gzip,
+    take_place,
 )
 from app.examples import REQUESTS
 from app.jobs import Job, Jobs, Stopped, TooLong
@@ -36,12 +38,10 @@ from app.problems import (
     problem_of,
     refusal,
     too_long,
-    wrong_fields,
 )
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
-from app.running import named
 from app.settings import Settings
 from core.errors import ImpossibleMechanism, InvalidInput
 
@@ -52,11 +52,14 @@ SLICE_S = 0.25
 """Time after which a process hands back what it has done, so that answers flow and others have
 their turn."""
 
+SLICE_BYTES = 1 << 20
+"""Bytes of answers after which it does so too, as a client may take them slowly."""
+
 MAX_ERRORS = 100
 """Most wrong fields that the answers of a batch name in all; beyond, problems say how many."""
 
 
-MAX_REQUESTS = 10_000
+MAX_REQUESTS = 1_000
 """Most requests of a batch."""
 
 Name = Annotated[str, StringConstraints(max_length=MAX_NAME)]
@@ -153,6 +156,7 @@ async def batch(request: Request) -> Response:
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
     jobs.admit(record.client)
+    await take_place(record)
     content = await received(record, record.settings.max_batch_bytes)
     async with wanted(record):
         calculation, requests, ids = await in_process(
@@ -162,11 +166,16 @@ async def batch(request: Request) -> Response:
         first = await anext(done)  # without which there is nothing to answer
     lines_asked = by_lines(record)
     written = _written(first, done, ids, lines=lines_asked)
-    headers = AS_IT_COMES | {"vary": "accept-encoding"}
-    if takes_gzip(record.headers):
-        headers["content-encoding"] = "gzip"
-        written = _zipped(written)
-    return StreamingResponse(written, headers=headers, media_type=LINES if lines_asked else JSON)
+    media_type = LINES if lines_asked else JSON
+    return AsItComes(written, headers=AS_IT_COMES, media_type=media_type)
+
+
+class AsItComes(StreamingResponse):
+    """Answer that is sent part by part, compressed for those who take that."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send it."""
+        await GZipMiddleware(super().__call__, COMPRESS_BYTES, COMPRESS_LEVEL)(scope, receive, send)
 
 
 def split(tell: Tell, content: bytes, settings: Settings) -> None:
@@ -178,15 +187,10 @@ def split(tell: Tell, content: bytes, settings: Settings) -> None:
         If it is no batch, or has more requests than the operator allows.
     """
     try:
-        body = BatchRequest.model_validate(from_json(content))
-    except ValidationError as error:
-        raise wrong_fields(error) from None
+        values = from_json(content)
     except ValueError as error:
         raise refusal("", "json_invalid", error=str(error)) from None
-    try:
-        body.refuse_beyond(settings)
-    except InvalidInput as error:
-        raise named(error, body) from error
+    body = admitted(BatchRequest.model_validate, values, settings)
     enough = settings.max_body_bytes + 1  # to see that a request is too large
     requests = [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests]
     tell((body.calculation, requests, body.ids))
@@ -229,12 +233,13 @@ def lines(tell: Tell, requests: list[bytes], settings: Settings, errors: int, *,
     """Answers to the first requests, to as many as there is time for, and how many wrong fields
     each names.
     """
-    end = time.monotonic() + SLICE_S
+    end, size = time.monotonic() + SLICE_S, 0
     for request in requests:
         line, named = _line(CALCULATIONS[name], request, settings, errors)
         tell((line, named))
         errors -= named
-        if time.monotonic() > end:
+        size += len(line)
+        if time.monotonic() > end or size > SLICE_BYTES:
             break
 
 
@@ -276,15 +281,3 @@ async def _written(
         before, some = b",", await anext(others, None)
     if not lines:
         yield b"]}"
-
-
-async def _zipped(written: AsyncIterator[bytes]) -> AsyncIterator[bytes]:
-    """The same compressed, each part as soon as it is there, and not in the event loop."""
-    packer = zlib.compressobj(COMPRESS_LEVEL, wbits=zlib.MAX_WBITS + 16)
-
-    def packed(part: bytes) -> bytes:
-        return packer.compress(part) + packer.flush(zlib.Z_SYNC_FLUSH)
-
-    async for part in written:
-        yield await asyncio.to_thread(packed, part)
-    yield packer.flush()

@@ -1,16 +1,15 @@
 """The way of a calculation's request, from its bytes to the bytes of its answer.
 
-`CalculationRoute` is FastAPI's documented hook (a route class with a handler of its own): pydantic
-reads the bytes and orjson writes them, which takes half the time of FastAPI's own way.
+`route_of` uses FastAPI's documented hook (a route class with a handler of its own): pydantic reads
+the bytes and orjson writes them, which takes half the time of FastAPI's own way.
 """
 
 import gzip
-import math
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
 from functools import cache
-from typing import Any, ClassVar, get_args, get_type_hints
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 import orjson
@@ -45,20 +44,9 @@ CONTENT_TYPE = (b"content-type", JSON.encode())
 LINES = "application/x-ndjson"
 
 LIGHT_BYTES = 16_384
-LIGHT_POINTS = 20_000
-"""What a request may have to be answered in the event loop: bytes, and points by `points`. It then
+LIGHT_COST = 20_000
+"""What a request may have to be answered in the event loop: bytes, and points by its `cost`. That
 holds the loop for less than 30 ms; to hand it over costs half of one."""
-
-COUNTS = {"pins": 1, "satellites": 2, "revolutions": 1, "rollers": 1, "rollers_total": 1}
-"""Fields that count what is calculated, each with its power."""
-
-SIZES = {*COUNTS, "samples", "force_exponent", "ratio", "ring_teeth", "satellite_teeth"}
-"""Fields on which the size of a request hangs."""
-
-PAIR_POINTS, ROLLER_POINTS = 240, 400
-"""Points of a pair, whose forces are searched and integrated over the turn, and of a roller, with
-the nodes of its contact line; of a curve with more samples as many as these.
-"""
 
 MAX_NESTED = 1000
 """Most lists and objects in a request: they cost a hundred times as much to read as numbers do. The
@@ -79,13 +67,13 @@ AS_IT_COMES = {"x-accel-buffering": "no"}
 PROGRESS_S = 0.25
 """How often a client is told how much of a study is done, seconds."""
 
-MOST_WAITING_BYTES = 1 << 27
-"""Most bytes of large answers that wait in a worker for clients to take them."""
-
 STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
     200: {"content": {LINES: {"schema": {"type": "string"}}}}
 }
 """Answers besides of what tells its progress where that is asked."""
+
+
+Body = TypeVar("Body", bound=RequestModel)
 
 
 class FigureOut(BaseModel):
@@ -95,85 +83,35 @@ class FigureOut(BaseModel):
     layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")
 
 
-class CalculationRoute(APIRoute):
-    """Route of a plain function of a `body`, or of a `body` and a `theme`.
+def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]:
+    """FastAPI's documented hook for the route of a calculation, or of its figure.
 
-    The function runs at once or, where that would hold up others, in a process. Routes of anything
-    else keep FastAPI's own handler.
+    The function runs at once or, where that would hold up others, in a process.
     """
 
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """What answers a request."""
-        hints = get_type_hints(self.endpoint, include_extras=True)
-        if "body" not in hints:
-            return super().get_route_handler()
-        name = next(n for n, e in CALCULATIONS.items() if self.endpoint in (e.solve, e.figure))
-        drawn = "theme" in hints
+    async def handle(request: Request) -> Response:
+        record = at_hand.get() or Record()
+        sent = await received(record, record.settings.max_body_bytes)
+        if calculation.reporting is not None and not drawn and by_lines(record):
+            return await _told_by_lines(request, calculation.name, sent, record)
+        theme = _theme(request) if drawn else None
+        zipped = takes_gzip(record.headers)
+        body = None
+        if len(sent) <= LIGHT_BYTES:
+            body = read_body(calculation, sent, record.settings)
+        if body is not None and body.cost() <= LIGHT_COST:
+            content = _content(calculation, body, theme, zipped)
+        else:
+            asked = calculation.name, sent, theme, zipped, record.settings
+            async with wanted(record):
+                content = await in_process(request.app.state.jobs, _answer, *asked, record=record)
+        return Answer(content, record)
 
-        async def handle(request: Request) -> Response:
-            record = at_hand.get() or Record()
-            sent = await received(record, record.settings.max_body_bytes)
-            calculation = CALCULATIONS[name]
-            if calculation.reporting is not None and not drawn and by_lines(record):
-                return await _told_by_lines(request, name, sent, record)
-            theme = _theme(request) if drawn else None
-            zipped = takes_gzip(record.headers)
-            body = None
-            if len(sent) <= LIGHT_BYTES:
-                body = read_body(calculation, sent, record.settings)
-            if body is not None and points(body) <= LIGHT_POINTS:
-                content = _content(calculation, body, theme, zipped)
-            else:
-                asked = name, sent, theme, zipped, record.settings
-                async with wanted(record):
-                    content = await in_process(
-                        request.app.state.jobs, _answer, *asked, record=record
-                    )
-            return Answer(content)
+    class CalculationRoute(APIRoute):
+        def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+            return handle
 
-        return handle
-
-
-def points(body: RequestModel) -> float:
-    """How many points a request asks for, by what it states: the one rule for what leaves the event
-    loop.
-
-    Pairs times satellites (each satellite has a driving set of its own, which meets those of all
-    others) times turns, or rollers; and of each the samples of its curve. Forces by an exponent
-    above 1 are as much sharper over the turn, and are looked at in as many more places.
-    """
-    stated = _stated(body)
-    asked = stated.pop("include", ())
-    if body.long or "fixes" in asked:
-        return math.inf
-    size: float = PAIR_POINTS * max(1.0, stated.get("force_exponent", 1.0))
-    if stated.get("rollers") or stated.get("rollers_total"):
-        size = ROLLER_POINTS
-    if "curves" in asked or "points" in asked:
-        size = max(size, stated["samples"])
-    for name, count in stated.items():
-        if power := COUNTS.get(name):
-            size *= max(1, len(count) if isinstance(count, list) else count) ** power
-    teeth = (stated.get("ring_teeth") or 1) / (stated.get("satellite_teeth") or 1)
-    turns = max(1.0, 1 / (stated.get("ratio") or 1), teeth)  # of the output link
-    return float(size * turns)
-
-
-def _stated(body: BaseModel) -> dict[str, Any]:
-    """What a request and the models within it state of `SIZES`; what any of them includes."""
-    stated: dict[str, Any] = {}
-    asked: list[str] = []
-    for name, value in vars(body).items():
-        if name == "include":
-            asked += value or ()
-        elif name in SIZES:
-            if value is not None:
-                stated[name] = value
-        elif isinstance(value, BaseModel):
-            inner = _stated(value)
-            asked += inner.pop("include", ())
-            stated = inner | stated
-    return stated | {"include": asked} if asked else stated
+    return CalculationRoute
 
 
 def _content(
@@ -246,13 +184,29 @@ def by_lines(record: Record) -> bool:
     return LINES.encode() in record.headers.get(b"accept", b"")
 
 
+async def take_place(record: Record) -> None:
+    """Take one of the worker's places for what is large, which are few, until it is answered.
+
+    Raises
+    ------
+    Problem
+        If there is none.
+    """
+    if not record.has_place:
+        if record.places.locked():
+            raise unavailable("Too many large requests or answers are under way")
+        await record.places.acquire()
+        record.has_place = True
+
+
 async def received(record: Record, limit: int) -> bytes:
     """All that a client sends, as JSON. (Starlette reads it in twice the time.)
 
     Raises
     ------
     Problem
-        If that is more than so many bytes, or announced as more, or not sent as JSON.
+        If that is more than so many bytes, or announced as more, or not sent as JSON; or if it is
+        large and there is no place for it.
     ClientDisconnect
         If the client goes before.
     """
@@ -265,19 +219,19 @@ async def received(record: Record, limit: int) -> bytes:
     announced = headers.get(b"content-length", b"")
     if announced.isdigit() and int(announced) > limit:
         raise Problem("too-large", f"The body exceeds {limit} bytes")
-    parts, size = [], 0
-    while True:
+    content, more = bytearray(), True
+    while more:
         message = await record.receive()
         if message["type"] == "http.disconnect":
             raise ClientDisconnect
-        part = message.get("body", b"")
-        parts.append(part)
-        size += len(part)
-        if size > limit:
+        content += message.get("body", b"")
+        more = message.get("more_body", False)
+        if len(content) > limit:
             raise Problem("too-large", f"The body exceeds {limit} bytes")
-        if not message.get("more_body"):
-            record.received = time.perf_counter()
-            return b"".join(parts)
+        if len(content) > LIGHT_BYTES:
+            await take_place(record)
+    record.received = time.perf_counter()
+    return bytes(content)
 
 
 @cache
@@ -295,8 +249,19 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
     """
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise refusal("", "too_nested", limit=MAX_NESTED)
+    return admitted(_reader(calculation.name), content, settings)
+
+
+def admitted(read: Callable[[Any], Body], content: Any, settings: Settings) -> Body:
+    """What a model reads, within what the operator allows.
+
+    Raises
+    ------
+    Problem
+        If it is not what the model says, or more.
+    """
     try:
-        body = _reader(calculation.name)(content)
+        body = read(content)
     except ValidationError as error:
         raise wrong_fields(error) from None
     try:
@@ -345,14 +310,14 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
 
 
 class Answer(Response):
-    """Answer of JSON, which may be compressed. What is large is refused where too much waits for
-    clients already.
+    """Answer of JSON, which may be compressed. A large one, of which parts wait for the client, has
+    a place.
     """
 
-    waiting_bytes: ClassVar[int] = 0
-
-    def __init__(self, content: bytes) -> None:  # Starlette's own takes three times as long
+    def __init__(self, content: bytes, record: Record) -> None:
+        # Starlette's own takes three times as long.
         self.status_code, self.background, self.body = 200, None, content
+        self.record = record
         self.raw_headers = [CONTENT_TYPE, (b"content-length", b"%d" % len(content))]
         zipped = content.startswith(GZIP)
         if zipped or len(content) >= COMPRESS_BYTES:
@@ -362,16 +327,11 @@ class Answer(Response):
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
-        size = len(self.body)
-        if size > PART_BYTES and 0 < Answer.waiting_bytes > MOST_WAITING_BYTES - size:
-            raise unavailable("Too many answers wait for clients to take them")
-        Answer.waiting_bytes += size
-        try:
-            start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
-            await send(start)
-            await send({"type": "http.response.body", "body": self.body})
-        finally:
-            Answer.waiting_bytes -= size
+        if len(self.body) > PART_BYTES:
+            await take_place(self.record)
+        start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
+        await send(start)
+        await send({"type": "http.response.body", "body": self.body})
 
 
 def takes_gzip(headers: dict[bytes, bytes]) -> bool:

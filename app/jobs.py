@@ -89,7 +89,8 @@ class Jobs:
         How many; 0 for one to a processor.
     waiting : int
         Most jobs that may wait. Of one client no more are admitted than there is room besides, so
-        that others find room too: half of it where it is alone.
+        that others find room too: half of it where it is alone. For who has none waiting there is
+        as much room again.
     preload : iterable of str
         Modules that the jobs need.
     """
@@ -138,7 +139,9 @@ class Jobs:
             If there are; when there may be room is estimated from what jobs took of late.
         """
         waiting = sum(map(len, self._waiting.values()))
-        if len(self._waiting.get(client, ())) >= self._most_waiting - waiting:
+        own = len(self._waiting.get(client, ()))
+        room = self._most_waiting if own else 2 * self._most_waiting
+        if own >= room - waiting:
             turns = (waiting + 1) / self.processes
             raise Busy(math.ceil(turns * self._turn_s))
 

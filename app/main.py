@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from functools import cache
 from mimetypes import guess_type
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import orjson
 from fastapi import FastAPI, HTTPException, Request
@@ -22,8 +22,8 @@ from app.about import API, Packed
 from app.endpoint import (
     JSON,
     STREAMED,
-    CalculationRoute,
     FigureOut,
+    route_of,
 )
 from app.examples import REQUESTS
 from app.jobs import Jobs
@@ -64,14 +64,22 @@ accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fiel
 """
 
 
-def described(calculation: Calculation) -> dict[str, Any]:
-    """What the description says of a calculation and of its figure alike."""
-    request = {"content": {JSON: {"example": REQUESTS[calculation.name]}}}
-    return {
-        "tags": [calculation.tag],
-        "responses": RESPONSES,
-        "openapi_extra": {"requestBody": request},
-    }
+def add_route(app: FastAPI, calculation: Calculation, *, drawn: bool = False) -> None:
+    """Add the endpoint of a calculation, or that of its figure."""
+    path = f"{calculation.name}/chart" if drawn else calculation.name
+    example = {"example": REQUESTS[calculation.name]}
+    app.router.add_api_route(
+        f"{API}/{path}",
+        cast(Any, calculation.figure if drawn else calculation.solve),
+        methods=["POST"],
+        operation_id=path.replace("/", "_").replace("-", "_"),
+        tags=[calculation.tag],
+        summary=f"{calculation.title}: figure" if drawn else calculation.title,
+        response_model=FigureOut if drawn else calculation.answer,
+        responses=STREAMED if calculation.reporting and not drawn else RESPONSES,
+        openapi_extra={"requestBody": {"content": {JSON: example}}},
+        route_class_override=route_of(calculation, drawn=drawn),
+    )
 
 
 @cache
@@ -109,12 +117,9 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     # The description, which takes half a second, is made before somebody opens the page.
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
-    counting = asyncio.create_task(observability.counting())
     async with app.state.jobs:
         yield
     ahead.cancel()
-    counting.cancel()
-    observability.count()
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -144,26 +149,13 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def static(request: Request) -> Response:
         return file_response(request.path_params["name"], request.scope)
 
-    app.router.route_class = CalculationRoute
-    for each in CALCULATIONS.values():
-        app.post(
-            f"{API}/{each.name}",
-            operation_id=each.name.replace("/", "_").replace("-", "_"),
-            summary=each.title,
-            response_model=each.answer,
-            **(described(each) | ({"responses": STREAMED} if each.reporting else {})),
-        )(each.solve)
     # Paths are compared in this order.
+    for each in CALCULATIONS.values():
+        add_route(app, each)
     app.add_route("/static/{name:path}", static, include_in_schema=False)
     for each in CALCULATIONS.values():
         if each.figure is not None:
-            app.post(
-                f"{API}/{each.name}/chart",
-                operation_id=f"{each.name}/chart".replace("/", "_").replace("-", "_"),
-                summary=f"{each.title}: figure",
-                response_model=FigureOut,
-                **described(each),
-            )(each.figure)
+            add_route(app, each, drawn=True)
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)

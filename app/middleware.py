@@ -34,8 +34,14 @@ PART_BYTES = 1 << 18
 """Most bytes that are sent at once: as long as a client may take for some of its answer, it may for
 so many."""
 
+MAX_ADDRESS = 45
+"""Longest address of a client: that of IPv6 with one of IPv4 within."""
+
 REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
 """Request ids of clients that are taken over: nothing that could break a log line or a header."""
+
+NO_GZIP = re.compile(rb"gzip\s*;\s*q=0(\.0*)?\s*(,|$)")
+"""How a client says in `Accept-Encoding` that it does not take that."""
 
 
 class Requests:
@@ -44,6 +50,7 @@ class Requests:
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
         self.settings = settings
+        self.places = asyncio.Semaphore(settings.max_large)
         version = f"{VERSION}+{settings.build}".rstrip("+")
         self.headers = [*HEADERS, (b"server", f"khv-calc/{version}".encode())]
 
@@ -55,13 +62,17 @@ class Requests:
         method, path, headers = scope["method"], scope["path"], dict(scope["headers"])
         if (root := self.settings.root_path) and path.startswith(root + "/"):
             path = path[len(root) :]  # a proxy may leave the prefix or take it away
+        if NO_GZIP.search(headers.get(b"accept-encoding", b"")):
+            del headers[b"accept-encoding"]
+            scope = {**scope, "headers": [*headers.items()]}
         head = method == "HEAD"  # what asks for the head is answered like what asks for all
         if head or root:
             scope = {**scope, "path": path, "method": "GET" if head else method}
-        client = scope.get("client") or ("",)
-        record = Record(self.settings, _request_id(headers), headers, receive, client[0])
+        client = (scope.get("client") or ("",))[0][:MAX_ADDRESS]
+        request_id = _request_id(headers)
+        record = Record(self.settings, request_id, headers, receive, client, self.places)
         at_hand.set(record)
-        observability.traffic.in_flight += 1
+        observability.begin()
         failed: Exception | None = None
 
         def with_headers(message: Message) -> Awaitable[None]:
@@ -79,7 +90,8 @@ class Requests:
             return send(message) if len(message.get("body", b"")) <= PART_BYTES else parts(message)
 
         async def parts(message: Message) -> None:
-            body, more = message["body"], message.get("more_body", False)
+            # of what many are sent, as files, no part is copied
+            body, more = memoryview(message["body"]), message.get("more_body", False)
             for start in range(0, len(body), PART_BYTES):
                 end = start + PART_BYTES
                 further = more or end < len(body)
@@ -99,6 +111,8 @@ class Requests:
                 detail = f"Not by the input; the service's log names request {record.request_id}"
                 await Problem("failure", detail).response()(scope, receive, with_headers)
         finally:
+            if record.has_place:
+                self.places.release()
             route = path if "endpoint" in scope else "unknown"
             observability.end(record, method, route, failed)
 

@@ -1,5 +1,6 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
@@ -237,10 +238,11 @@ class RequestModel(BaseModel):
         within = (value.notices() for _, value in self if isinstance(value, RequestModel))
         return tuple(chain.from_iterable(within))
 
-    @property
-    def long(self) -> bool:
-        """Whether it takes long whatever its counts are."""
-        return False
+    def cost(self) -> float:
+        """How many points are calculated, which says where (`app.endpoint.LIGHT_COST`): of what
+        solves or searches so many that it leaves the event loop whatever it states.
+        """
+        return math.inf
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits.

@@ -4,7 +4,6 @@ With several workers the metrics of all are added up through files: prometheus-c
 ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sees to.
 """
 
-import asyncio
 import atexit
 import logging
 import os
@@ -12,11 +11,10 @@ import queue
 import threading
 import time
 from contextlib import suppress
-from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from app.shared_files import DIRECTORY  # before prometheus-client looks for it
 
@@ -39,9 +37,6 @@ from app.settings import current
 
 MOST_LINES = 1000
 """Lines of the log that wait to be read; more are dropped and counted."""
-
-COUNTED_TOGETHER, COUNTED_EVERY_S = 100, 0.25
-"""How many requests are counted together at most, and how long they wait for that, seconds."""
 
 PAUSE_S = 0.01
 """How long lines are gathered, seconds."""
@@ -135,26 +130,17 @@ class JsonLines(logging.Formatter):
         return orjson.dumps(line, option=orjson.OPT_UTC_Z).decode()
 
 
-@dataclass(slots=True)
-class Traffic:
-    """Requests that are being answered; those that have been and are not counted yet, each with its
-    method, route and seconds.
-    """
-
-    in_flight: int = 0
-    ended: list[tuple[Record, str, str, float]] = field(default_factory=list)
-
-
-traffic = Traffic()
-
-
 WHOLE = ("/static", "/problems")
 """Routes below which a client may ask for anything: each counts as one."""
 
 
+def begin() -> None:
+    """Count a request that is in flight from now on."""
+    IN_FLIGHT.inc()
+
+
 def end(record: Record, method: str, route: str, error: Exception | None) -> None:
-    """Log a request that has been answered and was in flight, and have it counted; what it said is
-    in neither.
+    """Count and log a request that has been answered and was in flight; what it said is in neither.
 
     Parameters
     ----------
@@ -165,14 +151,16 @@ def end(record: Record, method: str, route: str, error: Exception | None) -> Non
     error : Exception or None
         What failed, for the log alone.
     """
-    traffic.in_flight -= 1
+    IN_FLIGHT.dec()
     if method not in METHODS:
         method = "other"
     route = next((each for each in WHOLE if route.startswith(f"{each}/")), route)
     total_s = (record.answered or time.perf_counter()) - record.started
-    traffic.ended.append((record, method, route, total_s))
-    if len(traffic.ended) >= COUNTED_TOGETHER:
-        count()
+    requests, duration, calculation = _meters(method, route, record.status or 499)
+    requests.inc()
+    duration.observe(total_s)
+    if record.calculation_us:
+        calculation.observe(record.calculation_us / 1e6)
     level = logging.ERROR if error else logging.INFO
     if not LOG.isEnabledFor(level):
         return
@@ -193,28 +181,6 @@ def end(record: Record, method: str, route: str, error: Exception | None) -> Non
     raised = (type(error), error, error.__traceback__) if error else None
     # Made here: to find out where in the code it is made costs more than the rest.
     LOG.handle(logging.LogRecord(LOG.name, level, __file__, 0, line, (), raised))
-
-
-def count() -> None:
-    """Count the requests that have ended, together: one by one costs four times as much."""
-    IN_FLIGHT.set(traffic.in_flight)
-    numbers: dict[Counter, int] = {}
-    ended, traffic.ended = traffic.ended, []
-    for record, method, route, total_s in ended:
-        requests, duration, calculation = _meters(method, route, record.status or 499)
-        numbers[requests] = numbers.get(requests, 0) + 1
-        duration.observe(total_s)
-        if record.calculation_us:
-            calculation.observe(record.calculation_us / 1e6)
-    for requests, number in numbers.items():
-        requests.inc(number)
-
-
-async def counting() -> NoReturn:
-    """Count again and again, as other workers tell of this one too."""
-    while True:
-        await asyncio.sleep(COUNTED_EVERY_S)
-        count()
 
 
 METHODS = frozenset(("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"))
@@ -242,7 +208,6 @@ def _forget_the_dead(shared: Path) -> None:
 
 def metrics() -> tuple[bytes, str]:
     """All metrics as Prometheus reads them, those of the other workers included; their type."""
-    count()
     registry = REGISTRY
     if DIRECTORY in os.environ:
         _forget_the_dead(Path(os.environ[DIRECTORY]))

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
-from functools import lru_cache
 from typing import Annotated, Any, Self, cast
 
 import orjson
@@ -117,7 +116,7 @@ KINDS = {
     "not-found": (404, "There is nothing at this path; the API's description lists all."),
     "request-timeout": (
         408,
-        "The request did not arrive whole in the time that the service waits.",
+        "The body did not arrive whole in the time that the service waits.",
     ),
     "too-large": (413, "The body has more bytes than the service takes."),
     "too-long": (
@@ -321,7 +320,6 @@ def pointer(path: Iterable[str | int]) -> str:
     return "".join(map(_token, path))
 
 
-@lru_cache(maxsize=1000)
 def _token(part: str | int) -> str:
     name = str(part)
     cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"

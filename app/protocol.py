@@ -1,10 +1,16 @@
-"""HTTP connections that do not wait for ever: uvicorn's protocol with limits of its own."""
+"""HTTP connections that are bounded: uvicorn's protocol with limits of its own.
+
+What a proxy does well is left to it: slow heads, connections by address (`deploy/nginx.conf`). Here
+is what only the connection itself can do: refuse what is too many or too long, and end what does
+not come or is not taken.
+"""
 
 import asyncio
 import logging
 from collections import deque
 from contextlib import suppress
-from typing import Any
+from itertools import chain
+from typing import Any, NoReturn
 
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
@@ -12,7 +18,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
 from app.middleware import HEADERS
 from app.problems import Problem, unavailable
-from app.settings import current
+from app.settings import OVER_UNIX, current
 
 LOG = logging.getLogger("khv.connection")
 
@@ -27,60 +33,90 @@ PROBES = ("/livez", "/metrics")
 
 
 class PatientProtocol(HttpToolsProtocol):
-    """Closes connections whose client is too slow, and refuses those that are too many.
+    """A connection with one request at a time, whose answer is taken part by part.
 
-    A request has to arrive whole within `KHV_RECEIVE_SECONDS` of the connection or of its own
-    first byte, and the client has to take some of its answer within the same time; otherwise the
-    connection is closed. What comes beyond `KHV_MAX_CONNECTIONS` is told when to come again.
+    A second request that comes before the first is answered is not read and ends the connection
+    after that answer. A body that is not whole within `KHV_RECEIVE_SECONDS` of its head is refused;
+    a client that takes nothing of its answer for as long is cut off. What comes beyond
+    `KHV_MAX_CONNECTIONS` is told when to come again.
     """
 
     def __init__(self, *args: Any, **given: Any) -> None:
         super().__init__(*args, **given)
         self.settings = current()
-        self.request_timer: asyncio.TimerHandle | None = None
+        self.body_timer: asyncio.TimerHandle | None = None
         self.answer_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None
-        self.stopping = False
+        self.stopping = self.ending = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Start to wait for the first request; see whether there is room for it."""
+        """Wait for the first request as for a next one; see whether there is room for it."""
         super().connection_made(transport)
+        self.client = self.client or (OVER_UNIX, 0)  # whom uvicorn trusts
+        self.timeout_keep_alive_task = self.loop.call_later(
+            self.timeout_keep_alive, self.timeout_keep_alive_handler
+        )
         if len(self.connections) > self.settings.max_connections:
             self.app = Full(self.app)
             BEYOND.append(self)
             if len(BEYOND) > MOST_BEYOND:
                 BEYOND.popleft().transport.abort()  # descriptors are not to run out
-        self._await_request()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Wait for nothing."""
-        self.request_timer = _cancelled(self.request_timer)
-        self.answer_timer = _cancelled(self.answer_timer)
+        _cancel(self.body_timer)
+        _cancel(self.answer_timer)
         with suppress(ValueError):
             BEYOND.remove(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take a part of a request, unless its headers have no end."""
+        """Take a part of a request, unless it is not to be read or its head has no end; what comes
+        whole, as most do, waits for nothing.
+        """
+        if self.ending:
+            return
         super().data_received(data)
         if self.head_bytes is not None:
             self.head_bytes += len(data)
             if self.head_bytes > MAX_HEAD_BYTES:
                 self._give_up(HEAD_TOO_LARGE)
+        elif self.cycle is not None and self.cycle.more_body and self.body_timer is None:
+            self.body_timer = self.loop.call_later(
+                self.settings.receive_seconds, self._give_up, TOO_SLOW
+            )
 
     def on_message_begin(self) -> None:
-        """Wait for the rest of a request; the time of the first has begun with the connection."""
+        """Begin a request, unless the one before is not answered yet."""
+        if self.cycle is not None and not self.cycle.response_complete:
+            self._read_no_more()
         super().on_message_begin()
         self.head_bytes = 0
-        if self.request_timer is None:
-            self._await_request()
 
     def on_headers_complete(self) -> None:
-        """The headers had an end; while the service stops, the answer is the connection's last."""
+        """Hand a request over; while the service stops, its answer is the connection's last."""
         self.head_bytes = None
+        if len(self.url) + sum(map(len, chain(*self.headers))) > MAX_HEAD_BYTES:
+            self._give_up(HEAD_TOO_LARGE)
+            self._read_no_more()
         super().on_headers_complete()
-        if self.stopping and self.cycle is not None:
+        if self.stopping:
             self.cycle.keep_alive = False
+
+    def on_message_complete(self) -> None:
+        """The request is whole."""
+        _cancel(self.body_timer)
+        self.body_timer = None
+        super().on_message_complete()
+
+    def on_response_complete(self) -> None:
+        """End a connection that has more to bring than was asked of it: that is dropped as long as
+        an idle one is kept, so that the answer can be read.
+        """
+        self.ending |= self.cycle.more_body
+        super().on_response_complete()
+        if self.ending and not self.transport.is_closing():
+            self.transport.write_eof()
 
     def shutdown(self) -> None:
         """Stop: an idle connection has a moment more, as a request may be on its way already."""
@@ -90,11 +126,6 @@ class PatientProtocol(HttpToolsProtocol):
         else:
             super().shutdown()
 
-    def on_message_complete(self) -> None:
-        """The request is whole."""
-        self.request_timer = _cancelled(self.request_timer)
-        super().on_message_complete()
-
     def pause_writing(self) -> None:
         """Wait for the client to take some of its answer."""
         super().pause_writing()
@@ -103,26 +134,25 @@ class PatientProtocol(HttpToolsProtocol):
         )
 
     def resume_writing(self) -> None:
-        """The client has taken what was there."""
-        self.answer_timer = _cancelled(self.answer_timer)
+        """Go on: the client has taken what was there."""
+        _cancel(self.answer_timer)
         super().resume_writing()
 
     def send_400_response(self, msg: str) -> None:
         """Refuse what is no HTTP."""
-        self._give_up(Problem("bad-request", msg.rstrip(".")))
+        if not self.ending:
+            self._give_up(Problem("bad-request", msg.rstrip(".")))
 
-    def _await_request(self) -> None:
-        self.request_timer = self.loop.call_later(
-            self.settings.receive_seconds, self._give_up, TOO_SLOW
-        )
+    def _read_no_more(self) -> NoReturn:
+        """Stop the parser within what it is given, and take nothing else."""
+        self.ending = True
+        raise ConnectionAbortedError
 
     def _give_up(self, problem: Problem) -> None:
         """Say why to a client that awaits an answer, and close the connection."""
         LOG.warning({"message": problem.detail, "status": problem.status})
         cycle = self.cycle
-        if cycle is None or (
-            not cycle.response_started if cycle.scope is self.scope else cycle.response_complete
-        ):
+        if cycle is None or cycle.scope is not self.scope or not cycle.response_started:
             self.transport.write(_raw(problem))
         self.transport.close()
 
@@ -149,16 +179,14 @@ class Full:
         await response(scope, receive, send)
 
 
-TOO_SLOW = Problem("request-timeout", "The request did not arrive in time")
+TOO_SLOW = Problem("request-timeout", "The body did not arrive in time")
 HEAD_TOO_LARGE = Problem("headers-too-large", f"The headers exceed {MAX_HEAD_BYTES} bytes")
 FULL = unavailable("Too many connections are open")
 
 
-def _cancelled(timer: asyncio.TimerHandle | None) -> asyncio.TimerHandle | None:
-    """No timer, after cancelling one."""
+def _cancel(timer: asyncio.TimerHandle | None) -> None:
     if timer is not None:
         timer.cancel()
-    return None
 
 
 def _raw(problem: Problem) -> bytes:

@@ -1,6 +1,7 @@
 """What is known of the request at hand, for its log line, its metrics and its calculations."""
 
 import time
+from asyncio import Semaphore
 from collections.abc import Awaitable, Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -29,7 +30,11 @@ class Record:
     receive : callable
         The client: what it sends next, which after its body is that it has gone.
     client : str
-        Its address, as the service or a trusted proxy sees it; empty over a Unix socket.
+        Its address, as the service or a trusted proxy sees it; `unix` over a Unix socket.
+    places : Semaphore
+        The worker's places for what is large.
+    has_place : bool
+        Whether it has one of them, until it has been answered.
     started, received, calculated, answered : float
         When the request came, its body was whole, its last calculation was done, its answer
         started; seconds of `time.perf_counter`, 0 where it has not happened.
@@ -44,6 +49,8 @@ class Record:
     headers: dict[bytes, bytes] = field(default_factory=dict)
     receive: Callable[[], Awaitable[Any]] = _nothing_more
     client: str = ""
+    places: Semaphore = field(default_factory=lambda: Semaphore(current().max_large))
+    has_place: bool = False
     started: float = field(default_factory=time.perf_counter)
     received: float = 0.0
     calculated: float = 0.0

@@ -16,7 +16,7 @@ from typing import Any
 import uvicorn
 
 from app import VERSION, compiled
-from app.settings import PREFIX, Settings
+from app.settings import OVER_UNIX, PREFIX, Settings
 
 OPTIONS = ("host", "port", "workers", "unix_socket", "root_path")
 """Settings that may be given on the command line as well."""
@@ -43,14 +43,31 @@ def log_config(level: str) -> dict[str, Any]:
 
 
 def connections_within(most: int) -> int:
-    """How many connections a worker's limit of descriptors allows, once it is as high as may be."""
+    """How many connections a worker's limit of descriptors allows, once it is as high as may be.
+
+    Raises
+    ------
+    ValueError
+        If there is none.
+    """
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     needed = most + OTHER_FILES
     if hard != resource.RLIM_INFINITY:
         needed = min(needed, hard)
     if soft != resource.RLIM_INFINITY and soft < needed:
         resource.setrlimit(resource.RLIMIT_NOFILE, (needed, hard))
-    return max(1, min(most, needed - OTHER_FILES))
+    if needed <= OTHER_FILES:
+        raise ValueError(
+            f"the limit of descriptors is {needed}: more than {OTHER_FILES} are needed"
+        )
+    return min(most, needed - OTHER_FILES)
+
+
+def open_standard_files() -> None:
+    """Have descriptors 0 to 2 open: else sockets would take their numbers, and the log go there."""
+    while (descriptor := os.open(os.devnull, os.O_RDWR)) < 3:
+        os.set_inheritable(descriptor, True)
+    os.close(descriptor)
 
 
 def refuse_taken(path: str) -> None:
@@ -80,6 +97,7 @@ def refuse_taken(path: str) -> None:
 
 def main() -> None:
     """Serve until stopped; requests in flight are answered first."""
+    open_standard_files()
     parser = argparse.ArgumentParser(prog="python -m app.serve", description=__doc__)
     for name in OPTIONS:
         described = Settings.model_fields[name].description
@@ -91,9 +109,9 @@ def main() -> None:
         settings = Settings.from_environment()
         if settings.unix_socket:
             refuse_taken(settings.unix_socket)
+        connections = connections_within(settings.max_connections)
     except ValueError as error:
         sys.exit(str(error))
-    connections = connections_within(settings.max_connections)
     os.environ[f"{PREFIX}MAX_CONNECTIONS"] = str(connections)  # for the workers too
     logging.config.dictConfig(log_config(settings.log_level))
     if connections < settings.max_connections:
@@ -120,7 +138,7 @@ def main() -> None:
             log_config=log_config(settings.log_level),
             access_log=False,
             server_header=False,
-            forwarded_allow_ips="*" if settings.unix_socket else [*settings.trusted_proxies],
+            forwarded_allow_ips=[*settings.trusted_proxies, OVER_UNIX],
             timeout_worker_healthcheck=WORKER_ANSWERS_S,
             timeout_keep_alive=settings.keep_alive_seconds,
             timeout_graceful_shutdown=settings.stop_seconds,

@@ -11,6 +11,9 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 PREFIX = "KHV_"
 
+OVER_UNIX = "unix"
+"""Address of who asks over a Unix socket."""
+
 
 def _parts(value: Any) -> Any:
     """What stands between commas."""
@@ -57,17 +60,17 @@ class Settings(BaseSettings):
     """processes that answer requests"""
     root_path: str = Field("", pattern=r"^(/[A-Za-z0-9._~-]+)*$")
     """path prefix at which a proxy shows the service, such as `/reducers`"""
-    trusted_proxies: Annotated[tuple[Address, ...], *BY_COMMAS] = ("127.0.0.1", "::1")
-    """networks whose `X-Forwarded-For` and `-Proto` are believed; over a Unix socket all are"""
+    trusted_proxies: Annotated[tuple[Address, ...], *BY_COMMAS] = ()
+    """networks of proxies whose `X-Forwarded-For` is believed; over a Unix socket all are"""
     max_body_bytes: Bytes = 262_144
     """largest request body; 500 rollers take 60,000"""
-    max_batch_bytes: Bytes = 8_388_608
+    max_batch_bytes: Bytes = 1_048_576
     """largest body of a batch"""
     max_pairs: int = Field(10_000, ge=1, le=10_000)
     """most pins times satellites"""
     max_curve_samples: int = Field(10_001, ge=2, le=10_001)
     """most crank angles of a curve"""
-    max_batch: int = Field(10_000, ge=1, le=10_000)
+    max_batch: int = Field(1_000, ge=1, le=1_000)
     """most requests in one batch"""
     max_seconds: Seconds = 10.0
     """longest calculation, without waiting for a process, s"""
@@ -77,10 +80,12 @@ class Settings(BaseSettings):
     """processes for long calculations, a worker; 0: one a processor"""
     max_waiting: int = Field(64, ge=1, le=100_000)
     """long calculations that wait for a process, a worker"""
-    max_connections: int = Field(2_000, ge=1, le=1_000_000)
+    max_large: int = Field(12, ge=1, le=10_000)
+    """batches, bodies above 16 kB and answers above 256 kB at once, a worker"""
+    max_connections: int = Field(1_000, ge=1, le=1_000_000)
     """open connections, a worker"""
     receive_seconds: Seconds = 10.0
-    """longest time to send a request, or to take 256 kB of an answer, s"""
+    """longest time to send a body, or to take 256 kB of an answer, s"""
     keep_alive_seconds: WholeSeconds = 5
     """how long an idle connection is kept, whole s"""
     stop_seconds: WholeSeconds = 30

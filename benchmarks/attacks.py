@@ -4,8 +4,10 @@ Each attack is repeated in 20 variants that a seed draws: names, exponents, size
 percentiles. First each by itself: how long it holds the event loop, as processor time of the
 workers' first threads. Then eight clients send all of them while another one asks for `/livez`.
 Slow clients have to get the whole of a large batch, and what is no free socket has to stay as it
-is. Ends with 1 where the loop is held for more than 0.1 s, or 0.03 s by what is let in, where the
-99th percentile of `/livez` is above 0.25 s, or where anything is cut short, deleted or taken.
+is. Bodies that do not end, answers that nobody takes, requests one behind the other and long names
+have to leave the memory of all processes as it is. Ends with 1 where the loop is held for more than
+0.1 s, or 0.03 s by what is let in, where the 99th percentile of `/livez` is above 0.25 s, where
+memory grows by more than 300 MB, or where anything is cut short, deleted or taken.
 `make attacks`; variants and seed may be given: `python -m benchmarks.attacks 50 7`.
 """
 
@@ -21,6 +23,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, suppress
 from copy import deepcopy
 from pathlib import Path
 from statistics import median, quantiles
@@ -32,6 +35,7 @@ import httpx
 from app.examples import REQUESTS
 from benchmarks.load import Service, service
 from benchmarks.options import options
+from benchmarks.soak import sample
 
 VARIANTS, CLIENTS = 20, 8
 
@@ -43,6 +47,12 @@ RECEIVE_S = 4
 
 TIMES = 3
 """How often each is sent alone: the least counts, as a busy machine only adds."""
+
+MOST_MB = 300
+"""Most that the memory of all processes may grow by."""
+
+BODY, BATCH = 262_144, 1_048_576
+"""The limits of a body and of a batch."""
 
 Body = dict[str, Any]
 
@@ -163,6 +173,102 @@ def whole(port: int, r: random.Random, quick: bool) -> bool:
     return received.startswith(b"HTTP/1.1 503") or received.endswith(b"0\r\n\r\n")
 
 
+def post(path: str, content: bytes, announced: int = 0) -> bytes:
+    """A request, or the beginning of one that announces more."""
+    head = f"POST /api/v1/{path} HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
+    return f"{head}content-length: {announced or len(content)}\r\n\r\n".encode() + content
+
+
+def unfinished(r: random.Random) -> bytes:
+    """A large body whose last byte does not come."""
+    path, most = r.choice([("hertz", BODY), ("batch", BATCH)])
+    size = r.randint(most // 2, most)
+    return post(path, b" " * (size - 1), size)
+
+
+def untaken(r: random.Random) -> bytes:
+    """A request for a large answer, alone or many in a batch."""
+    large = REQUESTS["contact-force"] | {"pins": 50, "include": ["curves"]}
+    large |= {"samples": r.randint(1000, 10_000)}
+    if r.random() < 0.3:
+        return post("contact-force", json.dumps(large).encode())
+    batch = {"calculation": "contact-force", "requests": [large] * r.randint(20, 200)}
+    return post("batch", json.dumps(batch).encode())
+
+
+def piped(r: random.Random) -> bytes:
+    """Many small requests, one behind the other."""
+    path = r.choice(["/livez", "/", "/api/v1/health", "/static/main.js"])
+    one = f"GET {path} HTTP/1.1\r\nhost: {'x' * r.randint(1, 20)}\r\n\r\n".encode()
+    return one * (252_000 // len(one))
+
+
+def long_head(r: random.Random) -> bytes:
+    """A head that is too long, in one packet."""
+    name = "".join(r.choices(string.ascii_letters, k=r.randint(1, 60)))
+    return (
+        f"GET / HTTP/1.1\r\nhost: x\r\n{name}: {'y' * r.randint(66_000, 99_000)}\r\n\r\n".encode()
+    )
+
+
+def long_name(r: random.Random) -> bytes:
+    """A batch of a request with a name of nearly its size."""
+    name = "".join(r.choices(string.ascii_letters, k=20)) + "x" * r.randint(BODY, BATCH - 1000)
+    return post("batch", json.dumps({"calculation": "hertz", "requests": [{name: 0}]}).encode())
+
+
+CROWDS: dict[str, tuple[int, bool, Callable[[random.Random], bytes]]] = {
+    "bodies without an end": (150, False, unfinished),
+    "answers that nobody takes": (40, False, untaken),
+    "requests one behind the other": (40, False, piped),
+    "heads of 66 kB and more": (40, True, long_head),
+    "names of 1 MB": (50, True, long_name),
+}
+"""Attacks on memory and loop: how many connections, whether they wait for an answer, what each
+sends.
+"""
+
+
+def crowded(
+    running: Service, connections: int, waits: bool, sent: list[bytes]
+) -> tuple[float, float]:
+    """How much memory grows by while all connections are open, MB; the loop's time of each, s."""
+    before, held = memory_mb(running), loop_s(running)
+    most = before
+    with ExitStack() as opened:
+        for content in sent:
+            connection = opened.enter_context(socket.socket())
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 12)
+            connection.settimeout(0.5)
+            connection.connect(("127.0.0.1", running.port))
+            with suppress(OSError):  # it is refused before it is whole, or not read
+                connection.sendall(content)
+                if waits:
+                    connection.settimeout(60)
+                    connection.recv(1 << 16)
+            most = max(most, memory_mb(running))
+        for _ in range(20):
+            time.sleep(0.1)
+            most = max(most, memory_mb(running))
+        held = loop_s(running) - held
+    return most - before, held / connections
+
+
+def memory_mb(running: Service) -> float:
+    """Memory of all processes of the service, each shared page counted once."""
+    return sample(running.process.pid, 0.0).memory_mb
+
+
+def first_with_clearance(client: httpx.Client) -> float:
+    """How much longer the first design with clearance takes than the next, s."""
+    took = []
+    for _ in range(2):
+        start = time.perf_counter()
+        client.post("load-sharing", json=REQUESTS["load-sharing"]).raise_for_status()
+        took.append(time.perf_counter() - start)
+    return took[0] - took[1]
+
+
 def kept(r: random.Random) -> bool:
     """Whether a file and a live socket are left as they are."""
     with tempfile.TemporaryDirectory() as place, socket.socket(socket.AF_UNIX) as live:
@@ -190,6 +296,9 @@ def faults(variants: int, seed: int, smallest: bool) -> Iterator[str]:
         url = f"http://127.0.0.1:{running.port}"
         asked = []
         with httpx.Client(base_url=f"{url}/api/v1/", timeout=240) as client:
+            while client.get(f"{url}/readyz").status_code != 200:
+                time.sleep(0.1)
+            print(f"first design with clearance: {1e3 * first_with_clearance(client):.0f} ms more")
             for attack, (path, draw) in ATTACKS.items():
                 bodies = [draw(r) for _ in range(variants)]
                 asked += [(path, body) for body in bodies]
@@ -207,6 +316,16 @@ def faults(variants: int, seed: int, smallest: bool) -> Iterator[str]:
         print(f"/livez: p50 {1e3 * median(took):.1f} ms, p99 {1e3 * last:.1f} ms of {len(took)}")
         if last > LIVEZ_S:
             yield "/livez is slow"
+        for attack, (connections, waits, send) in CROWDS.items():
+            sent = [send(r) for _ in range(1 if smallest else connections)]
+            grown, held = crowded(running, connections, waits, sent)
+            print(
+                f"{attack:34} memory +{grown:4.0f} MB, held {1e3 * held:6.1f} ms each", flush=True
+            )
+            if grown > MOST_MB:
+                yield f"{attack} take memory"
+            if held > HELD_S:
+                yield f"{attack} hold the loop"
         slow = [random.Random(r.random()) for _ in range(variants)]
         with ThreadPoolExecutor(CLIENTS) as clients:
             got = [*clients.map(lambda each: whole(running.port, each, smallest), slow)]

@@ -141,8 +141,14 @@ class Server:
                 if self.process.poll() is not None:
                     raise RuntimeError(f"{command} did not start") from None
                 time.sleep(0.005)
-        self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.started = started
+        self.connect()
+
+    def connect(self) -> None:
+        """Connect, or anew: servers do not keep for long what brings nothing."""
+        self.connection.close()
+        self.connection = socket.create_connection(("127.0.0.1", self.port))
+        self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def ask(self, request: bytes) -> bytes:
         """Whole answer to a request."""
@@ -269,6 +275,8 @@ def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
         running("app.serve") as service,
     ):
         time.sleep(2)  # the process for long calculations, which the service starts
+        for each in (bare_one, empty_one, service):
+            each.connect()
         print(f"{'over HTTP':16s} {'empty us':>9s} {'service us':>10s} {'ratio':>10s}")
         requests = [(name, name, name, BODIES[name]) for name in MODELS]
         requests += [

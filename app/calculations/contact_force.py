@@ -209,6 +209,11 @@ class LoadFields(CurveFields, TorqueFields):
         default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
 
+    @property
+    def curve_samples(self) -> int:
+        """Points of each curve; 0 where none is asked."""
+        return self.samples if "curves" in self.include else 0
+
     def solve_for(self, mechanism: Mechanism) -> ContactForce:
         """Contact force of a mechanism under this load; what is not included is not computed."""
         return contact_force(
@@ -265,6 +270,10 @@ def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
 
 class ContactForceRequest(MechanismFields, LoadFields):
     """A mechanism and its load."""
+
+    def cost(self) -> float:
+        """Points of its pairs and curves."""
+        return self.points(exponent=self.force_exponent, samples=self.curve_samples)
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where their number is assumed."""

@@ -57,6 +57,10 @@ class ContactLineRequest(GearFields):
         help="Number of points of each curve.",
     )
 
+    def cost(self) -> float:
+        """Points of the contact lines, and those that are asked."""
+        return self.points(self.samples if "points" in self.include else 0)
+
     def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
         """Contact lines, and their points where asked."""
         try:

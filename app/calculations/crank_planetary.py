@@ -1,5 +1,6 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
+import math
 from collections.abc import Callable
 from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
@@ -204,19 +205,23 @@ class CrankPlanetaryRequest(DesignFields):
         """The peak force of one satellite, where forces are asked and their number is assumed."""
         return super().without(path) if "contact_force" in self.sections else {}
 
-    @property
-    def long(self) -> bool:
-        """Whether the forces of the mechanism as it is made are solved, or moments and loads are
-        searched over the turn.
-        """
-        if self.load is None or self.contact is None:
-            return False
+    def cost(self) -> float:
+        """Points of its cyclogram and its ideal forces; what searches or solves has no end."""
+        include = self.include or ()
         cranked = self.bearing is not None or self.crankshaft is not None
-        if self.pin is not None or (cranked and self.gear is not None):
-            return True
-        asked = self.include is not None and "load_sharing" in self.include
+        searches = self.pin is not None or (cranked and self.gear is not None)
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
-        return self.as_made or asked or lost_motion
+        solves = self.as_made or "load_sharing" in include or lost_motion
+        loaded = self.load is not None and self.contact is not None
+        if "fixes" in include or (loaded and (searches or solves)):
+            return math.inf
+        if self.load is None:
+            return self.mechanism.cost()
+        return self.mechanism.points(
+            exponent=self.load.force_exponent,
+            samples=self.load.curve_samples,
+            revolutions=self.mechanism.revolutions,
+        )
 
     @cached_property
     def sections(self) -> list[Section]:

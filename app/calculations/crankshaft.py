@@ -1,5 +1,6 @@
 """Reactions and balance of the crankshaft: request, answer, figure."""
 
+import math
 from typing import Annotated, Any
 
 import numpy as np
@@ -81,10 +82,9 @@ class CrankshaftRequest(CrankedRequest):
 
     crankshaft: CrankshaftFields
 
-    @property
-    def long(self) -> bool:
-        """Always: the loads of its bearings are searched over the turn."""
-        return True
+    def cost(self) -> float:
+        """No end: the loads of its bearings are searched over the turn."""
+        return math.inf
 
     def parts(self) -> dict[str, Any]:
         """Pin, ring and shaft in SI units."""

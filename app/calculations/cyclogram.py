@@ -55,6 +55,10 @@ class RangeFields(RequestModel):
 class CyclogramRequest(MechanismFields, RangeFields):
     """A mechanism and the range of its cyclogram."""
 
+    def cost(self) -> float:
+        """Points of its pairs and turns."""
+        return self.points(revolutions=self.revolutions)
+
     @property
     def driving_phases(self) -> float:
         """About how often pairs drive in the range, at least once each."""

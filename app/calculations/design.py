@@ -245,10 +245,11 @@ class DesignFields(GivingFields):
         """Which forces the results follow from."""
         return "real" if self.as_made else "ideal"
 
-    @property
-    def long(self) -> bool:
-        """Whether the forces of the mechanism as it is made are solved, or its pins bend."""
-        return self.as_made or self.pin is not None
+    def cost(self) -> float:
+        """Points of the ideal forces; real ones are solved, and those of bent pins searched."""
+        if self.as_made or self.pin is not None or self.load is None:
+            return math.inf
+        return self.mechanism.points(exponent=self.load.force_exponent)
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in pairs, and lists of deviations or shares

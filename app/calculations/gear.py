@@ -114,6 +114,10 @@ class WheelFields(RequestModel):
     _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
 
 
+ROLLER_POINTS = 400
+"""Points of a roller, with the nodes of its contact line."""
+
+
 class GearFields(RequestModel):
     """Geometry of the mesh and its rollers."""
 
@@ -178,6 +182,15 @@ class GearFields(RequestModel):
             "nutation_angle": to_si("angle_deg", self.nutation_angle_deg),
             "ratio_u12": self.ratio_u12,
         }
+
+    def points(self, samples: int = 0) -> float:
+        """Points of all contact lines: nodes, or those that are asked if these are more."""
+        count = self.wheel.rollers_total if self.wheel is not None else len(self.rollers or ())
+        return float(count * max(ROLLER_POINTS, samples))
+
+    def cost(self) -> float:
+        """Points of the contact lines."""
+        return self.points()
 
     def all_rollers(self) -> Sequence[Roller]:
         """The rollers in SI units."""

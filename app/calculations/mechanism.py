@@ -24,6 +24,10 @@ MAX_DRAWN_PAIRS = 240
 Angle = Annotated[float, Field(ge=-3600, le=3600)]
 
 
+PAIR_POINTS = 240
+"""Points of a pair, whose forces are searched and integrated over the turn."""
+
+
 class MechanismFields(RequestModel):
     """Pins, satellites, cranks and ratio."""
 
@@ -142,6 +146,15 @@ class MechanismFields(RequestModel):
     def pairs(self) -> int:
         """Number of pin/hole pairs."""
         return self.pins * self.satellites
+
+    def points(self, *, exponent: float = 1.0, samples: int = 0, revolutions: float = 1.0) -> float:
+        """Points over the turn: each satellite has a driving set of its own, which meets those of
+        all others. Forces by an exponent above 1 are as much sharper, and are looked at in as many
+        more places; a curve with more samples has as many.
+        """
+        of_each = max(PAIR_POINTS * max(1.0, exponent), samples) * max(1.0, revolutions)
+        teeth = (self.ring_teeth or 1) / (self.satellite_teeth or 1)
+        return of_each * self.pins * self.satellites**2 * teeth
 
     def most_pins(self, pairs: int) -> dict[str, int]:
         """Most pins that so many pairs allow, for a refusal."""

@@ -118,6 +118,11 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
         default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
 
+    def cost(self) -> float:
+        """Points of the forces, or of the curves if these are more."""
+        samples = self.samples if "curves" in self.include else 0
+        return max(super().cost(), self.mechanism.points(samples=samples))
+
     def parts(self) -> dict[str, Any]:
         """Pin and friction in SI units."""
         return super().parts() | {"friction": Friction(**self.friction.to_core())}

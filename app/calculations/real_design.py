@@ -57,11 +57,6 @@ class RealDesignFields(GivingFields):
 
     model_config = ConfigDict(json_schema_extra=_design_schema)
 
-    @property
-    def long(self) -> bool:
-        """Whether it takes long whatever its counts are."""
-        return True
-
     mechanism: MechanismFields
     load: RealLoadFields
     contact: RealContactFields

@@ -1,5 +1,6 @@
 """Swinging rollers: request, answer, figure."""
 
+import math
 from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
@@ -82,6 +83,10 @@ def _notched_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
         "fatigue": {"anyOf": [{"required": [name]} for name in NOTCHES]},
     }
     schema["allOf"].append({"not": {"properties": twice, "required": [*twice]}})
+
+
+ROLLER_POINTS = 400
+"""Points of a roller, with its part of the curves."""
 
 
 class RollerStrengthRequest(JudgedFields):
@@ -268,6 +273,10 @@ class RollerStrengthRequest(JudgedFields):
                 if getattr(asked, name) is not None:
                     raise field_error(f"fatigue/{name}", "exclusive", field="stress_concentration")
         return self
+
+    def cost(self) -> float:
+        """Points of the rollers; fixes are searched."""
+        return math.inf if "fixes" in self.include else float(ROLLER_POINTS * self.rollers)
 
     def solve(self) -> RollerStrength:
         """Load sharing and strength of the rollers."""

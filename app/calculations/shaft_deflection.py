@@ -1,5 +1,6 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
+import math
 from collections.abc import Callable
 from typing import Any, ClassVar, cast
 
@@ -96,6 +97,10 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
     """A mesh, its torque and the shaft that carries it."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
+
+    def cost(self) -> float:
+        """Points of the contact lines; fixes are searched."""
+        return math.inf if "fixes" in self.include else super().cost()
 
     bearing_distance_mm: float = quantity(
         "Bearing distance",

@@ -111,11 +111,6 @@ class TargetFields(RequestModel):
 class SolveRequest(RequestModel):
     """A calculation with its input, the field that may change, and the result that is wanted."""
 
-    @property
-    def long(self) -> bool:
-        """Whether it takes long whatever its counts are."""
-        return True
-
     calculation: Literal[
         "hertz",
         "contact-force",
@@ -181,7 +176,8 @@ class SolveRequest(RequestModel):
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str]]:
         """The solution, what it sets, and which inputs were linked."""
-        calculation, adapter, long = SOLVED[self.calculation], self.adapter, self.asked.long
+        calculation, adapter = SOLVED[self.calculation], self.adapter
+        long = math.isinf(self.asked.cost())
         parts = _parts(self.variable.pointer)
         place = _parent(self.input, parts)
         if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:

@@ -41,12 +41,7 @@ MAX_ROLLERS = 24
 
 
 class Study(RequestModel):
-    """A study of one calculation: always long, as it repeats every method."""
-
-    @property
-    def long(self) -> bool:
-        """Whether it takes long whatever its counts are."""
-        return True
+    """A study of one calculation, which repeats every method."""
 
 
 class PeakForceStudy(Study):

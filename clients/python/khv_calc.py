@@ -10,7 +10,6 @@
 Names of calculations and fields are those of the API (its description: /docs of the service).
 """
 
-import itertools
 import json
 import time
 from collections.abc import Iterable, Iterator, Mapping
@@ -19,6 +18,9 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 import httpx
+
+MOST_AT_ONCE, MOST_BYTES = 1000, 1 << 20
+"""Most requests of one batch, and bytes of it, that a service takes by default."""
 
 Answer = dict[str, Any]
 """An answer as the service sends it; what was not asked for is not in it."""
@@ -113,21 +115,27 @@ class Client:
         Refused
             If the input is wrong, the mechanism cannot work, or the service stays busy.
         """
-        with self._answer("POST", calculation, {**(body or {}), **fields}) as answer:
+        content = _json({**(body or {}), **fields})
+        with self._answer("POST", calculation, content) as answer:
             return _object(answer.read())
 
     def ask_many(
-        self, calculation: str, bodies: Iterable[Mapping[str, Any]], *, at_once: int = 1000
+        self,
+        calculation: str,
+        bodies: Iterable[Mapping[str, Any]],
+        *,
+        at_once: int = MOST_AT_ONCE,
+        most_bytes: int = MOST_BYTES,
     ) -> Iterator[Answer | Refused]:
         """Answers to many requests of one calculation, in their order, as they are done.
 
-        What cannot be answered is a `Refused` in its place, not raised. The requests are sent
-        `at_once` at a time. The service does not wait long for a client that takes no answers: do
-        what takes longer afterwards.
+        What cannot be answered is a `Refused` in its place, not raised. The requests are sent in
+        batches of `at_once` and `most_bytes` at most. The service does not wait long for a client
+        that takes no answers: do what takes longer afterwards.
         """
-        rest = iter(bodies)
-        while some := list(itertools.islice(rest, at_once)):
-            batch = {"calculation": calculation, "requests": some}
+        head = f'{{"calculation": {json.dumps(calculation)}, "requests": ['
+        for some in _cut(map(_json, bodies), at_once, most_bytes - len(head) - len("]}")):
+            batch = f"{head}{','.join(some)}]}}"
             with self._answer("POST", "batch", batch, accept="application/x-ndjson") as answer:
                 for _, line in zip(some, answer.iter_lines(), strict=True):
                     item = _object(line)
@@ -135,10 +143,9 @@ class Client:
 
     @contextmanager
     def _answer(
-        self, method: str, path: str, body: Answer | None = None, accept: str = "application/json"
+        self, method: str, path: str, content: str | None = None, accept: str = "application/json"
     ) -> Iterator[httpx.Response]:
         """A good answer, not read yet; a busy service is asked again when it says."""
-        content = None if body is None else json.dumps(body, default=_plain, allow_nan=False)
         headers = {"accept": accept, "content-type": "application/json"}
         end = time.monotonic() + self.patience_s
         while True:
@@ -154,6 +161,25 @@ class Client:
         if answer.headers.get("content-type") == "application/problem+json":
             raise Refused(answer.json())
         answer.raise_for_status()
+
+
+def _cut(requests: Iterable[str], at_once: int, most_bytes: int) -> Iterator[list[str]]:
+    """Requests in batches of so many, and of so many bytes with commas, but of one at least."""
+    some: list[str] = []
+    size = 0
+    for each in requests:
+        if some and (len(some) == at_once or size + len(each) >= most_bytes):
+            yield some
+            some, size = [], 0
+        some.append(each)
+        size += len(each) + 1
+    if some:
+        yield some
+
+
+def _json(body: Mapping[str, Any]) -> str:
+    """A request as it is sent, in ASCII."""
+    return json.dumps(body, default=_plain, allow_nan=False)
 
 
 def _object(text: str | bytes) -> Answer:

@@ -246,7 +246,7 @@ async def test_batches_travel_compressed_where_the_client_takes_that(api, accept
         headers = {"accept": accept, "accept-encoding": coding}
         async with api.stream("POST", "batch", json=body, headers=headers) as answer:
             assert answer.headers.get("content-encoding", "identity") == coding
-            assert answer.headers["vary"] == "accept-encoding"
+            assert answer.headers["vary"].lower() == "accept-encoding"
             sizes[coding] = len(b"".join([part async for part in answer.aiter_raw()]))
         assert answer.status_code == 200
     assert sizes["gzip"] < sizes["identity"] / 5

@@ -6,7 +6,7 @@ from copy import deepcopy
 
 import pytest
 
-from app.endpoint import LIGHT_POINTS, points
+from app.endpoint import LIGHT_COST
 from app.registry import CALCULATIONS
 
 pytestmark = pytest.mark.anyio
@@ -745,15 +745,15 @@ def test_real_forces_of_a_section_leave_the_event_loop():
         body.pop("pin", None)
         real.pop("pin", None)
         request = CALCULATIONS[name].request
-        assert points(request.model_validate(body)) <= LIGHT_POINTS
-        assert points(request.model_validate(real)) > LIGHT_POINTS
+        assert request.model_validate(body).cost() <= LIGHT_COST
+        assert request.model_validate(real).cost() > LIGHT_COST
 
 
 def test_fixes_of_a_loaded_design_leave_the_event_loop():
     """Whatever its load includes."""
     body = changed(pin=None, fatigue=None, gear=None, include=["fixes"])
     read = CALCULATIONS[PATH].request.model_validate(body)
-    assert points(read) > LIGHT_POINTS
+    assert read.cost() > LIGHT_COST
 
 
 async def test_real_curves_are_at_their_angles(api):

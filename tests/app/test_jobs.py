@@ -5,6 +5,7 @@ import gc
 import os
 import random
 import signal
+from collections import Counter
 
 import pytest
 
@@ -239,3 +240,32 @@ async def test_without_being_started_ahead_processes_start_with_the_first_job():
     del jobs
     gc.collect()
     await until(lambda: not lives(pid))
+
+
+async def test_who_has_nothing_waiting_finds_room(gate):
+    """However many addresses others have: eight fill the queue, which has as much room again."""
+    jobs = Jobs(processes=1, waiting=8, preload=PRELOAD)
+    asking, waiting = [], Counter()
+
+    async def asked(client):
+        try:
+            jobs.admit(client)
+        except Busy:
+            return False
+        job = all_of(jobs, gate.held, limit_s=60, client=client)
+        asking.append(asyncio.create_task(job))
+        await asyncio.sleep(0)
+        waiting[client] += 1
+        return True
+
+    async with jobs:
+        await until(lambda: jobs.ready)
+        for _ in range(20):
+            for client in range(8):
+                await asked(client)
+        held = waiting.total() - 1  # one is done
+        assert 8 <= held < 16 and not await asked(0)
+        others = [await asked(f"other {each}") for each in range(20)]
+        assert others == [True] * (16 - held) + [False] * (4 + held)
+        gate.let()
+        await asyncio.gather(*asking)

@@ -1,13 +1,14 @@
 """Every refusal has one shape, names the field in plain words and never echoes the input."""
 
 import re
+import tracemalloc
 
 import httpx
 import pytest
 
 from app.examples import REQUESTS
 from app.main import create_app
-from app.problems import TEXTS
+from app.problems import MAX_NAME, TEXTS, pointer
 from app.settings import Settings
 from core.notices import NOTICES
 
@@ -224,3 +225,15 @@ async def test_a_failure_of_the_service_tells_nothing_about_itself(small):
     assert refused(response, 500) == []
     assert "secret" not in response.text
     assert response.headers["x-content-type-options"] == "nosniff"
+
+
+def test_long_names_are_cut_before_they_are_kept():
+    """1,000 of 100 kB, each another one, leave next to nothing behind."""
+    tracemalloc.start()
+    try:
+        for number in range(1000):
+            assert len(pointer([f"{number}{'~' * 100_000}"])) < 2 * MAX_NAME
+        kept, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert kept < 1_000_000

@@ -14,14 +14,9 @@ from pydantic import TypeAdapter
 
 from app import endpoint, jobs
 from app.calculations.contact_force import ContactForceRequest
-from app.endpoint import (
-    LIGHT_BYTES,
-    LIGHT_POINTS,
-    PAIR_POINTS,
-    ROLLER_POINTS,
-    points,
-    read_body,
-)
+from app.calculations.gear import ROLLER_POINTS
+from app.calculations.mechanism import PAIR_POINTS
+from app.endpoint import LIGHT_BYTES, LIGHT_COST, read_body
 from app.examples import REQUESTS
 from app.main import create_app
 from app.problems import Problem
@@ -199,9 +194,9 @@ async def test_a_process_that_dies_is_no_server_error(held):
 )
 async def test_a_process_gives_the_same_answer_as_the_event_loop(monkeypatch, path, body):
     async with service() as api:
-        monkeypatch.setattr(endpoint, "LIGHT_POINTS", float("inf"))
+        monkeypatch.setattr(endpoint, "LIGHT_COST", float("inf"))
         inline = await api.post(path, json=body)
-        monkeypatch.setattr(endpoint, "LIGHT_POINTS", -1.0)
+        monkeypatch.setattr(endpoint, "LIGHT_COST", -1.0)
         apart = await api.post(path, json=body)
     assert apart.status_code == inline.status_code
     assert apart.headers["content-type"] == inline.headers["content-type"]
@@ -219,14 +214,14 @@ def test_usual_designs_run_at_once(exponent, include):
     request = ContactForceRequest(
         pins=6, satellites=3, ratio=20.0, force_exponent=exponent, include=include, **LOAD
     )
-    assert points(request) <= LIGHT_POINTS
+    assert request.cost() <= LIGHT_COST
 
 
 def test_long_calculations_are_known_beforehand():
-    assert points(ContactForceRequest(**SLOW)) > 100 * LIGHT_POINTS
+    assert ContactForceRequest(**SLOW).cost() > 100 * LIGHT_COST
     study = TypeAdapter(CALCULATIONS["work-precision"].request)
     asked = study.validate_python(REQUESTS["work-precision"])
-    assert points(asked) == float("inf")
+    assert asked.cost() == float("inf")
 
 
 MOST_STEPS = 3_000_000
@@ -244,12 +239,12 @@ def largest(name, satellites, exponent):
         mechanism["satellites"] = satellites
         mechanism["crank_angles_deg"] = [97.3 * each for each in range(satellites)]
         sharp = max(1.0, exponent) if "output_torque_Nm" in load else 1.0
-        most = LIGHT_POINTS / (PAIR_POINTS * satellites**2 * sharp)
+        most = LIGHT_COST / (PAIR_POINTS * satellites**2 * sharp)
         mechanism["pins"] = max(1, int(most))
         if "output_torque_Nm" in load:
             load["force_exponent"] = exponent
     if "wheel" in body:
-        body["wheel"]["rollers_total"] = int(LIGHT_POINTS / ROLLER_POINTS)
+        body["wheel"]["rollers_total"] = int(LIGHT_COST / ROLLER_POINTS)
     return body
 
 
@@ -260,7 +255,7 @@ def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(na
     for satellites in (1, 3, 9):
         content = json.dumps(largest(name, satellites, exponent)).encode()
         try:
-            if points(read_body(calculation, content, Settings())) > LIGHT_POINTS:
+            if read_body(calculation, content, Settings()).cost() > LIGHT_COST:
                 continue
         except Problem:
             assert name in ("pin-strength", "crankshaft", "tolerance-study")  # never there
@@ -282,13 +277,13 @@ def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(na
 @pytest.mark.parametrize("name", ["pin-strength", "crankshaft"])
 def test_what_is_searched_over_the_turn_leaves_the_event_loop(name):
     read = TypeAdapter(CALCULATIONS[name].request).validate_python(REQUESTS[name])
-    assert points(read) > LIGHT_POINTS
+    assert read.cost() > LIGHT_COST
 
 
 def test_less_than_one_turn_is_no_less_work():
     request = TypeAdapter(CALCULATIONS["cyclogram"].request)
     many = {"pins": 16, "satellites": 100, "ratio": 20.0}
-    assert points(request.validate_python(many | {"revolutions": 1e-8})) > LIGHT_POINTS
+    assert request.validate_python(many | {"revolutions": 1e-8}).cost() > LIGHT_COST
 
 
 async def test_a_large_body_is_read_in_a_process(monkeypatch):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.calculations.crank_planetary import CrankPlanetaryRequest
-from app.endpoint import LIGHT_POINTS, points
+from app.endpoint import LIGHT_COST
 from app.examples import REQUESTS
 
 pytestmark = pytest.mark.anyio
@@ -305,6 +305,6 @@ def test_only_what_solves_or_searches_over_the_turn_is_long():
         (changed(IDEAL, requirements={"max_lost_motion_arcmin": 1}), True),
     ):
         read = CrankPlanetaryRequest.model_validate(body)
-        assert (points(read) > LIGHT_POINTS) == long, body
+        assert (read.cost() > LIGHT_COST) == long, body
     read = CrankPlanetaryRequest.model_validate(changed(load=None, include=None))
-    assert points(read) <= LIGHT_POINTS  # without a load there is nothing to solve
+    assert read.cost() <= LIGHT_COST  # without a load there is nothing to solve

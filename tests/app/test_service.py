@@ -15,6 +15,7 @@ import pytest
 
 from app import VERSION, main, observability
 from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.examples import REQUESTS
 from app.main import create_app
 from app.problems import KINDS
 from app.settings import Settings
@@ -406,6 +407,19 @@ async def test_large_answers_travel_compressed(api):
         assert "content-encoding" not in plain.headers
         assert {each.headers["vary"].lower() for each in (plain, packed)} == {"accept-encoding"}
         assert int(packed.headers["content-length"]) < len(plain.content) / 1.5
+
+
+async def test_nothing_is_compressed_for_who_does_not_take_that(api):
+    batch = {"calculation": "hertz", "requests": [REQUESTS["hertz"]] * 20}
+    for refused in ("gzip;q=0", "br, gzip ; q=0.0", "gzip;q=0, br"):
+        headers = {"accept-encoding": refused}
+        for path in ("materials", "http://service/static/main.js"):
+            assert "content-encoding" not in (await api.get(path, headers=headers)).headers
+        for path, body in (("batch", batch), ("hertz/chart", REQUESTS["hertz"])):
+            answer = await api.post(path, json=body, headers=headers)
+            assert "content-encoding" not in answer.headers
+    taken = await api.get("materials", headers={"accept-encoding": "gzip;q=0.5"})
+    assert taken.headers["content-encoding"] == "gzip"
 
 
 async def test_the_line_of_a_request_suits_every_formatter(api):

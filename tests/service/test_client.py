@@ -1,6 +1,7 @@
 """The Python client against a running service, and against one that is busy."""
 
 import ast
+import json
 import pickle
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 from khv_calc import Client, Fault, Refused
 
 from app.examples import EXAMPLES, REQUESTS
+from app.settings import Settings
 
 FORCE = {"pins": 3, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
 HERTZ = REQUESTS["hertz"]
@@ -104,10 +106,45 @@ def test_many_answers_in_their_order(calc):
 
 
 def test_answers_come_before_all_are_done_and_may_be_left(calc):
-    several = calc.ask_many("hertz", [HERTZ] * 10_000, at_once=10_000)
+    several = calc.ask_many("hertz", [HERTZ] * 10_000)
     assert next(several)["max_pressure_MPa"] > 0
     several.close()
     assert calc.ask("hertz", HERTZ)
+
+
+def batches_of(*bodies, **limits):
+    """Contents of the batches in which a client sends requests."""
+    sent = []
+
+    def answered(request):
+        sent.append(request.content)
+        return httpx.Response(200, text='{"result":{}}\n' * len(json.loads(sent[-1])["requests"]))
+
+    client = Client("http://service", transport=httpx.MockTransport(answered))
+    assert [*client.ask_many("hertz", bodies, **limits)] == [{}] * len(bodies)
+    assert [each for one in sent for each in json.loads(one)["requests"]] == [*bodies]
+    return sent
+
+
+def test_long_lists_are_cut_by_number_and_by_bytes():
+    """None is lost; none is more than a service takes, but for a request that is so by itself."""
+    sent = batches_of(*({"force_N": n} for n in range(2500)))
+    assert [len(json.loads(each)["requests"]) for each in sent] == [1000, 1000, 500]
+    assert batches_of() == []
+    for letters in ("x", "é"):
+        sent = batches_of(*({"a": letters * r} for r in range(2000)))
+        assert len(sent) > 2 and all(len(each) <= 1 << 20 for each in sent)
+    body = {"a": "x" * 50}
+    (alone,) = batches_of(body)
+    assert len(batches_of(body, body, most_bytes=len(alone))) == 2
+    assert len(batches_of(body, body, most_bytes=2 * len(alone))) == 1
+    assert len(batches_of(body, body, most_bytes=1)) == 2
+
+
+def test_what_the_client_cuts_by_is_what_the_service_takes():
+    settings = Settings()
+    assert settings.max_batch == khv_calc.MOST_AT_ONCE
+    assert settings.max_batch_bytes == khv_calc.MOST_BYTES
 
 
 def test_a_batch_that_is_none_is_refused_as_a_whole(calc):

@@ -22,7 +22,7 @@ MOST_BYTES = 100_000
 MOST_MB = 500
 MOST_LOOP_S = 0.05
 
-BODY, BATCH = 262_144, 8_388_608  # the default limits
+BODY, BATCH = 262_144, 1_048_576  # the default limits
 HERTZ = {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
 FORCE = b'"pins":3,"ratio":20,"output_torque_Nm":500,"pin_circle_radius_mm":50'
 
@@ -153,9 +153,9 @@ def test_answers_that_nobody_takes_are_bounded(running):
 def test_a_batch_of_wrong_requests_names_a_few_of_their_errors(running):
     pid, client = running
     wrong = {f"unknown field {n}": 0 for n in range(30)}
-    asked = {"calculation": "hertz", "requests": [wrong] * 10_000}
+    asked = {"calculation": "hertz", "requests": [wrong] * 1000}
     results = client.post("batch", json=asked).json()["results"]
-    assert len(results) == 10_000
+    assert len(results) == 1000
     named = [each["problem"].pop("errors") for each in results]
     assert sum(map(len, named)) == 100
     assert len(json.dumps(named)) <= MOST_BYTES

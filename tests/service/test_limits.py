@@ -1,18 +1,25 @@
-"""Clients that send too slowly, too much, too many, or that do not take their answer."""
+"""Clients that send too slowly, too much, too many, two at a time, or do not take their answer."""
 
+import json
 import socket
 import time
 from contextlib import ExitStack
 
 import httpx
 
-from tests.running_service import eventually
+from app.examples import REQUESTS
+from tests.running_service import eventually, nothing_is_calculated
 
 CYCLOGRAM = b'{"pins": 3, "ratio": 20}'
 POST = (
     b"POST /api/v1/cyclogram HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
     b"content-length: %d\r\n\r\n"
 )
+LONG = json.dumps({"pins": 270, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}).encode()
+"""A cyclogram that is calculated in a process."""
+
+CURVES = REQUESTS["contact-force"] | {"pins": 50, "include": ["curves"], "samples": 10_000}
+"""A small request for some 10 MB."""
 
 
 def connect(service):
@@ -27,46 +34,32 @@ def rest(connection):
     return received
 
 
-def closes_as_too_slow(connection, start, sent):
-    received = rest(connection)
-    assert time.perf_counter() - start > 1
-    assert received.startswith(b"HTTP/1.1 408 ") is sent
-    if sent:
-        assert b"content-type: application/problem+json" in received
-        assert b"connection: close" in received
-    else:
-        assert received == b""
+def lines_of(service, request_id):
+    return [line for line in service.log() if line.get("id") == request_id]
 
 
-def test_headers_that_do_not_come_to_an_end(service):
-    start = time.perf_counter()
-    with connect(service) as silent, connect(service) as half:
-        half.sendall(b"GET / HTTP/1.1\r\nhost: x\r\n")
-        assert httpx.get(f"{service.url}/api/v1/health").status_code == 200
-        closes_as_too_slow(silent, start, sent=True)
-        closes_as_too_slow(half, start, sent=True)
+def test_a_connection_that_brings_nothing_is_closed_without_a_word(service):
+    with connect(service) as silent:
+        assert rest(silent) == b""
 
 
-def test_headers_that_trickle_gain_no_time(service):
+def test_a_body_that_does_not_come_to_an_end(service):
+    """However it trickles: it has one time for all of it."""
     start = time.perf_counter()
     with connect(service) as connection:
-        connection.sendall(b"GET / HTTP/1.1\r\nhost: x\r\n")
+        connection.sendall(POST % 1000)
         connection.settimeout(0.2)
         received = b""
         while not received and time.perf_counter() - start < 20:
-            connection.sendall(b"x-more: y\r\n")
+            connection.sendall(b" ")
             try:
                 received = connection.recv(1000)
             except TimeoutError:
                 continue
+    assert time.perf_counter() - start > 1
     assert received.startswith(b"HTTP/1.1 408 ")
-
-
-def test_a_body_that_does_not_come_to_an_end(service):
-    start = time.perf_counter()
-    with connect(service) as connection:
-        connection.sendall(POST % 1000 + b'{"pins": ')
-        closes_as_too_slow(connection, start, sent=True)
+    assert b"content-type: application/problem+json" in received
+    assert b"connection: close" in received
 
 
 def test_a_second_request_has_its_own_time_and_the_first_its_answer(service):
@@ -82,6 +75,44 @@ def test_a_second_request_has_its_own_time_and_the_first_its_answer(service):
     assert second.startswith(b"408 ")
 
 
+def test_a_second_request_in_the_pipe_is_not_read_and_ends_the_connection(service):
+    """Where the first is answered, and where it is not yet; however many there are."""
+    errors = service.said('"level":"error"')
+    ask = b"GET /livez HTTP/1.1\r\nhost: x\r\nx-request-id: %b\r\n\r\n"
+    with connect(service) as connection:
+        connection.sendall(ask % b"piped" + ask % b"unread" * 3000)
+        received = rest(connection)
+    assert received.count(b"HTTP/1.1 200 ") == 1 and received.endswith(b"alive")
+    with connect(service) as connection:
+        connection.sendall(POST % len(CYCLOGRAM) + CYCLOGRAM + POST % len(CYCLOGRAM))
+        assert rest(connection).count(b"HTTP/1.1 ") == 1
+    assert eventually(lambda: lines_of(service, "piped"))
+    assert not lines_of(service, "unread") and service.said('"level":"error"') == errors
+
+
+def test_a_client_with_a_second_request_in_the_pipe_can_go(serve):
+    """What it gave up is ended, and the next one's turn comes: nothing else would end it."""
+    with serve(processes=1, max_seconds=3600) as service:
+        with nothing_is_calculated(service, 1) as go_on:
+            with connect(service) as connection:
+                head = (POST % len(LONG)).replace(b"host: x", b"host: x\r\nx-request-id: gone")
+                connection.sendall(head + LONG + POST % len(LONG) + LONG)
+                metrics = f"{service.url}/metrics"
+                assert eventually(lambda: "khv_requests_in_flight 2.0" in httpx.get(metrics).text)
+            assert eventually(lambda: lines_of(service, "gone"))
+            (line,) = lines_of(service, "gone")
+            assert (line["status"], line["level"]) == (499, "info")
+            go_on()
+        answer = httpx.post(
+            f"{service.url}/api/v1/cyclogram", content=LONG, headers=JSON, timeout=60
+        )
+        assert answer.status_code == 200
+        assert not [line for line in service.log() if line["level"] == "error"]
+
+
+JSON = {"content-type": "application/json"}
+
+
 def test_a_body_refused_for_its_size_gets_one_answer_only(service):
     with connect(service) as connection:
         connection.sendall(POST % 10**9 + b"[")
@@ -90,10 +121,17 @@ def test_a_body_refused_for_its_size_gets_one_answer_only(service):
     assert received.count(b"HTTP/1.1 ") == 1
 
 
-def test_headers_without_end_are_refused_by_their_size(service):
-    with connect(service) as connection:
-        connection.sendall(b"GET / HTTP/1.1\r\nhost: x\r\nx-long: " + b"y" * 66_000)
-        assert connection.recv(1000).startswith(b"HTTP/1.1 431 ")
+def test_heads_are_refused_by_their_size(service):
+    """Without an end, in one packet, and in the address."""
+    for sent in (
+        b"GET / HTTP/1.1\r\nhost: x\r\nx-long: " + b"y" * 66_000,
+        b"GET / HTTP/1.1\r\nhost: x\r\nx-long: " + b"y" * 70_000 + b"\r\n\r\n",
+        b"GET /" + b"y" * 70_000 + b" HTTP/1.1\r\nhost: x\r\n\r\n",
+    ):
+        with connect(service) as connection:
+            connection.sendall(sent)
+            received = rest(connection)
+        assert received.startswith(b"HTTP/1.1 431 ") and received.count(b"HTTP/1.1 ") == 1
 
 
 def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(service):
@@ -101,32 +139,58 @@ def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(service):
         head = (POST % 1000).replace(b"host: x", b"host: x\r\nx-request-id: gone")
         connection.sendall(head + b'{"pins": ')
 
-    def logged():
-        return [line for line in service.log() if line.get("id") == "gone"]
-
-    assert eventually(logged)
-    assert [(line["status"], line["level"]) for line in logged()] == [(499, "info")]
+    assert eventually(lambda: lines_of(service, "gone"))
+    assert [(line["status"], line["level"]) for line in lines_of(service, "gone")] == [
+        (499, "info")
+    ]
 
 
 def test_an_answer_that_nobody_takes_is_dropped(service):
-    """Pipelined requests for a large file, and a client that reads nothing."""
-    ask = b"GET /static/vendor/plotly/plotly-basic.min.js HTTP/1.1\r\nhost: x\r\n%b\r\n"
+    """A large answer, and a client that reads nothing."""
+    content = json.dumps(CURVES).encode()
+    head = (POST % len(content)).replace(b"cyclogram", b"contact-force")
     with socket.socket() as connection:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         connection.settimeout(10)
         connection.connect(("127.0.0.1", service.port))
-        connection.sendall(ask % b"x-request-id: untaken\r\n" + ask % b"" * 19)
-        # The first ones fit into the buffers; of the others none is under way any more.
-        assert eventually(lambda: any(line.get("id") == "untaken" for line in service.log()))
-        metrics = f"{service.url}/metrics"
-        assert eventually(lambda: "khv_requests_in_flight 1.0" in httpx.get(metrics).text)
+        connection.sendall(head.replace(b"host: x", b"host: x\r\nx-request-id: untaken") + content)
+        # What fits into the buffers is sent; of the rest nothing is under way any more.
+        assert eventually(lambda: lines_of(service, "untaken"))
         received = 0
         try:
             while part := connection.recv(1 << 20):
                 received += len(part)
         except ConnectionResetError:
             pass
-    assert received < 12_000_000  # half of it
+    assert received < 6_000_000  # half of it
+
+
+def test_what_is_large_has_few_places_and_what_is_small_needs_none(serve):
+    """Bodies that are not whole, and batches: the next one is told to come again."""
+    large = POST % 20_000 + b" " * 17_000
+    batch = (POST % 1000).replace(b"cyclogram", b"batch") + b"{"
+    with serve(max_large=2, receive_seconds=3600) as service, ExitStack() as held:
+        for sent in (large, batch):
+            held.enter_context(connect(service)).sendall(sent)
+
+        def asked(path, content):
+            url = f"{service.url}/api/v1/{path}"
+            return httpx.post(url, content=content, headers=JSON)
+
+        refused = {}
+
+        def full():
+            refused["answer"] = asked("batch", b"{}")
+            return refused["answer"].status_code == 503
+
+        assert eventually(full)
+        assert int(refused["answer"].headers["retry-after"]) > 0
+        assert asked("cyclogram", CYCLOGRAM + b" " * 17_000).status_code == 503
+        small = json.dumps(CURVES).encode()
+        assert asked("contact-force", small).status_code == 503  # for its answer
+        assert asked("cyclogram", CYCLOGRAM).status_code == 200
+        held.close()
+        assert eventually(lambda: asked("batch", b"{}").status_code == 422)
 
 
 def test_too_many_connections_are_told_when_to_come_again(service):

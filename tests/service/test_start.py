@@ -45,11 +45,15 @@ def test_a_unix_socket_and_the_addresses_that_its_proxy_names(serve, tmp_path):
         serve(unix_socket=path, root_path="/reducers", workers=2) as service,
         httpx.Client(transport=httpx.HTTPTransport(uds=path), base_url="http://x") as client,
     ):
-        for prefix in ("/reducers", ""):
-            answer = client.get(f"{prefix}/api/v1/health", headers={"x-forwarded-for": "192.0.2.7"})
-            assert answer.status_code == 200
+        for prefix, names in (
+            ("/reducers", {"x-forwarded-for": "192.0.2.7"}),
+            ("", {"x-forwarded-for": "203.0.113.9, 192.0.2.7"}),  # the first the client wrote
+            ("", {"x-forwarded-for": "y" * 50_000}),
+            ("", {}),
+        ):
+            assert client.get(f"{prefix}/api/v1/health", headers=names).status_code == 200
     lines = [line for line in service.log() if line.get("route") == "/api/v1/health"]
-    assert [line["client"] for line in lines] == ["192.0.2.7"] * 2
+    assert sorted(line["client"] for line in lines) == [*["192.0.2.7"] * 2, "unix", "y" * 45]
 
 
 @pytest.mark.parametrize("what", ["file", "link to a file", "directory", "live socket"])
@@ -90,8 +94,8 @@ def test_a_socket_that_was_left_behind_is_taken(serve, tmp_path, workers):
 
 def test_only_a_trusted_proxy_names_the_client(serve, service):
     names = {"x-forwarded-for": "192.0.2.7", "x-request-id": "proxied"}
-    with serve(trusted_proxies="10.0.0.0/8") as other:
-        for running, client in ((service, "192.0.2.7"), (other, "127.0.0.1")):
+    with serve(trusted_proxies="127.0.0.0/8") as other:
+        for running, client in ((other, "192.0.2.7"), (service, "127.0.0.1")):
             httpx.get(f"{running.url}/api/v1/health", headers=names)
 
             def clients(running=running):
@@ -109,6 +113,29 @@ def test_connections_stay_within_the_limit_of_descriptors(serve):
             idle.enter_context(socket.create_connection(("127.0.0.1", service.port)))
         assert eventually(lambda: httpx.get(f"{service.url}/readyz").status_code == 503)
         assert httpx.get(f"{service.url}/livez").status_code == 200
+
+
+def test_too_few_descriptors_end_the_start_with_one_line():
+    command = f'ulimit -n 64; exec "{sys.executable}" -m app.serve'
+    ended = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
+    assert ended.returncode == 1 and ended.stdout == ""
+    (line,) = ended.stderr.splitlines()
+    assert "descriptors is 64" in line
+
+
+def test_without_standard_files_no_line_of_the_log_goes_into_another():
+    """What is opened first would take their numbers."""
+    code = "import os; from app.serve import open_standard_files; os.closerange(0, 3); "
+    code += "open_standard_files(); print(*map(os.readlink, map('/proc/self/fd/{}'.format, "
+    code += "range(3))), os.open('.', 0), file=open('/proc/%d/fd/%d' % (os.getpid(), FD), 'w'))"
+    reading, writing = os.pipe()
+    subprocess.run(
+        [sys.executable, "-c", code.replace("FD", str(writing))], pass_fds=(writing,), check=True
+    )
+    os.close(writing)
+    with open(reading) as told:
+        *standard, free = told.read().split()
+    assert standard == ["/dev/null"] * 3 and int(free) > 2
 
 
 @pytest.fixture
