@@ -188,8 +188,22 @@ _BEAM = (
     "pin.material",
 )
 """Of pins, by whose bending satellites share the load and contacts press on their edges."""
-_CONTACT = (*_FORCE, "contact_length", *_HOLE, *_FACTORS, *_BEAM)
-_PIN = (*_FORCE, *_FACTORS, *_BEAM)
+_SHARING = (
+    "contact_length",
+    *_HOLE,
+    "eccentricity",
+    "pin_material",
+    "hole_material",
+    *_BEAM,
+    "contact_law",
+    "deviations",
+    "crank_support",
+    "satellite_coupling",
+)
+"""Of pins and holes as they are made: how satellites and pins share the load."""
+_FORCES = (*_FORCE, *_FACTORS, *_SHARING)
+_CONTACT = (*_FORCES, "distribution_factor")
+_PIN = _FORCES
 _FATIGUE = (
     "fatigue.surface",
     "fatigue.surface_factor",
@@ -221,7 +235,8 @@ _ROOTS = (
     "eccentricity",
 )
 """Of where the roots of a satellite's teeth are."""
-_BEARING = (*_FORCE, *_BEAM, *_TURNING, *_RING, "bearing.kind", "bearing.ring_factor")
+_BEARING = (*_FORCES, "ratio", *_RING, "bearing.kind")
+_LIFE = ("input_speed", "requirements.life")
 _BALANCE = (
     "input_speed",
     "eccentricity",
@@ -246,7 +261,7 @@ _SHAFT = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sec
 
 def _contact_kinds(body: str) -> dict[str, Kind]:
     """Checks of the surface of pin or hole."""
-    inputs = (*_CONTACT, f"{body}_material")
+    inputs = _CONTACT
     return {
         f"contact_pressure_{body}": Kind(
             f"Contact pressure of the {body}", "contact", "MPa", "p ≤ p_all·Z_NT/S",
@@ -288,7 +303,7 @@ CHECKS = {
     "contact_conformity": Kind(
         "Width of the contact", "contact", "", "a/r ≤ 0.159",
         "Above it the pressure by Hertz is off by more than 1 %.",
-        (*_CONTACT, "pin_material", "hole_material"), "hertz",
+        _CONTACT, "hertz",
     ),
     "interference": Kind(
         "Room of the pins in their holes", "geometry", "mm", "min(C − |P·exp(−iθ) − H|) ≥ 0",
@@ -303,12 +318,13 @@ CHECKS = {
     "backlash": Kind(
         "Backlash of the output mechanism", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
         "Otherwise the unloaded output turns by more than is asked.",
-        (*_PLAY, "max_backlash"), "load_sharing",
+        (*_PLAY, "deviations", "crank_support", "max_backlash"), "load_sharing",
     ),
     "lost_motion": Kind(
         "Lost motion of the output mechanism", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
         "Otherwise the output gives way by more than is asked when the torque turns.",
-        (*_PLAY, "output_torque", "max_lost_motion"), "load_sharing",
+        ("output_torque", "pin_circle_radius", "pins", "satellites", *_SHARING,
+         "max_lost_motion"), "load_sharing",
     ),
     "wall_holes": Kind(
         "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",
@@ -359,8 +375,8 @@ CHECKS = {
     "efficiency": Kind(
         "Efficiency of the output mechanism", "friction", "", "η ≥ η_min",
         "Below it more is lost than is asked.",
-        ("friction.coefficient", "friction.sleeve", "pin.diameter", "pin_circle_radius", "ratio",
-         "eccentricity", "pins", "satellites", "min_efficiency"), "user", keep="above",
+        (*_FORCE, *_SHARING, "ratio", "friction.coefficient", "friction.sleeve",
+         "min_efficiency"), "user", keep="above",
     ),
     "sliding_speed": Kind(
         "Sliding speed", "friction", "m_per_s", "v ≤ v_max",
@@ -370,14 +386,13 @@ CHECKS = {
     "pv": Kind(
         "Pressure times sliding speed", "friction", "MPa_m_per_s", "p·v ≤ (pv)_all",
         "Above it the surfaces get hot and wear fast.",
-        (*_FORCE, *_BEAM, *_TURNING, "friction.sleeve", "pin_radius", "contact_length",
-         "max_pv"), "user",
+        (*_FORCES, "input_speed", "ratio", "friction.sleeve", "max_pv"), "user",
     ),
     "wear": Kind(
         "Wear of pins and holes", "friction", "mm", "h ≤ h_max",
         "Above it the output has more play than is asked before the end of its life.",
-        (*_FORCE, *_BEAM, *_TURNING, "friction.wear_rate", "friction.life", "pin_radius",
-         "contact_length", "max_wear"), "archard_1953",
+        (*_FORCES, *_LIFE, "ratio", "friction.wear_rate", "friction.life", "max_wear"),
+        "archard_1953",
     ),
     "pressure_angle": Kind(
         "Operating pressure angle", "gear", "deg", "α_w ≤ 55°",
@@ -392,7 +407,8 @@ CHECKS = {
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",
         "Otherwise a bearing of a satellite fails before the life that is asked.",
-        (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent", "requirements.life"),
+        (*_BEARING, *_LIFE, "bearing.ring_factor", "bearing.dynamic_rating",
+         "bearing.reliability_percent"),
         "iso_281_life", keep="above",
     ),
     "bearing_static": Kind(
@@ -404,15 +420,16 @@ CHECKS = {
     "system_life": Kind(
         "Life of all satellites' bearings together", "bearing", "h", "(Σ L_j^−β)^(−1/β) ≥ L",
         "Otherwise one of the bearings fails before the life that is asked.",
-        (*_BEARING, "bearing.dynamic_rating", "bearing.reliability_percent",
-         "bearing.weibull_slope", "requirements.life"),
+        (*_BEARING, *_LIFE, "bearing.ring_factor", "bearing.dynamic_rating",
+         "bearing.reliability_percent", "bearing.weibull_slope"),
         "iso_281_life", keep="above",
     ),
     "crank_bearing_life": Kind(
         "Life of the crankshaft's bearings", "crankshaft", "h", "L_10h ≥ L",
         "Otherwise a bearing of the crankshaft fails before the life that is asked.",
-        (*_FORCE, *_BEAM, *_TURNING, *_RING, "crankshaft.bearings",
-         "crankshaft.satellite_positions", "crankshaft.bearing_positions", "requirements.life"),
+        (*_FORCES, *_LIFE, "ratio", *_RING, "crankshaft.bearings",
+         "crankshaft.satellite_positions", "crankshaft.bearing_positions",
+         "crank_spacing", "crank_angles"),
         "iso_281_life", keep="above",
     ),
     "unbalance_force": Kind(

@@ -1,0 +1,166 @@
+"""Each check names the inputs that it depends on: to move one of them moves its value or its limit
+in some design, and to move another one never does.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import fields, replace
+from functools import partial
+from typing import Any
+
+import pytest
+
+from core.checks.check import Check
+from core.checks.crank_design import CrankDesign
+from core.checks.crank_planetary import crank_checks
+from core.checks.kinds import CHECKS
+from core.checks.sections import FatigueBasis, Ring, RollingBearing
+from core.errors import CalculationError
+from core.materials import MATERIALS
+from tests.oracles.checks import WHOLE
+
+assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
+STEEL = MATERIALS["steel_case_hardened"].material
+ALL = replace(
+    WHOLE,
+    outer_radius=0.08,
+    root_radius=0.072,
+    bore_radius=0.02,
+    min_wall=1e-3,
+    max_backlash=1e-3,
+    max_lost_motion=2e-3,
+    min_efficiency=0.9,
+    max_wear=1e-4,
+    max_pv=1e7,
+    max_sliding_speed=5.0,
+    max_slope=5e-3,
+    max_deflection=1e-4,
+    max_outer_diameter=0.3,
+    max_unbalance=100.0,
+    max_unbalance_couple=10.0,
+    static_safety=1.5,
+    friction=replace(WHOLE.friction, sleeve=True),
+    pin=replace(WHOLE.pin, diameter=0.014),
+    bearing=replace(WHOLE.bearing, weibull_slope=10 / 9, ring_factor=1.1),
+    crankshaft=replace(
+        WHOLE.crankshaft,
+        bearings=(
+            RollingBearing(kind="ball", dynamic_rating=50e3),
+            RollingBearing(kind="roller", dynamic_rating=60e3),
+        ),
+    ),
+)
+"""All sections and demands."""
+TIRED = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
+DESIGNS = {
+    "ideal": ALL,
+    "clearance": replace(ALL, hole_radius=0.01002),
+    "peak torque, uneven cranks": replace(ALL, peak_torque=700.0, crank_spacing=2.0),
+    "few loads": replace(
+        ALL,
+        fatigue=TIRED,
+        output_torque=1500.0,
+        life=3e4,
+        pin_material=STEEL,
+        hole_material=STEEL,
+        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
+    ),
+    "roots by the module": replace(ALL, root_radius=None, outer_radius=None),
+    "rim within the roots": replace(ALL, root_radius=None, outer_radius=0.02),
+    "cycloid": replace(
+        ALL,
+        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+        root_radius=None,
+    ),
+}
+
+INPUTS = {"life": "requirements.life", "pin.tensile_strength": "pin.material"}
+"""Inputs by the attributes of a design that have other names."""
+
+MATERIALS_OF = ("pin_material", "hole_material", "pin.material")
+"""Inputs that are materials, each with values of its own."""
+
+JUMPS = {("dead_centre", "pins"), ("dead_centre", "crank_spacing")}
+"""What moves in steps that these designs do not show."""
+
+SAME = 1e-6
+"""Relative change that is no more than the error of a search."""
+
+
+def moved(value: Any) -> Any:
+    """A number that is a little larger; None of what is no number."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return value + 1 if isinstance(value, int) else 1.02 * value
+
+
+def moves(design: Any) -> Iterator[tuple[str, Callable[[], Any]]]:
+    """Inputs by their names, with the design in which they are moved."""
+    for each in fields(design):
+        value, name = getattr(design, each.name), each.name
+        if hasattr(value, "__dataclass_fields__"):
+            for inner, change in moves(value):
+                yield (
+                    f"{name}.{inner}",
+                    lambda name=name, change=change: replace(design, **{name: change()}),
+                )
+        elif name != "satellites" and (to := moved(value)) is not None:
+            yield name, partial(replace, design, **{name: to})
+
+
+def differ(one: float | None, two: float | None) -> bool:
+    if one is None or two is None or math.isinf(one):
+        return one != two
+    return abs(one - two) > SAME * abs(one)
+
+
+def by_code(design: CrankDesign) -> dict[str, Check]:
+    return {
+        check.code: check
+        for check in crank_checks(design).checks
+        if check.status in ("pass", "marginal", "fail")
+    }
+
+
+@pytest.fixture(scope="module")
+def seen() -> dict[tuple[str, str], bool]:
+    """Whether a check moves with an input, in any of the designs."""
+    found: dict[tuple[str, str], bool] = {}
+    for design in DESIGNS.values():
+        before = by_code(design)
+        for name, change in moves(design):
+            try:
+                after = by_code(change())
+            except CalculationError:  # no such bearing, no such mesh
+                continue
+            for code in before.keys() & after.keys():
+                one, two = before[code], after[code]
+                moves_it = differ(one.value, two.value) or differ(one.limit, two.limit)
+                pair = code, input_of(name)
+                found[pair] = found.get(pair, False) or moves_it
+    return found
+
+
+def input_of(name: str) -> str:
+    """Name of the input of an attribute."""
+    material = next((each for each in MATERIALS_OF if name.startswith(f"{each}.")), name)
+    return INPUTS.get(name, material)
+
+
+def named(code: str, name: str) -> bool:
+    return name in CHECKS[code].inputs
+
+
+def test_what_moves_a_check_is_named(seen: dict[tuple[str, str], bool]) -> None:
+    assert {pair for pair, moves_it in seen.items() if moves_it and not named(*pair)} == set()
+    assert len(seen) > 1000 and {code for code, _ in seen} >= {"pin_static", "wear", "gear_room"}
+
+
+def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
+    idle = {pair for pair, moves_it in seen.items() if named(*pair) and not moves_it}
+    assert idle - JUMPS == set()
+
+
+def test_no_input_is_named_twice() -> None:
+    twice = {code for code, kind in CHECKS.items() if len({*kind.inputs}) < len(kind.inputs)}
+    assert twice == set()
