@@ -24,17 +24,25 @@ from core.checks.crank_design import CrankDesign
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
-from core.work_precision.crankshaft import equivalent_reaction_study
-from core.work_precision.load_sharing import real_peak_study
-from core.work_precision.mesh import contact_line_study, meshing_load_study
-from core.work_precision.peak_force import peak_force_study
-from core.work_precision.pin_strength import PinQuantity, pin_bending_study
+from core.work_precision.means import (
+    equivalent_load_study,
+    equivalent_reaction_study,
+    total_force_study,
+)
+from core.work_precision.peaks import (
+    PinQuantity,
+    peak_force_study,
+    pin_bending_study,
+    real_peak_study,
+)
+from core.work_precision.precession import (
+    contact_line_study,
+    meshing_load_study,
+    shaft_deflection_study,
+)
 from core.work_precision.rollers import roller_sharing_study
-from core.work_precision.satellite_bearing import equivalent_load_study
-from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
 from core.work_precision.tolerance import COST, tolerance_sampling_study
-from core.work_precision.total_force import total_force_study
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""

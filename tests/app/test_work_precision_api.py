@@ -169,7 +169,7 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     """Over the load across the crank of a satellite that carries all of the torque."""
     asked = {}
     monkeypatch.setattr(
-        "core.work_precision.satellite_bearing.turn_mean_study", lambda **given: asked.update(given)
+        "core.work_precision.means.turn_mean_study", lambda **given: asked.update(given)
     )
     body = SatelliteBearingRequest.model_validate(
         STUDIES["satellite-bearing"]
@@ -179,7 +179,7 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     loads = body.solve().equivalent_load
     assert min(loads) < 0.9995 * max(loads) and max(loads) > loads[0]
     across = 500 / (0.002 * 20)
-    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     angles = np.array([0.1, 1.2, 3.4])
     curve = body.design.bearing_curves(angles).load[:, int(np.argmax(loads))]
     assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
@@ -207,7 +207,7 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     """Over the load across the crank of a satellite that carries all of the torque."""
     asked = {}
     monkeypatch.setattr(
-        "core.work_precision.crankshaft.turn_mean_study", lambda **given: asked.update(given)
+        "core.work_precision.means.turn_mean_study", lambda **given: asked.update(given)
     )
     own = STUDIES["crankshaft"]
     own = {**own, "crankshaft": {**own["crankshaft"], "bearing_positions_mm": places}}
@@ -215,7 +215,7 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     CrankshaftStudy(calculation="crankshaft", input=body).solve()
     loads, across = body.solve().equivalent_reaction, 500 / (0.002 * 20)
     worst = int(np.argmax(loads))
-    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     assert asked["power"] == pytest.approx((10 / 3, 3)[worst])
     angles = np.array([0.1, 1.2, 3.4])
     curve = np.abs(body.design.reaction_curves(angles).reaction[:, worst])
