@@ -84,6 +84,8 @@ def meshing_load_study(
     -------
     WorkPrecision
     """
+    import mpmath
+
     loaded: dict[str, Any] = {"rollers": rollers, "torque": torque, "reference_z": reference_z}
     lines = meshing_load(**gear, **loaded).lines
 
@@ -94,9 +96,11 @@ def meshing_load_study(
         result = meshing_load(**gear, **loaded)
         return result.force[:2], result.accuracy.evaluations
 
+    with mpmath.workdps(REFERENCE_DIGITS):
+        exact = force(_exact_integrals(gear, rollers, load=True))
     return work_precision(
         reference=Reference("multiple_tanh_sinh"),
-        exact=force(_exact_integrals(gear, rollers, load=True)),
+        exact=exact,
         methods=[
             *_by_rules(lines, force, load=True),
             Method("graded_z", DEFAULT, calculate, chosen=True),
