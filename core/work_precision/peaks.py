@@ -2,11 +2,13 @@
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray
+from core.arrays import ComplexArray, FloatArray, Number
+from core.output.edge_load import IDLE, SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
@@ -63,7 +65,7 @@ EXACT_STEPS = 85
 give all of it."""
 
 SUMMITS = 8
-"""Most summits of the reference of the pins; more are only where all are alike."""
+"""Most summits of a reference of the pins; more are only where all are alike."""
 
 PinQuantity = Literal["bending_stress", "slope"]
 
@@ -99,6 +101,25 @@ def golden_section(*, value: Callable[[Any], Any], low: Any, high: Any, steps: i
     return max(at_left, at_right)
 
 
+def _polished(
+    largest: Callable[[FloatArray], FloatArray], period: float, count: int, most: int
+) -> float:
+    """Largest of samples at equal steps over a period, so many of the highest summits narrowed."""
+    values, step = largest(np.linspace(0.0, period, count, endpoint=False)), period / count
+    tops = np.flatnonzero((values >= np.roll(values, 1)) & (values >= np.roll(values, -1)))
+    tops = tops[np.argsort(-values[tops], kind="stable")[:most]]
+    narrowed = [
+        golden_section(
+            value=lambda angle: float(largest(np.array([angle]))[0]),
+            low=(top - 1) * step,
+            high=(top + 1) * step,
+            steps=GOLDEN_STEPS,
+        )
+        for top in tops.tolist()
+    ]
+    return float(max(values.max(), *narrowed))
+
+
 def _by_samples(
     largest: Callable[[FloatArray], FloatArray], period: float, samples: Sequence[int]
 ) -> list[Method]:
@@ -110,15 +131,7 @@ def _by_samples(
         return float(largest(np.linspace(0.0, period, count, endpoint=False)).max()), count
 
     def polished(count: int) -> Outcome:
-        values, step = largest(np.linspace(0.0, period, count, endpoint=False)), period / count
-        best = int(values.argmax())
-        narrowed = golden_section(
-            value=lambda angle: float(largest(np.array([angle]))[0]),
-            low=(best - 1) * step,
-            high=(best + 1) * step,
-            steps=GOLDEN_STEPS,
-        )
-        return max(float(values[best]), float(narrowed)), count + GOLDEN_STEPS
+        return _polished(largest, period, count, 1), count + GOLDEN_STEPS
 
     return [
         Method("sampling", [("points", count) for count in samples], sampled),
@@ -235,8 +248,7 @@ def pin_bending_study(
     refuse_many_pairs(mechanism=mechanism, limit=MAX_PIN_PAIRS)
 
     def solve() -> PinStresses:
-        pin_turn.cache_clear()  # not what it remembers
-        all_pairs.cache_clear()
+        _forget()
         return pin_stresses(mechanism=mechanism, force_exponent=force_exponent, **loaded)
 
     result = solve()
@@ -313,6 +325,86 @@ def _exact_bending(
             )
             for top in tops.tolist()
         )
+
+
+def edge_load_study(
+    *,
+    mechanism: Mechanism,
+    force_exponent: float = 1.0,
+    edge_length: float,
+    compliance: Callable[[Number], Number],
+    **loaded: Any,
+) -> WorkPrecision:
+    """Error against run time of the largest line load at an end of a contact whose pin slopes.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio; at most `MAX_PIN_PAIRS` pairs.
+    force_exponent : float
+        Exponent v of the force over the approach.
+    edge_length : float
+        Length b of a contact, m, > 0.
+    compliance : callable
+        Approach of a level contact over its force, m/N, of forces, N.
+    **loaded
+        What `core.output.pin_strength.pin_stresses` takes; of ideal forces that are shared equally.
+
+    Returns
+    -------
+    WorkPrecision
+        Against four times as many positions as the most that are sampled, every summit narrowed.
+
+    Raises
+    ------
+    InvalidInput
+        If there are too many pairs.
+    ImpossibleMechanism
+        If the mechanism has a dead centre.
+    """
+    refuse_many_pairs(mechanism=mechanism, limit=MAX_PIN_PAIRS)
+    forces: dict[str, Any] = {"mechanism": mechanism, "force_exponent": force_exponent}
+    stresses = pin_stresses(**forces, **loaded)
+    pin, (loads,) = stresses.pin, stresses.loads
+    contacts = SlopingContacts(pin, [loads], edge_length, compliance)
+    cranks = loads.unit * np.exp(1j * np.array(mechanism.crank_angles))
+    pitch = mechanism.crank_angle_per_wave / mechanism.pins
+
+    def largest(angles: FloatArray) -> FloatArray:
+        """Of all pins, any of which meets within a pitch what one meets in a turn."""
+        own = cranks[:, None] * force_ratios(crank_angles=angles, **forces)
+        size = np.maximum(np.abs(own), IDLE * abs(loads.unit))
+        turned = np.einsum("jk,ikn->ijn", pin.slopes, own)
+        even = contacts.even(size, np.abs((turned * own.conj()).real) / size)
+        return np.asarray(np.max(even, axis=(1, 2)))
+
+    def search(_: float) -> Outcome:
+        evaluations = 0
+
+        def counted(force: Number) -> Number:
+            nonlocal evaluations
+            evaluations += np.size(force)
+            return compliance(force)
+
+        _forget()
+        anew = replace(loads, turn=pin_turn(mechanism, force_exponent))
+        edge = SlopingContacts(pin, [anew], edge_length, counted).largest()
+        return edge.force, evaluations
+
+    return work_precision(
+        reference=Reference("sampling_dense", REAL_DIGITS),
+        exact=[_polished(largest, pitch, SAMPLES[-1], SUMMITS)],
+        methods=[
+            *_by_samples(largest, pitch, SAMPLES[:-1]),
+            Method("segments_sampled", DEFAULT, search, chosen=True),
+        ],
+    )
+
+
+def _forget() -> None:
+    """Forget what calculators remember of pins, so that a search costs what it does at first."""
+    pin_turn.cache_clear()
+    all_pairs.cache_clear()
 
 
 def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecision:
