@@ -30,7 +30,6 @@ from core.work_precision.means import (
     total_force_study,
 )
 from core.work_precision.peaks import (
-    PinQuantity,
     edge_load_study,
     peak_force_study,
     pin_bending_study,
@@ -93,7 +92,7 @@ class PinStrengthStudy(Study):
 
     calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
     input: PinStrengthRequest
-    quantity: PinQuantity | Literal["edge_load"] = Field(
+    quantity: Literal["bending_stress", "slope", "edge_load"] = Field(
         default="bending_stress",
         description="Whose error is measured: of the stress, the slope, or the largest line load "
         "at an end of a contact, which needs the contact.",
