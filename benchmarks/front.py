@@ -18,12 +18,16 @@ from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
 from core.results import ROUNDING
-from core.work_precision.mesh import Gear, contact_line_study, meshing_load_study
-from core.work_precision.peak_force import peak_force_study
+from core.work_precision.means import total_force_study
+from core.work_precision.peaks import peak_force_study
+from core.work_precision.precession import (
+    Gear,
+    contact_line_study,
+    meshing_load_study,
+    shaft_deflection_study,
+)
 from core.work_precision.rollers import roller_sharing_study
-from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import WorkPoint, WorkPrecision
-from core.work_precision.total_force import total_force_study
 
 DESIGNS = 24
 HEADING = "## Is the default on the front?"

@@ -49,6 +49,7 @@ METHODS = {
     "segments_equal": "segment-exact, equal sharing: largest at a switching angle",
     "segments_gauss": "segment-exact, Gauss-Legendre quadrature",
     "segments_roots": "segment-exact, bracketed roots",
+    "segments_sampled": "sampled by segments, every summit narrowed",
     "segments_tanh_sinh": "segment-exact, tanh-sinh quadrature",
     "simpson_phi": "Simpson in phi",
     "simpson_shaft": "Simpson along the shaft",

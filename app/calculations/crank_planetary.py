@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any, Literal, Self, get_args
 
 import numpy as np
@@ -291,6 +291,10 @@ class CrankPlanetaryRequest(DesignFields):
         )
         return {name: value for name, value in values.items() if value is not None}
 
+    def solve_strength(self, section: Section) -> Any:
+        """Result of a section of strength and life."""
+        return getattr(self.design, STRENGTH[section])
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
@@ -536,7 +540,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:
-            found, run_us = run(body, partial(getattr, body.design, STRENGTH[name]))
+            found, run_us = run(body, partial(body.solve_strength, name))
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))

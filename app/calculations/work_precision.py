@@ -1,8 +1,8 @@
 """Error against run time: request, answer, figure."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
@@ -15,7 +15,7 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.model import Calculation, RequestModel, ResponseModel, Values, result
+from app.model import Calculation, RequestModel, ResponseModel, Values, field_error, result
 from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
@@ -24,17 +24,25 @@ from core.checks.crank_design import CrankDesign
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
-from core.work_precision.crankshaft import equivalent_reaction_study
-from core.work_precision.load_sharing import real_peak_study
-from core.work_precision.mesh import contact_line_study, meshing_load_study
-from core.work_precision.peak_force import peak_force_study
-from core.work_precision.pin_strength import PinQuantity, pin_bending_study
+from core.work_precision.means import (
+    equivalent_load_study,
+    equivalent_reaction_study,
+    total_force_study,
+)
+from core.work_precision.peaks import (
+    edge_load_study,
+    peak_force_study,
+    pin_bending_study,
+    real_peak_study,
+)
+from core.work_precision.precession import (
+    contact_line_study,
+    meshing_load_study,
+    shaft_deflection_study,
+)
 from core.work_precision.rollers import roller_sharing_study
-from core.work_precision.satellite_bearing import equivalent_load_study
-from core.work_precision.shaft import shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
 from core.work_precision.tolerance import COST, tolerance_sampling_study
-from core.work_precision.total_force import total_force_study
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
@@ -73,22 +81,34 @@ class TotalForceStudy(Study):
 
 
 class PinStrengthStudy(Study):
-    """Largest bending stress or slope of the pins, by ideal forces that the satellites share
-    equally.
+    """Largest bending stress or slope of the pins, or line load where they slope, by ideal forces
+    that the satellites share equally.
     """
 
     calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
     input: PinStrengthRequest
-    quantity: PinQuantity = Field(
+    quantity: Literal["bending_stress", "slope", "edge_load"] = Field(
         default="bending_stress",
-        description="Whose error is measured: of the stress, or the slope.",
+        description="Whose error is measured: of the stress, the slope, or the largest line load "
+        "at an end of a contact, which needs the contact.",
     )
+
+    @model_validator(mode="after")
+    def _contact_of_edges(self) -> Self:
+        if self.quantity == "edge_load" and self.input.contact is None:
+            raise field_error("input/contact", "needed_beside", field="quantity")
+        return self
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        equally = {"pair_stiffness": None, "made": None}
-        loaded = self.input.design.loaded_pins | equally
-        return pin_bending_study(quantity=self.quantity, **loaded)
+        design, equally = self.input.design, {"pair_stiffness": None, "made": None}
+        loaded = design.loaded_pins | equally
+        if self.quantity != "edge_load":
+            return pin_bending_study(quantity=self.quantity, **loaded)
+        assert design.contact_length is not None
+        return edge_load_study(
+            edge_length=design.contact_length, compliance=design.compliance, **loaded
+        )
 
 
 def _turning(design: CrankDesign) -> dict[str, Any]:

@@ -29,6 +29,14 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
 
+ON_RIDGES = 1e-11
+"""Relative error besides of a safety in fatigue under forces that are not smooth: the worst place
+lies on a ridge, along which section, direction and angles move together."""
+
+
+def _is_smooth(loads: PinLoads) -> bool:
+    return not isinstance(loads.turn, PinTurn) or loads.turn.smooth
+
 
 @dataclass(frozen=True, slots=True)
 class PinDeflection:
@@ -223,7 +231,10 @@ class PinStresses:
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
         chi = None if cycle is None else cycle.direction
-        accuracy = Accuracy(self.method, self.error, self.evaluations)
+        error = self.error
+        if fatigue is not None and not rotates and not all(map(_is_smooth, self.loads)):
+            error += ON_RIDGES
+        accuracy = Accuracy(self.method, error, self.evaluations)
         strength = self.material.yield_strength
         return PinStrength(
             peak_force=float(max(each.forces.max() for each in found)),

@@ -1,15 +1,17 @@
 """Load sharing of rollers: sorting against iterations for the displacement."""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 from core.load_sharing import share_load
 from core.work_precision.study import (
+    DEFAULT,
     REFERENCE_DIGITS,
-    WorkPoint,
+    Method,
+    Outcome,
+    Reference,
     WorkPrecision,
-    measured,
+    work_precision,
 )
 
 
@@ -29,20 +31,19 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
     -------
     WorkPrecision
     """
-    exact = _reference(total, stiffness, gaps)
     first = min(gaps)
 
     def forces(displacement: float) -> list[float]:
         return [stiffness * max(0.0, displacement - gap) for gap in gaps]
 
-    def bisection(steps: int) -> list[float]:
+    def bisection(steps: int) -> Outcome:
         low, high = first, max(gaps) + total / stiffness
         for _ in range(steps):
             middle = (low + high) / 2
             low, high = (middle, high) if sum(forces(middle)) < total else (low, middle)
-        return forces((low + high) / 2)
+        return forces((low + high) / 2), steps
 
-    def newton(steps: int) -> list[float]:
+    def newton(steps: int) -> Outcome:
         displacement = max(gaps) + total / stiffness
         for _ in range(steps):
             loaded = [gap for gap in gaps if gap < displacement]
@@ -50,38 +51,23 @@ def roller_sharing_study(*, total: float, stiffness: float, gaps: Sequence[float
                 break
             off = sum(forces(displacement)) - total
             displacement -= off / (stiffness * len(loaded))
-        return forces(displacement)
+        return forces(displacement), steps
 
-    points: list[WorkPoint | None] = [
-        measured(
-            method="bisection",
-            setting=("steps", steps),
-            calculate=partial(bisection, steps),
-            exact=exact,
-            evaluations=steps,
-        )
-        for steps in (10, 20, 30, 40, 50, 60)
-    ]
-    points += [
-        measured(
-            method="newton",
-            setting=("steps", steps),
-            calculate=partial(newton, steps),
-            exact=exact,
-            evaluations=steps,
-        )
-        for steps in (1, 2, 3, 4, 6, 8)
-    ]
-    chosen = measured(
-        method="sorting",
-        calculate=lambda: list(share_load(total=total, stiffness=stiffness, gaps=gaps).forces),
-        exact=exact,
-        evaluations=1,
+    def sorting(_: float) -> Outcome:
+        return [*share_load(total=total, stiffness=stiffness, gaps=gaps).forces], 1
+
+    return work_precision(
+        reference=Reference("multiple_sorting"),
+        exact=_exact_forces(total, stiffness, gaps),
+        methods=[
+            Method("bisection", [("steps", n) for n in (10, 20, 30, 40, 50, 60)], bisection),
+            Method("newton", [("steps", n) for n in (1, 2, 3, 4, 6, 8)], newton),
+            Method("sorting", DEFAULT, sorting, chosen=True),
+        ],
     )
-    return WorkPrecision.against("multiple_sorting", points=[*points, chosen], chosen=chosen)
 
 
-def _reference(total: float, stiffness: float, gaps: Sequence[float]) -> list[Any]:
+def _exact_forces(total: float, stiffness: float, gaps: Sequence[float]) -> list[Any]:
     """Forces in multiple precision: the number of loaded contacts is found by trying each."""
     import mpmath as mp
 

@@ -1,24 +1,54 @@
 """Quadrature rules as an engineer would pick them, for integrands with several components."""
 
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.work_precision.study import Setting
+from core.work_precision.study import Method, Setting
 
 Integrand = Callable[[FloatArray], FloatArray]
 
 
-@cache
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A quadrature rule at one setting.
+
+    Attributes
+    ----------
+    code : str
+        Which.
+    setting : Setting
+        Its setting: number of points, or level.
+    nodes : array, shape (n,)
+        Places on [-1, 1].
+    weights : array, shape (n,)
+        Their weights.
+    """
+
+    code: str
+    setting: Setting
+    nodes: FloatArray
+    weights: FloatArray
+
+    def integral(self, integrand: Integrand, start: float, end: float) -> FloatArray:
+        """Integral of every component, shape (m,), of an integrand from places, shape (n,), to its
+        components there, shape (m, n).
+        """
+        half = (end - start) / 2
+        result: FloatArray = half * (
+            integrand((start + end) / 2 + half * self.nodes) @ self.weights
+        )
+        return result
+
+
 def _gauss_legendre(count: int) -> tuple[FloatArray, FloatArray]:
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return nodes, weights
 
 
-@cache
 def _clenshaw_curtis(count: int) -> tuple[FloatArray, FloatArray]:
     angles = np.pi * np.arange(count + 1) / count
     weights = np.ones(count + 1)
@@ -30,19 +60,20 @@ def _clenshaw_curtis(count: int) -> tuple[FloatArray, FloatArray]:
     return np.cos(angles), weights
 
 
-@cache
-def _newton_cotes(count: int, simpson: bool) -> tuple[FloatArray, FloatArray]:
+def _trapezoid(count: int) -> tuple[FloatArray, FloatArray]:
     weights = np.full(count, 2.0 / (count - 1))
-    if simpson:
-        weights[1:-1:2] *= 4 / 3
-        weights[2:-1:2] *= 2 / 3
-        weights[[0, -1]] /= 3
-    else:
-        weights[[0, -1]] /= 2
+    weights[[0, -1]] /= 2
     return np.linspace(-1.0, 1.0, count), weights
 
 
-@cache
+def _simpson(count: int) -> tuple[FloatArray, FloatArray]:
+    weights = np.full(count, 2.0 / (count - 1))
+    weights[1:-1:2] *= 4 / 3
+    weights[2:-1:2] *= 2 / 3
+    weights[[0, -1]] /= 3
+    return np.linspace(-1.0, 1.0, count), weights
+
+
 def _tanh_sinh(level: int) -> tuple[FloatArray, FloatArray]:
     step = 2.0**-level
     t = np.arange(-3.2, 3.2 + step / 2, step)
@@ -50,52 +81,42 @@ def _tanh_sinh(level: int) -> tuple[FloatArray, FloatArray]:
     return np.tanh(inner), step * np.pi / 2 * np.cosh(t) / np.cosh(inner) ** 2
 
 
-def fixed_rules() -> Iterator[tuple[str, Setting, FloatArray, FloatArray]]:
-    """Every fixed rule: code, setting, nodes and weights on [-1, 1]."""
+def _rules() -> Iterator[Rule]:
     for count in (9, 33, 129, 513, 2049):
-        yield ("trapezoid", ("points", count), *_newton_cotes(count, simpson=False))
-        yield ("simpson", ("points", count), *_newton_cotes(count, simpson=True))
+        yield Rule("trapezoid", ("points", count), *_trapezoid(count))
+        yield Rule("simpson", ("points", count), *_simpson(count))
     for count in (2, 4, 8, 16, 32, 64, 128):
-        yield ("gauss_legendre", ("points", count), *_gauss_legendre(count))
+        yield Rule("gauss_legendre", ("points", count), *_gauss_legendre(count))
     for count in (4, 8, 16, 32, 64, 128):
-        yield ("clenshaw_curtis", ("points", count), *_clenshaw_curtis(count))
+        yield Rule("clenshaw_curtis", ("points", count), *_clenshaw_curtis(count))
     for level in (1, 2, 3, 4, 5):
-        yield ("tanh_sinh", ("level", level), *_tanh_sinh(level))
+        yield Rule("tanh_sinh", ("level", level), *_tanh_sinh(level))
 
 
-def integrate(
-    *, integrand: Integrand, start: float, end: float, nodes: FloatArray, weights: FloatArray
-) -> FloatArray:
-    """Integral of every component by a rule on [-1, 1].
+@cache
+def rules() -> tuple[Rule, ...]:
+    """All rules at all their settings."""
+    return tuple(_rules())
+
+
+def by_rule(
+    *, rule: Rule, code: str, value: Callable[[Rule], float | Sequence[float]], intervals: int = 1
+) -> Method:
+    """Method of a rule at its setting.
 
     Parameters
     ----------
-    integrand : callable
-        From places, shape (n,), to components there, shape (m, n).
-    start, end : float
-        Ends of the interval.
-    nodes, weights : array, shape (n,)
+    rule : Rule
         The rule.
+    code : str
+        Code of the method, a key of `core.results.METHODS`.
+    value : callable
+        Value, or components of a vector, by the rule.
+    intervals : int
+        How many intervals it is used on.
 
     Returns
     -------
-    array, shape (m,)
+    Method
     """
-    half = (end - start) / 2
-    result: FloatArray = half * (integrand((start + end) / 2 + half * nodes) @ weights)
-    return result
-
-
-def finite_sum(parts: list[FloatArray]) -> list[float]:
-    """Sum of the parts, component by component.
-
-    Parameters
-    ----------
-    parts : list of array, shape (m,)
-        The parts.
-
-    Returns
-    -------
-    list of float
-    """
-    return [math.fsum(part[i] for part in parts) for i in range(len(parts[0]))]
+    return Method(code, [rule.setting], lambda _: (value(rule), intervals * len(rule.nodes)))

@@ -1,11 +1,14 @@
-"""Points of a work-precision study, and how they are measured."""
+"""Error against run time: a table of methods, run at their settings and compared with a reference.
+
+A calculation gives its exact value and a table of `Method`; `work_precision` does the rest.
+"""
 
 import math
 import statistics
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +16,7 @@ from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 
 REFERENCE_DIGITS = 40
-"""Digits of the reference."""
+"""Digits of a reference in multiple precision."""
 
 SETTINGS = {
     "default": "default",
@@ -28,11 +31,36 @@ SETTINGS = {
 Setting = tuple[str, float]
 """A key of `SETTINGS`, and what it names."""
 
-DEFAULT: Setting = ("default", 0.0)
-"""Of a method without a setting."""
+DEFAULT: tuple[Setting] = (("default", 0.0),)
+"""Settings of a method that has none."""
+
+Outcome = tuple[float | Sequence[float], int]
+"""A value, or the components of a vector, and the evaluations of the function behind it."""
 
 _REPEATS = 7
 _BUDGET_S = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """A way to calculate a quantity, at one or several settings.
+
+    Attributes
+    ----------
+    code : str
+        Which, a key of `core.results.METHODS`.
+    settings : sequence of Setting
+        What it is run at.
+    function : callable
+        `Outcome` at the value of a setting.
+    chosen : bool
+        Whether the calculators use it.
+    """
+
+    code: str
+    settings: Sequence[Setting]
+    function: Callable[[Any], Outcome]
+    chosen: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +101,7 @@ class Reference:
     """
 
     method: str
-    digits: int
+    digits: int = REFERENCE_DIGITS
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,67 +122,48 @@ class WorkPrecision:
     points: tuple[WorkPoint, ...]
     chosen: WorkPoint
 
-    @classmethod
-    def against(
-        cls, reference: str, *, points: Iterable[WorkPoint | None], chosen: WorkPoint | None
-    ) -> Self:
-        """Of what can be had, against a reference of `REFERENCE_DIGITS`.
 
-        Parameters
-        ----------
-        reference : str
-            Its method.
-        points : iterable of WorkPoint or None
-            All methods at all settings; None for those that cannot be had.
-        chosen : WorkPoint
-            The one that the calculators use, which always can.
-
-        Returns
-        -------
-        WorkPrecision
-        """
-        assert chosen is not None
-        some = tuple(point for point in points if point is not None)
-        return cls(Reference(reference, REFERENCE_DIGITS), some, chosen)
-
-
-def measured(
-    *,
-    method: str,
-    setting: Setting = DEFAULT,
-    calculate: Callable[[], float | Sequence[float]],
-    exact: Sequence[Any],
-    evaluations: int,
-) -> WorkPoint | None:
-    """A method's point: its value compared with the exact one, its run time measured.
+def work_precision(
+    *, reference: Reference, exact: Sequence[Any], methods: Iterable[Method]
+) -> WorkPrecision:
+    """Error against run time of each method at each of its settings.
 
     Parameters
     ----------
-    method : str
-        Which.
-    setting : Setting
-        Its setting.
-    calculate : callable
-        Returns the value, or the components of a vector.
-    exact : sequence of mpmath numbers
+    reference : Reference
+        How the exact value was got.
+    exact : sequence of mpmath numbers, shape (n,)
         Components of the exact value.
-    evaluations : int
-        Evaluations of the function behind the method.
+    methods : iterable of Method
+        The table; what gives no finite number on this input is left out. One method is chosen,
+        which always gives one.
 
     Returns
     -------
-    WorkPoint or None
-        None where the method gives no finite number on this input.
+    WorkPrecision
     """
+    chosen, points = None, []
+    for method in methods:
+        for setting in method.settings:
+            point = _measured(method, setting, exact)
+            if point is not None:
+                points.append(point)
+            if method.chosen:
+                chosen = point
+    assert chosen is not None
+    return WorkPrecision(reference, tuple(points), chosen)
+
+
+def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoint | None:
+    """A method at a setting, compared and timed; None where it gives no finite number."""
     import mpmath
 
     times: list[float] = []
-    value: float | Sequence[float] = 0.0
     began = time.perf_counter()
-    while len(times) < _REPEATS and (len(times) < 1 or time.perf_counter() - began < _BUDGET_S):
+    while len(times) < _REPEATS and (not times or time.perf_counter() - began < _BUDGET_S):
         start = time.perf_counter_ns()
         with np.errstate(all="ignore"):  # a method may fail here: it is left out below
-            value = calculate()
+            value, evaluations = method.function(setting[1])
         times.append((time.perf_counter_ns() - start) * 1e-9)
     components = [value] if isinstance(value, (int, float)) else list(value)
     if not all(math.isfinite(each) for each in components):
@@ -164,47 +173,12 @@ def measured(
         sum((mpmath.mpf(got) - want) ** 2 for got, want in zip(components, exact, strict=True))
     )
     return WorkPoint(
-        method=method,
+        method=method.code,
         setting=setting,
         relative_error=float(off / size),
         run_time=statistics.median(times),
         evaluations=evaluations,
     )
-
-
-GOLDEN_STEPS = 40
-"""Steps after which a summit is as good as doubles can tell."""
-
-
-def golden_section(*, value: Callable[[Any], Any], low: Any, high: Any, steps: int) -> Any:
-    """Largest value between two places, by golden-section search.
-
-    Parameters
-    ----------
-    value : callable
-        Of a place.
-    low, high : float or mpmath number
-        Ends, about one summit.
-    steps : int
-        Steps.
-
-    Returns
-    -------
-    float or mpmath number
-    """
-    ratio = ((5 + 0 * low) ** 0.5 - 1) / 2  # to as many digits as the place has
-    left, right = high - ratio * (high - low), low + ratio * (high - low)
-    at_left, at_right = value(left), value(right)
-    for _ in range(steps):
-        if at_left > at_right:
-            high, right, at_right = right, left, at_left
-            left = high - ratio * (high - low)
-            at_left = value(left)
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + ratio * (high - low)
-            at_right = value(right)
-    return max(at_left, at_right)
 
 
 def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:

@@ -13,9 +13,9 @@ from pathlib import Path
 import httpx
 import pytest
 
-from app import VERSION, main, observability
+from app import VERSION, main, observability, sources
 from app.calculations.crank_planetary import CrankPlanetaryRequest
-from app.examples import REQUESTS
+from app.examples import EXAMPLES, REQUESTS
 from app.main import create_app
 from app.problems import KINDS
 from app.settings import Settings
@@ -26,6 +26,12 @@ pytestmark = pytest.mark.anyio
 SITE = "http://service"
 VENDOR = Path(__file__).parent.parent.parent / "static" / "vendor"
 JOB = {"pins": 3, "ratio": 20}
+
+
+def test_examples_cite_the_sources_of_the_calculations():
+    known = [each for name, each in vars(sources).items() if name.isupper()]
+    for example in EXAMPLES:
+        assert example["source"].startswith((*known, "docs/")), example["id"]
 
 
 async def test_health_gives_the_version(api):

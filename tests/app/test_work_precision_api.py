@@ -7,10 +7,12 @@ import plotly.graph_objects as go
 import pytest
 
 from app.calculations.crankshaft import CrankshaftRequest
+from app.calculations.pin_strength import PinStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.calculations.work_precision import (
     CrankshaftStudy,
+    PinStrengthStudy,
     SatelliteBearingStudy,
     ToleranceSamplingStudy,
 )
@@ -136,6 +138,60 @@ async def test_samples_of_the_pins_come_nearer_and_the_search_is_there(
     assert answer["chosen"]["evaluations"] == alone["accuracy"]["evaluations"]
 
 
+CONTACT = {"contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
+SLOPING = {
+    **STUDIES["pin-strength"],
+    "contact": CONTACT,
+    "pin": {"satellite_positions_mm": [15, 37, 59], "support": "cantilever"},
+}
+
+
+@pytest.mark.parametrize("exponent", [0.5, 1, 1.5])
+@pytest.mark.parametrize("held", [{}, BETWEEN])
+async def test_samples_of_the_edge_load_come_nearer_and_the_search_is_there(api, exponent, held):
+    """Against dense samples of the ideal forces, of which the search knows nothing."""
+    own = {
+        **SLOPING,
+        "load": {**SLOPING["load"], "force_exponent": exponent},
+        "pin": {**SLOPING["pin"], **held},
+    }
+    body = {"calculation": "pin-strength", "input": own, "quantity": "edge_load"}
+    answer = (await api.post("work-precision", json=body)).json()
+    lines: dict[str, list[float]] = {}
+    for point in answer["points"]:
+        lines.setdefault(point["method_code"], []).append(point["relative_error"])
+    assert answer["reference"]["digits"] == 12
+    assert lines["sampling"] == sorted(lines["sampling"], reverse=True)
+    assert max(lines["golden_section"]) < 1e-12
+    assert lines["segments_sampled"] == [answer["chosen"]["relative_error"]] < [1e-14]
+    assert answer["chosen"]["evaluations"] > 1000
+
+
+def test_the_edge_load_that_is_studied_is_that_of_the_design():
+    """Pins and satellites that are alike share by stiffness as they do equally."""
+    own = {**SLOPING, "mechanism": {"pins": 5, "satellites": 1, "ratio": 20}}
+    own["pin"] = {**own["pin"], "satellite_positions_mm": [15]}
+    body = PinStrengthRequest.model_validate(own)
+    study = PinStrengthStudy(calculation="pin-strength", input=body, quantity="edge_load")
+    asked = {}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            "core.work_precision.peaks.work_precision", lambda **given: asked.update(given)
+        )
+        study.solve()
+    (chosen,) = (method for method in asked["methods"] if method.chosen)
+    assert chosen.function(0)[0] == pytest.approx(body.design.edge.force, rel=1e-14)
+    assert asked["exact"][0] == pytest.approx(body.design.edge.force, rel=1e-12)
+
+
+async def test_the_edge_load_needs_the_contact(api):
+    body = {
+        "calculation": "pin-strength", "input": STUDIES["pin-strength"], "quantity": "edge_load",
+    }  # fmt: skip
+    (error,) = (await api.post("work-precision", json=body)).json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/input/contact", "needed_beside")
+
+
 @pytest.mark.parametrize(
     ("study", "limit"), [("pin-strength", 16), ("satellite-bearing", 24), ("crankshaft", 16)]
 )
@@ -169,7 +225,7 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     """Over the load across the crank of a satellite that carries all of the torque."""
     asked = {}
     monkeypatch.setattr(
-        "core.work_precision.satellite_bearing.turn_mean_study", lambda **given: asked.update(given)
+        "core.work_precision.means.turn_mean_study", lambda **given: asked.update(given)
     )
     body = SatelliteBearingRequest.model_validate(
         STUDIES["satellite-bearing"]
@@ -179,7 +235,7 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     loads = body.solve().equivalent_load
     assert min(loads) < 0.9995 * max(loads) and max(loads) > loads[0]
     across = 500 / (0.002 * 20)
-    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     angles = np.array([0.1, 1.2, 3.4])
     curve = body.design.bearing_curves(angles).load[:, int(np.argmax(loads))]
     assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
@@ -207,7 +263,7 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     """Over the load across the crank of a satellite that carries all of the torque."""
     asked = {}
     monkeypatch.setattr(
-        "core.work_precision.crankshaft.turn_mean_study", lambda **given: asked.update(given)
+        "core.work_precision.means.turn_mean_study", lambda **given: asked.update(given)
     )
     own = STUDIES["crankshaft"]
     own = {**own, "crankshaft": {**own["crankshaft"], "bearing_positions_mm": places}}
@@ -215,7 +271,7 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     CrankshaftStudy(calculation="crankshaft", input=body).solve()
     loads, across = body.solve().equivalent_reaction, 500 / (0.002 * 20)
     worst = int(np.argmax(loads))
-    assert asked["calculate"]() == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     assert asked["power"] == pytest.approx((10 / 3, 3)[worst])
     angles = np.array([0.1, 1.2, 3.4])
     curve = np.abs(body.design.reaction_curves(angles).reaction[:, worst])

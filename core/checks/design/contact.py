@@ -50,7 +50,7 @@ class DesignContact(DesignPins):
             return None
         stresses = self._pin_stresses
         assert self.contact_length is not None
-        return SlopingContacts(stresses.pin, stresses.loads, self.contact_length, self._compliance)
+        return SlopingContacts(stresses.pin, stresses.loads, self.contact_length, self.compliance)
 
     @derived
     def edge(self) -> EdgeLoad | None:

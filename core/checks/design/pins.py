@@ -35,7 +35,7 @@ class DesignPins(DesignForces):
     """Forces that bending pins share, and the strength of these."""
 
     @cached_property
-    def _compliance(self) -> Callable[[Number], Number]:
+    def compliance(self) -> Callable[[Number], Number]:
         """Approach of a contact over its force, m/N, of forces, N."""
         assert self.contact_length is not None and self.pin_radius is not None
         assert self.hole_radius is not None
@@ -85,7 +85,7 @@ class DesignPins(DesignForces):
         )
         found = beam.pair_stiffness(
             positions=pin.satellite_positions,
-            contact_compliance=float(self._compliance(self.force.peak_force * factor)),
+            contact_compliance=float(self.compliance(self.force.peak_force * factor)),
         )
         return None if max(found) - min(found) <= ALIKE * max(found) else found
 
@@ -96,7 +96,7 @@ class DesignPins(DesignForces):
             return None
         return MovingSharing(
             stiffness=self.pair_stiffness,
-            compliance=self._compliance,
+            compliance=self.compliance,
             force=self.force.peak_force * self.dynamic_factor,
             mechanism=self.mechanism,
             force_exponent=self.force_exponent,
