@@ -14,6 +14,7 @@ from pydantic import (
     GetCoreSchemaHandler,
     model_validator,
 )
+from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
@@ -28,22 +29,28 @@ from app.units import (
 from core.notices import NOTICES
 from core.results import METHODS, Accuracy, Notice
 
-SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
-"""Limits of every positive physical quantity, in its unit: within them no result leaves the range
-of numbers and none loses digits at its lower end."""
+SMALLEST = 1e-12
+LARGEST = 1e12
+
+Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
+"""A positive physical quantity, in its unit: within these limits no result leaves the range of
+numbers and none loses digits at its lower end."""
+
+Angle = Annotated[float, Field(ge=-3600, le=3600)]
+"""An angle in degrees, of up to ten turns."""
 
 
 def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
-    if value is not None and 0 < abs(value) < SIZE["ge"]:
-        raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
+    if value is not None and 0 < abs(value) < SMALLEST:
+        raise PydanticCustomError("dust", "dust", {"limit": SMALLEST})
     return value
 
 
 NO_DUST: dict[str, Any] = {
-    "anyOf": [{"const": 0}, {"minimum": SIZE["ge"]}, {"maximum": -SIZE["ge"]}],
+    "anyOf": [{"const": 0}, {"minimum": SMALLEST}, {"maximum": -SMALLEST}],
 }
 """What `no_dust` takes, for a field's JSON schema."""
 
@@ -60,8 +67,8 @@ class _NotNull:
 
 
 Present = TypeVar("Present")
-Maybe = Annotated[Present | None, _NotNull()]
-"""What may be absent: None in Python, and no null in JSON."""
+Maybe = Annotated[Present | None, _NotNull(), Field(default=None)]
+"""What may be absent: None in Python, which is its default, and no null in JSON."""
 
 
 def _whole(value: Any) -> Any:
@@ -98,8 +105,12 @@ def api_params(params: dict[str, Any]) -> dict[str, Any]:
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
-    """Write each field's unit, which its name ends in, into the JSON schema; no default of null."""
+    """Write each field's unit, which its name ends in, into the JSON schema; its description in one
+    line; no default of null.
+    """
     for name, field in schema.get("properties", {}).items():
+        if "description" in field:
+            field["description"] = " ".join(field["description"].split())
         if unit := shown_unit(name):
             field["x-unit"] = unit
         if field.get("default", ...) is None:
@@ -165,18 +176,32 @@ def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
 
 
 class RequestModel(BaseModel):
-    """A request: numbers only, finite only, nothing unknown."""
+    """A request: numbers only, finite only, nothing unknown.
+
+    The text below a field is its help. `group` is the group of the form that the fields of a class
+    belong to, but for those that name another.
+    """
 
     model_config = ConfigDict(
         extra="forbid",
         strict=True,
         allow_inf_nan=False,
+        use_attribute_docstrings=True,
         json_schema_extra=request_schema,
     )
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
     """Forms of which just one has to be given, each the names of its fields; an empty one says that
     none need be."""
+
+    def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
+        super().__init_subclass__(**config)
+        for name, field in vars(cls).items():
+            shown = field.json_schema_extra if isinstance(field, FieldInfo) else None
+            if isinstance(shown, dict) and "x-symbol" in shown and "x-group" not in shown:
+                if group is None:
+                    raise TypeError(f"{cls.__name__}.{name} belongs to no group")
+                shown["x-group"] = group
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -260,10 +285,10 @@ def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None
 
 def quantity(
     title: str,
+    symbol: str = "",
     *,
-    symbol: str,
-    group: str,
-    help: str = "",
+    group: str | None = None,
+    help: str | None = None,
     step: float | None = None,
     advanced: bool = False,
     schema: dict[str, Any] | None = None,
@@ -275,10 +300,10 @@ def quantity(
     ----------
     title, symbol : str
         Name and symbol, as engineers write them.
-    group : str
-        Group of the form that the field belongs to.
-    help : str
-        What it is, in a sentence.
+    group : str, optional
+        Group of the form that the field belongs to, where it is not that of its class.
+    help : str, optional
+        What it is, in a sentence, where no text below the field says it.
     step : float, optional
         By how much the arrow keys change it.
     advanced : bool
@@ -292,7 +317,7 @@ def quantity(
     extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
     return Field(
         title=title,
-        description=help or None,
+        description=help,
         json_schema_extra=cast(Any, extra | (schema or {})),
         **limits,
     )

@@ -21,13 +21,14 @@ from app.calculations.design import DesignFields, SatelliteBodyFields, design_sc
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import FitOut, OverTurnOut
-from app.calculations.mechanism import MAX_PAIRS, Angle
+from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
     AccuracyOut,
+    Angle,
     Calculation,
     Maybe,
     RequestModel,
@@ -146,7 +147,7 @@ def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
-class CrankPlanetaryRequest(DesignFields):
+class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
     The forces that are judged are those of `DesignFields`.
@@ -160,15 +161,8 @@ class CrankPlanetaryRequest(DesignFields):
     crankshaft: Maybe[CrankshaftFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
-    crank_angle_deg: Angle = quantity(
-        "Crank angle",
-        symbol="φ",
-        group="mechanism",
-        default=0.0,
-        step=5,
-        advanced=True,
-        help="Crank angle of the section geometry.",
-    )
+    crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
+    """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
         default=None,
         min_length=1,

@@ -13,7 +13,7 @@ from app.calculations.hertz import (
     hole_radius,
     pin_radius,
 )
-from app.model import Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import Forms, Maybe, RequestModel, Size, field_error, quantity, request_schema
 from app.units import to_si
 from core.output.pin_geometry import felt
 
@@ -30,23 +30,17 @@ def _fit_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     schema["dependentRequired"] = {"hole_clearance_mm": ["eccentricity_mm"]}
 
 
-class PinContactFields(ContactFields):
+class PinContactFields(ContactFields, group="contact"):
     """Pin, hole, crank and clearance: of hole radius, eccentricity and clearance any two say the
     third.
     """
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
 
-    hole_radius_mm: Maybe[float] = hole_radius(default=None)  # type: ignore[assignment]
-    eccentricity_mm: Maybe[float] = eccentricity(default=None)
-    hole_clearance_mm: Maybe[Deviation] = quantity(
-        "Clearance",
-        symbol="c",
-        group="contact",
-        default=None,
-        step=0.005,
-        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
-    )
+    hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
+    eccentricity_mm: Maybe[Size] = eccentricity()
+    hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
+    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference."""
 
     model_config = ConfigDict(json_schema_extra=_fit_schema)
 
@@ -119,12 +113,12 @@ def _crank_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     schema["dependentSchemas"] = dict.fromkeys(RADII_OF_HOLES, needs)
 
 
-class CrankContactFields(PinContactFields):
+class CrankContactFields(PinContactFields, group="contact"):
     """The crank; pin and hole where the forces of real pins and holes are wanted."""
 
-    contact_length_mm: Maybe[float] = contact_length(default=None)  # type: ignore[assignment]
-    pin_radius_mm: Maybe[float] = pin_radius(default=None)  # type: ignore[assignment]
-    eccentricity_mm: float = eccentricity()
+    contact_length_mm: Maybe[Size] = contact_length()  # type: ignore[assignment]
+    pin_radius_mm: Maybe[Size] = pin_radius()  # type: ignore[assignment]
+    eccentricity_mm: Size = eccentricity()
 
     model_config = ConfigDict(json_schema_extra=_crank_schema)
 

@@ -52,7 +52,7 @@ LEFT_OUT = (
 """What the model leaves out."""
 
 
-class RealDesignFields(GivingFields):
+class RealDesignFields(GivingFields, group="contact_law"):
     """Mechanism, load, contact, law of contact, pins, and what the satellites give."""
 
     model_config = ConfigDict(json_schema_extra=_design_schema)
@@ -67,24 +67,18 @@ class RealDesignFields(GivingFields):
     contact: RealContactFields
     contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     pin: Maybe[BentPinFields] = None
-    geometry: Literal["exact", "first_order"] = quantity(
-        "Geometry",
-        symbol="",
-        group="contact_law",
-        default="exact",
-        help="Exact, or first order in lag and deviations as in the papers.",
-    )
+    geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
+    """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
         "Torque of the lost motion",
-        symbol="",
         group="load",
         default=0.03,
-        ge=1e-6,
-        le=1,
         step=0.01,
         advanced=True,
-        help="Share of the torque, in both directions, under which the lost motion is taken.",
+        ge=1e-6,
+        le=1,
     )
+    """Share of the torque, in both directions, under which the lost motion is taken."""
 
     @model_validator(mode="after")
     def _first_order(self) -> Self:

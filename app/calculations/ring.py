@@ -4,7 +4,7 @@ from typing import Any, ClassVar, Self, get_args
 
 from pydantic import ConfigDict, model_validator
 
-from app.model import SIZE, Forms, Maybe, RequestModel, Whole, field_error, quantity, request_schema
+from app.model import Forms, Maybe, RequestModel, Size, Whole, field_error, quantity, request_schema
 from app.units import to_si
 from core.checks.sections import Ring
 from core.checks.sections import RingKind as Kind
@@ -51,71 +51,32 @@ def _ring_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
-class RingFields(RequestModel):
+class RingFields(RequestModel, group="gear"):
     """Teeth or pins of the ring, or the ratio of its forces itself."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
 
-    kind: Maybe[Kind] = quantity(
-        "Ring",
-        symbol="",
-        group="gear",
-        default=None,
-        help="Involute teeth, pins on which a cycloid disc rolls, or none: its force along the "
-        "crank is left out.",
-    )
-    module_mm: Maybe[float] = quantity(
-        "Module", symbol="m", group="gear", default=None, **SIZE, step=0.5, help="Of the teeth."
-    )
-    teeth_difference: Maybe[Whole] = quantity(
-        "Difference of teeth",
-        symbol="z₃ − z₂",
-        group="gear",
-        default=None,
-        ge=1,
-        le=1000,
-        help="Teeth of the ring less those of a satellite; that of the mechanism's teeth where "
-        "these are given.",
-    )
+    kind: Maybe[Kind] = quantity("Ring")
+    """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
+    left out."""
+    module_mm: Maybe[Size] = quantity("Module", "m", step=0.5)
+    """Of the teeth."""
+    teeth_difference: Maybe[Whole] = quantity("Difference of teeth", "z₃ − z₂", ge=1, le=1000)
+    """Teeth of the ring less those of a satellite; that of the mechanism's teeth where these are
+    given."""
     reference_pressure_angle_deg: Maybe[float] = quantity(
-        "Reference pressure angle",
-        symbol="α",
-        group="gear",
-        default=None,
-        ge=1,
-        le=60,
-        step=0.5,
-        help="Of the teeth; 20° where not given.",
+        "Reference pressure angle", "α", step=0.5, ge=1, le=60
     )
-    ring_pin_circle_radius_mm: Maybe[float] = quantity(
-        "Circle of the ring's pins",
-        symbol="R_p",
-        group="gear",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Radius of the circle of the ring's pins, on which a cycloid disc rolls.",
-    )
-    ring_pin_radius_mm: Maybe[float] = quantity(
-        "Radius of the ring's pins",
-        symbol="r_p",
-        group="gear",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="With it the roots of a cycloid disc are known, which the holes must not reach.",
-    )
+    """Of the teeth; 20° where not given."""
+    ring_pin_circle_radius_mm: Maybe[Size] = quantity("Circle of the ring's pins", "R_p", step=1)
+    """Radius of the circle of the ring's pins, on which a cycloid disc rolls."""
+    ring_pin_radius_mm: Maybe[Size] = quantity("Radius of the ring's pins", "r_p", step=0.5)
+    """With it the roots of a cycloid disc are known, which the holes must not reach."""
     radial_force_ratio: Maybe[float] = quantity(
-        "Ratio of the ring's forces",
-        symbol="ρ",
-        group="gear",
-        default=None,
-        ge=-100,
-        le=100,
-        step=0.05,
-        help="Force along the crank over that across it: positive towards the reducer's axis, as "
-        "with involute teeth, negative outwards, as with a ring of pins.",
+        "Ratio of the ring's forces", "ρ", step=0.05, ge=-100, le=100
     )
+    """Force along the crank over that across it: positive towards the reducer's axis, as with
+    involute teeth, negative outwards, as with a ring of pins."""
 
     model_config = ConfigDict(json_schema_extra=_ring_schema)
 
