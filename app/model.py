@@ -1,6 +1,6 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
@@ -164,6 +164,33 @@ def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
     return {"required": [*form], "not": {"anyOf": others}}
 
 
+Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
+"""Of each kind, the fields that it needs, and those that it may have besides."""
+
+
+@cache
+def _of_other_kinds(model: type["RequestModel"], kind: Any) -> tuple[str, ...]:
+    """Fields that kinds of a request have, but not this one."""
+    own = {*chain(*model.KINDS[kind])}
+    every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
+    return tuple(name for name in every if name not in own)
+
+
+def _kind_schema(model: type["RequestModel"], kind: Any) -> dict[str, Any]:
+    """What a kind needs, and that it takes nothing of the others."""
+    named: dict[str, Any] = {"required": [model.KIND]}
+    if kind is None:
+        named = {"not": named}
+    else:
+        default = kind == model.model_fields[model.KIND].default
+        named = {"properties": {model.KIND: {"const": kind}}} | ({} if default else named)
+    needed, others = model.KINDS[kind][0], _of_other_kinds(model, kind)
+    rule: dict[str, Any] = {"required": [*needed]} if needed else {}
+    if others:
+        rule["not"] = {"anyOf": [{"required": [name]} for name in others]}
+    return {"if": named, "then": rule}
+
+
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
@@ -171,6 +198,7 @@ def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     for forms, _, _ in _alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)
         rules.append({"oneOf": [_only(form, names) for form in forms]})
+    rules += [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
     if rules:
         schema["allOf"] = rules
 
@@ -193,6 +221,12 @@ class RequestModel(BaseModel):
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
     """Forms of which just one has to be given, each the names of its fields; an empty one says that
     none need be."""
+
+    KIND: ClassVar[str] = "kind"
+    """The field that says of which kind it is."""
+
+    KINDS: ClassVar[Kinds] = {}
+    """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
         super().__init_subclass__(**config)
@@ -230,6 +264,18 @@ class RequestModel(BaseModel):
             for forms, names, allowed in alternatives:
                 if names & named not in allowed:
                     raise _wrong_form(forms, named)
+        return self
+
+    @model_validator(mode="after")
+    def _fields_of_its_kind(self) -> Self:
+        if self.KINDS:
+            kind = getattr(self, self.KIND)
+            for name in self.KINDS[kind][0]:
+                if getattr(self, name) is None:
+                    raise field_error(name, "needed_beside", field=self.KIND)
+            for name in _of_other_kinds(type(self), kind):
+                if getattr(self, name) is not None:
+                    raise field_error(name, "of_another_kind", kind=kind or "none")
         return self
 
     def to_core(self) -> dict[str, Any]:

@@ -2,14 +2,14 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar
 
-from pydantic import ConfigDict, Discriminator, Tag, model_validator
+from pydantic import Discriminator, Tag
 
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields, MaterialName
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Maybe, RequestModel, Size, field_error, quantity, request_schema
+from app.model import Kinds, Maybe, RequestModel, Size, quantity
 from app.units import to_si
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.pin_beam import Support
@@ -57,16 +57,6 @@ PinMaterial = Annotated[
 ]
 
 
-def _held_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Two supports need their span."""
-    request_schema(schema, model)
-    schema["if"] = {
-        "properties": {"support": {"enum": ["supported", "fixed"]}},
-        "required": ["support"],
-    }
-    schema["then"] = {"required": ["span_mm"]}
-
-
 pin_places = partial(
     quantity,
     "Places of the satellites",
@@ -80,17 +70,17 @@ pin_places = partial(
 class HeldPinFields(RequestModel, group="pin"):
     """How the pins are held, and where the satellites load them."""
 
+    KIND: ClassVar[str] = "support"
+
+    KINDS: ClassVar[Kinds] = {
+        "cantilever": ((), ("span_mm",)),
+        "supported": (("span_mm",), ()),
+        "fixed": (("span_mm",), ()),
+    }
+
     satellite_positions_mm: list[Size] = pin_places()
     support: Support = quantity("Support", default="cantilever")
     """Held at one end (cantilever), at both ends free to tilt (supported), or at both ends built in
     (fixed); the truth of a cage lies between the latter two."""
     span_mm: Maybe[Size] = quantity("Span", "L", step=1)
     """Distance of the two supports; not for a cantilever."""
-
-    model_config = ConfigDict(json_schema_extra=_held_schema)
-
-    @model_validator(mode="after")
-    def _span_of_two_supports(self) -> Self:
-        if self.support != "cantilever" and self.span_mm is None:
-            raise field_error("span_mm", "needed_beside", field="support")
-        return self

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from functools import cached_property, partial
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import ConfigDict, Field, model_validator
 
@@ -12,7 +12,16 @@ from app.calculations.hertz import Material, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
-from app.model import LARGEST, Maybe, RequestModel, Size, field_error, quantity, request_schema
+from app.model import (
+    LARGEST,
+    Kinds,
+    Maybe,
+    RequestModel,
+    Size,
+    field_error,
+    quantity,
+    request_schema,
+)
 from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
 from core.materials import ElasticMaterial
@@ -37,16 +46,6 @@ from core.output.satellite_support import (
 )
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
-
-BY_KIND: dict[Kind, tuple[str, ...]] = {
-    "hertz": (),
-    "palmgren": (),
-    "linear": ("stiffness_N_per_mm",),
-    "power": ("exponent", "reference_force_N", "reference_approach_mm"),
-}
-"""What each kind of contact law needs; a field of another kind does not belong to it."""
-
-ONLY_HERTZ = "reference_depth_mm"
 
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
@@ -107,28 +106,15 @@ class RealContactFields(PinContactFields, group="contact"):
         }
 
 
-def _law_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What each kind of law needs, and that it takes nothing of the others."""
-    request_schema(schema, model)
-    names = [*(name for some in BY_KIND.values() for name in some), ONLY_HERTZ]
-    schema["allOf"] = [
-        {
-            "if": {"properties": {"kind": {"const": kind}}}
-            | ({} if kind == "hertz" else {"required": ["kind"]}),
-            "then": ({"required": [*needed]} if needed else {})
-            | {"not": {"anyOf": [{"required": [name]} for name in _strange(kind, names)]}},
-        }
-        for kind, needed in BY_KIND.items()
-    ]
-
-
-def _strange(kind: Kind, names: list[str]) -> list[str]:
-    own = (*BY_KIND[kind], ONLY_HERTZ) if kind == "hertz" else BY_KIND[kind]
-    return [name for name in names if name not in own]
-
-
 class ContactLawFields(RequestModel, group="contact_law"):
     """How a pair gives under a force."""
+
+    KINDS: ClassVar[Kinds] = {
+        "hertz": ((), ("reference_depth_mm",)),
+        "palmgren": ((), ()),
+        "linear": (("stiffness_N_per_mm",), ()),
+        "power": (("exponent", "reference_force_N", "reference_approach_mm"), ()),
+    }
 
     kind: Kind = quantity("Law of contact", default="hertz")
     """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."""
@@ -142,18 +128,6 @@ class ContactLawFields(RequestModel, group="contact_law"):
     """A force whose approach is known, for the power law."""
     reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
     """The approach under the reference force."""
-
-    model_config = ConfigDict(json_schema_extra=_law_schema)
-
-    @model_validator(mode="after")
-    def _fields_of_the_kind(self) -> Self:
-        for name in BY_KIND[self.kind]:
-            if getattr(self, name) is None:
-                raise field_error(name, "needed_beside", field="kind")
-        for name in _strange(self.kind, [*type(self).model_fields][1:]):
-            if getattr(self, name) is not None:
-                raise field_error(name, "of_another_kind", kind=self.kind)
-        return self
 
     def law(self) -> ContactLaw:
         """The law in SI units."""
@@ -215,28 +189,15 @@ class CrankSupportFields(RequestModel, group="crank_support"):
 
 CouplingKind = Literal["rigid", "elastic", "shares"]
 
-COUPLED_BY: dict[CouplingKind, str] = {
-    "elastic": "stiffness_Nm_per_arcmin",
-    "shares": "shares",
-}
-"""What a kind of coupling needs, and only that kind takes."""
-
-
-def _coupling_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What each kind of coupling needs, and that it takes nothing of the others."""
-    request_schema(schema, model)
-    schema["allOf"] = [
-        {
-            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
-            "then": {"required": [name]},
-            "else": {"not": {"required": [name]}},
-        }
-        for kind, name in COUPLED_BY.items()
-    ]
-
 
 class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
     """How the satellites share the torque."""
+
+    KINDS: ClassVar[Kinds] = {
+        "rigid": ((), ()),
+        "elastic": (("stiffness_Nm_per_arcmin",), ()),
+        "shares": (("shares",), ()),
+    }
 
     kind: CouplingKind = quantity("Coupling of the satellites", default="rigid")
     """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
@@ -248,16 +209,8 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
     )
     """Share of each satellite, together 1."""
 
-    model_config = ConfigDict(json_schema_extra=_coupling_schema)
-
     @model_validator(mode="after")
-    def _fields_of_the_kind(self) -> Self:
-        for kind, name in COUPLED_BY.items():
-            given = getattr(self, name) is not None
-            if kind == self.kind and not given:
-                raise field_error(name, "needed_beside", field="kind")
-            if kind != self.kind and given:
-                raise field_error(name, "of_another_kind", kind=self.kind)
+    def _shares_of_one(self) -> Self:
         total = math.fsum(self.shares or [1.0])
         if abs(total - 1) > SUM_ERROR:
             raise field_error("shares", "sum_not_one", sum=total)
@@ -315,7 +268,7 @@ class GivingFields(RequestModel):
 _COUPLED = {
     "properties": {
         "satellite_coupling": {
-            "properties": {"kind": {"enum": [*COUPLED_BY]}},
+            "properties": {"kind": {"enum": ["elastic", "shares"]}},
             "required": ["kind"],
         }
     },
@@ -399,4 +352,4 @@ class DeviationsFields(RequestModel, group="deviations"):
                 yield f"{name}/{index}", pins, len(row)
 
 
-assert {*get_args(Kind)} == {*BY_KIND}
+assert {*get_args(Kind)} == {*ContactLawFields.KINDS}

@@ -1,60 +1,28 @@
 """The ring as a request gives it: what presses the satellites along their cranks."""
 
-from typing import Any, ClassVar, Self, get_args
+from typing import ClassVar
 
-from pydantic import ConfigDict, model_validator
-
-from app.model import Forms, Maybe, RequestModel, Size, Whole, field_error, quantity, request_schema
+from app.model import Forms, Kinds, Maybe, RequestModel, Size, Whole, field_error, quantity
 from app.units import to_si
 from core.checks.sections import Ring
 from core.checks.sections import RingKind as Kind
 
-NEEDED: dict[Kind | None, tuple[str, ...]] = {
-    "involute": ("module_mm",),
-    "cycloid": ("ring_pin_circle_radius_mm",),
-    "none": (),
-    None: (),
-}
-"""What each kind of ring needs; a ratio that is given needs nothing."""
-
-OPTIONAL: dict[Kind | None, tuple[str, ...]] = {
-    "involute": ("teeth_difference", "reference_pressure_angle_deg"),
-    "cycloid": ("ring_pin_radius_mm",),
-}
-"""What it may have besides; the difference of teeth is that of the mechanism where this has teeth,
-and needed where it has none.
-"""
-
 REFERENCE_ANGLE_DEG = 20.0
-
-
-def _strange(kind: Kind | None) -> list[str]:
-    """Fields of other kinds."""
-    every = [name for names in (*NEEDED.values(), *OPTIONAL.values()) for name in names]
-    own = (*NEEDED[kind], *OPTIONAL.get(kind, ()))
-    return [name for name in every if name not in own]
-
-
-def _ring_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What each kind needs, and that it takes nothing of the others."""
-    request_schema(schema, model)
-    ratio = {"not": {"required": ["kind"]}}
-    schema["allOf"] += [
-        {
-            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]}
-            if kind
-            else ratio,
-            "then": ({"required": [*needed]} if needed else {})
-            | {"not": {"anyOf": [{"required": [name]} for name in _strange(kind)]}},
-        }
-        for kind, needed in NEEDED.items()
-    ]
 
 
 class RingFields(RequestModel, group="gear"):
     """Teeth or pins of the ring, or the ratio of its forces itself."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
+
+    KINDS: ClassVar[Kinds] = {
+        "involute": (("module_mm",), ("teeth_difference", "reference_pressure_angle_deg")),
+        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm",)),
+        "none": ((), ()),
+        None: ((), ()),
+    }
+    """The difference of teeth is that of the mechanism where this has teeth, and needed where it
+    has none; a ratio that is given needs nothing."""
 
     kind: Maybe[Kind] = quantity("Ring")
     """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
@@ -77,18 +45,6 @@ class RingFields(RequestModel, group="gear"):
     )
     """Force along the crank over that across it: positive towards the reducer's axis, as with
     involute teeth, negative outwards, as with a ring of pins."""
-
-    model_config = ConfigDict(json_schema_extra=_ring_schema)
-
-    @model_validator(mode="after")
-    def _fields_of_the_kind(self) -> Self:
-        for name in NEEDED[self.kind]:
-            if getattr(self, name) is None:
-                raise field_error(name, "needed_beside", field="kind")
-        for name in _strange(self.kind):
-            if getattr(self, name) is not None:
-                raise field_error(name, "of_another_kind", kind=self.kind or get_args(Kind)[-1])
-        return self
 
     def refuse_other_teeth(self, difference: int | None) -> None:
         """Refuse involute teeth without a difference, or with another than the mechanism's.
