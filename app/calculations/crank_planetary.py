@@ -5,7 +5,7 @@ from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.checks import (
     FixesFor,
@@ -17,7 +17,7 @@ from app.calculations.checks import (
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
+from app.calculations.design import DesignFields, SatelliteBodyFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import FitOut, OverTurnOut
@@ -31,7 +31,6 @@ from app.model import (
     Angle,
     Calculation,
     Maybe,
-    RequestModel,
     ResponseModel,
     Values,
     WarningOut,
@@ -128,25 +127,6 @@ MOST_PAIRS: dict[Section, int] = {
 """Most pairs of which they are calculated."""
 
 
-def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Parts that the sections named in `include` need; what excludes or needs each other."""
-    design_schema(schema, model)
-    needed: dict[tuple[str, ...], list[Section]] = {}
-    for section, parts in _NEEDS.items():
-        needed.setdefault(parts, []).append(section)
-    schema["allOf"] += [
-        {
-            "if": {
-                "properties": {"include": {"contains": {"enum": sections}}},
-                "required": ["include"],
-            },
-            "then": given_schema(parts),
-        }
-        for parts, sections in needed.items()
-        if parts
-    ]
-
-
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
@@ -176,8 +156,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
     )
-
-    model_config = ConfigDict(json_schema_extra=_sections_schema)
 
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:

@@ -3,12 +3,12 @@ load, contact, and the forces that follow.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, Literal, Self, TypeVar, cast
 
-from pydantic import ConfigDict, model_validator
+from pydantic import model_validator
 
 from app.calculations.contact_force import (
     LoadFields,
@@ -21,7 +21,6 @@ from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinMaterial, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import (
-    BOTH,
     BentPinFields,
     ContactLawFields,
     DeviationsFields,
@@ -29,7 +28,7 @@ from app.calculations.real_mechanism import (
     assumed_pin,
     torque_direction,
 )
-from app.model import Maybe, RequestModel, Size, field_error, quantity, request_schema, result
+from app.model import Maybe, RequestModel, Size, field_error, quantity, result
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -97,44 +96,6 @@ class SleevedPinFields(DesignPinFields, group="pin"):
     satellite_positions_mm: Maybe[list[Size]] = pin_places()  # type: ignore[assignment]
 
 
-def given_schema(parts: Iterable[str]) -> dict[str, Any]:
-    """Schema of a body that has parts, and fields of them (`part/field`)."""
-    inner: dict[str, list[str]] = {}
-    for part in parts:
-        name, _, field = part.partition("/")
-        inner.setdefault(name, []).extend([field] if field else [])
-    fields = {name: {"required": needed} for name, needed in inner.items() if needed}
-    return {"required": [*inner]} | ({"properties": fields} if fields else {})
-
-
-def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """One factor of the load, pins inside sleeves."""
-    request_schema(schema, model)
-    factors = given_schema(("load/application_factor", "contact/dynamic_factor"))
-    schema["allOf"] = [*schema.get("allOf", ()), {"not": factors}]
-    if "friction" in model.model_fields:
-        sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
-        rule = {"properties": {"friction": sleeve}, "required": ["friction"]}
-        schema["allOf"].append({"if": rule, "then": {"required": ["pin"]}})
-
-
-def section_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """The same of a section by itself: satellites that give in one way, and the difference of teeth
-    of a mechanism without them. (Beside all sections it is more than generators of requests can
-    take.)
-    """
-    design_schema(schema, model)
-    for rule in schema["allOf"]:
-        if "not" in rule:
-            rule["not"] = {"anyOf": [rule["not"], BOTH]}
-    if "gear" in model.model_fields:
-        teeth = {"properties": {"kind": {"const": "involute"}}, "required": ["kind"]}
-        toothless = given_schema(("gear", "mechanism/ratio"))
-        toothless["properties"]["gear"] = teeth
-        needed = {"properties": {"gear": {"required": ["teeth_difference"]}}}
-        schema["allOf"].append({"if": toothless, "then": needed})
-
-
 class DesignFields(GivingFields):
     """Mechanism, load and contact, and all that changes the forces.
 
@@ -150,8 +111,6 @@ class DesignFields(GivingFields):
     contact_law: Maybe[ContactLawFields] = None
     deviations: Maybe[DeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
-
-    model_config = ConfigDict(json_schema_extra=section_schema)
 
     @model_validator(mode="after")
     def _one_factor(self) -> Self:

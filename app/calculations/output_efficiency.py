@@ -4,7 +4,7 @@ import math
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import ConfigDict, Field, field_validator
+from pydantic import Field, field_validator
 
 from app.calculations.contact_force import CurveFields
 from app.calculations.design import (
@@ -30,7 +30,6 @@ from app.model import (
     WarningOut,
     no_dust,
     quantity,
-    request_schema,
 )
 from app.running import run
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
@@ -55,8 +54,6 @@ class SlidingContactFields(PinContactFields, group="contact"):
     """Pin, hole and crank, whose eccentricity is needed."""
 
     eccentricity_mm: Size = eccentricity()
-
-    model_config = ConfigDict(json_schema_extra=request_schema)
 
 
 class FrictionFields(RequestModel, group="friction"):

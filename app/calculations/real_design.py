@@ -4,12 +4,10 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, Literal, Self
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
-    BOTH,
-    GIVING,
     BentPinFields,
     ContactLawFields,
     GivingFields,
@@ -17,7 +15,7 @@ from app.calculations.real_mechanism import (
     RealLoadFields,
     assumed_pin,
 )
-from app.model import Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import Maybe, field_error, quantity
 from app.units import to_si
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -25,20 +23,6 @@ from core.output.satellite_support import Shares
 
 TIMES_AS_LONG = 4
 """How many times as long a position takes whose satellites give."""
-
-
-def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Satellites give in one way, and in first order only."""
-    request_schema(schema, model)
-    first_order = {
-        "properties": {"geometry": {"const": "first_order"}},
-        "required": ["geometry"],
-    }
-    schema["allOf"] = [
-        *schema.get("allOf", ()),
-        {"if": GIVING, "then": first_order},
-        {"not": BOTH},
-    ]
 
 
 LEFT_OUT = (
@@ -54,8 +38,6 @@ LEFT_OUT = (
 
 class RealDesignFields(GivingFields, group="contact_law"):
     """Mechanism, load, contact, law of contact, pins, and what the satellites give."""
-
-    model_config = ConfigDict(json_schema_extra=_design_schema)
 
     @property
     def long(self) -> bool:

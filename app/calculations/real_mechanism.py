@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
 from app.calculations.hertz import Material, eccentricity, material_of
@@ -20,7 +20,6 @@ from app.model import (
     Size,
     field_error,
     quantity,
-    request_schema,
 )
 from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
@@ -91,8 +90,6 @@ class RealContactFields(PinContactFields, group="contact"):
         "Distribution factor", "K_α", default=1.0, step=0.05, ge=1e-12, le=1
     )
     """Factor of uneven load sharing between the pairs."""
-
-    model_config = ConfigDict(json_schema_extra=request_schema)
 
     def sizes(self) -> dict[str, Any]:
         """Sizes and materials in SI units, as the core's arguments."""
@@ -263,24 +260,6 @@ class GivingFields(RequestModel):
         if isinstance(self.support, Shares) and len(self.support.shares) != satellites:
             counts = {"expected": satellites, "actual": len(self.support.shares)}
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
-
-
-_COUPLED = {
-    "properties": {
-        "satellite_coupling": {
-            "properties": {"kind": {"enum": ["elastic", "shares"]}},
-            "required": ["kind"],
-        }
-    },
-    "required": ["satellite_coupling"],
-}
-_SUPPORTED = {"required": ["crank_support"]}
-
-GIVING: dict[str, Any] = {"anyOf": [_SUPPORTED, _COUPLED]}
-"""Schema of a body whose satellites give."""
-
-BOTH: dict[str, Any] = {"allOf": [_SUPPORTED, _COUPLED]}
-"""Schema of a body that says in two ways what they give, which is refused."""
 
 
 OF_PINS = Field(min_length=1, max_length=MAX_LISTED_PINS)

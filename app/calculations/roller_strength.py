@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
@@ -13,7 +13,6 @@ from app.model import (
     Calculation,
     Forms,
     Maybe,
-    RequestModel,
     Size,
     Values,
     WarningOut,
@@ -21,7 +20,6 @@ from app.model import (
     field_error,
     no_dust,
     quantity,
-    request_schema,
     result,
     warning,
 )
@@ -72,16 +70,6 @@ Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 
 NOTCHES = ("fatigue_notch_factor", "notch")
-
-
-def _notched_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """A notch counts once: beside the middle sphere or in the fatigue."""
-    request_schema(schema, model)
-    twice = {
-        "stress_concentration": {"exclusiveMinimum": 1},
-        "fatigue": {"anyOf": [{"required": [name]} for name in NOTCHES]},
-    }
-    schema["allOf"].append({"not": {"properties": twice, "required": [*twice]}})
 
 
 class RollerStrengthRequest(JudgedFields, group="roller"):
@@ -143,8 +131,6 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     roller_rotates: bool = quantity("Roller rotates", default=False)
     """Whether the roller spins in its seat: then its bending is fully reversed."""
     fatigue: Maybe[FatigueFields] = None
-
-    model_config = ConfigDict(json_schema_extra=_notched_schema)
 
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 

@@ -3,16 +3,15 @@
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict, model_validator
+from pydantic import model_validator
 
 from app.calculations.design import (
     DesignFields,
     DrivenLoadFields,
     ForcesUsed,
     forces_used,
-    section_schema,
 )
-from app.calculations.pin_contact import TOUCHING, CrankContactFields
+from app.calculations.pin_contact import CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
@@ -64,22 +63,12 @@ class BearingFields(ShaftBearingFields, group="bearing"):
     """Slope of the distribution of lives, for the life of all bearings together."""
 
 
-def _cranked_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What needs pins that touch their holes."""
-    section_schema(schema, model)
-    some = {"anyOf": [{"required": [name]} for name in OF_PINS]}
-    touching = {"properties": {"contact": {"required": [*TOUCHING]}}}
-    schema["allOf"].append({"if": some, "then": touching})
-
-
 class CrankedRequest(DesignFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
     load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
-
-    model_config = ConfigDict(json_schema_extra=_cranked_schema)
 
     @model_validator(mode="after")
     def _touching(self) -> Self:
