@@ -258,25 +258,24 @@ class RequestModel(BaseModel):
         return type(self), tuple(given)
 
     @model_validator(mode="after")
-    def _one_form_each(self) -> Self:
+    def _one_form_and_kind(self) -> Self:
         if alternatives := _alternatives(type(self)):
             named = self.model_fields_set
             for forms, names, allowed in alternatives:
                 if names & named not in allowed:
                     raise _wrong_form(forms, named)
+        if self.KINDS:
+            self._refuse_other_kinds()
         return self
 
-    @model_validator(mode="after")
-    def _fields_of_its_kind(self) -> Self:
-        if self.KINDS:
-            kind = getattr(self, self.KIND)
-            for name in self.KINDS[kind][0]:
-                if getattr(self, name) is None:
-                    raise field_error(name, "needed_beside", field=self.KIND)
-            for name in _of_other_kinds(type(self), kind):
-                if getattr(self, name) is not None:
-                    raise field_error(name, "of_another_kind", kind=kind or "none")
-        return self
+    def _refuse_other_kinds(self) -> None:
+        kind = getattr(self, self.KIND)
+        for name in self.KINDS[kind][0]:
+            if getattr(self, name) is None:
+                raise field_error(name, "needed_beside", field=self.KIND)
+        for name in _of_other_kinds(type(self), kind):
+            if getattr(self, name) is not None:
+                raise field_error(name, "of_another_kind", kind=kind or "none")
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
