@@ -18,7 +18,7 @@ from starlette.types import Receive, Scope, Send
 from app import VERSION, theme
 from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, SIZE, Calculation, Maybe, ResponseModel
+from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS
@@ -366,7 +366,7 @@ async def materials() -> MaterialTable:
 async def tolerances(
     size_mm: Annotated[
         float,
-        Query(ge=SIZE["ge"], le=SIZES[-1], allow_inf_nan=False, description="Nominal diameter."),
+        Query(ge=SMALLEST, le=SIZES[-1], allow_inf_nan=False, description="Nominal diameter."),
     ],
     name: Annotated[
         ClassName | None, Query(alias="class", description="One class; all where not given.")

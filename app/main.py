@@ -60,7 +60,9 @@ TAGS = [
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
 A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
-accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields.
+accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields. The schemas say
+which fields exclude each other, and what belongs to a kind; what else a field or a part needs of
+another is refused though a schema admits it, as is what cannot exist.
 """
 
 

@@ -1,7 +1,7 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
@@ -15,6 +15,7 @@ from pydantic import (
     GetCoreSchemaHandler,
     model_validator,
 )
+from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from app.settings import Settings
@@ -29,22 +30,28 @@ from app.units import (
 from core.notices import NOTICES
 from core.results import METHODS, Accuracy, Notice
 
-SIZE: dict[str, Any] = {"ge": 1e-12, "le": 1e12}
-"""Limits of every positive physical quantity, in its unit: within them no result leaves the range
-of numbers and none loses digits at its lower end."""
+SMALLEST = 1e-12
+LARGEST = 1e12
+
+Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
+"""A positive physical quantity, in its unit: within these limits no result leaves the range of
+numbers and none loses digits at its lower end."""
+
+Angle = Annotated[float, Field(ge=-3600, le=3600)]
+"""An angle in degrees, of up to ten turns."""
 
 
 def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
-    if value is not None and 0 < abs(value) < SIZE["ge"]:
-        raise PydanticCustomError("dust", "dust", {"limit": SIZE["ge"]})
+    if value is not None and 0 < abs(value) < SMALLEST:
+        raise PydanticCustomError("dust", "dust", {"limit": SMALLEST})
     return value
 
 
 NO_DUST: dict[str, Any] = {
-    "anyOf": [{"const": 0}, {"minimum": SIZE["ge"]}, {"maximum": -SIZE["ge"]}],
+    "anyOf": [{"const": 0}, {"minimum": SMALLEST}, {"maximum": -SMALLEST}],
 }
 """What `no_dust` takes, for a field's JSON schema."""
 
@@ -61,8 +68,8 @@ class _NotNull:
 
 
 Present = TypeVar("Present")
-Maybe = Annotated[Present | None, _NotNull()]
-"""What may be absent: None in Python, and no null in JSON."""
+Maybe = Annotated[Present | None, _NotNull(), Field(default=None)]
+"""What may be absent: None in Python, which is its default, and no null in JSON."""
 
 
 def _whole(value: Any) -> Any:
@@ -99,8 +106,12 @@ def api_params(params: dict[str, Any]) -> dict[str, Any]:
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
-    """Write each field's unit, which its name ends in, into the JSON schema; no default of null."""
+    """Write each field's unit, which its name ends in, into the JSON schema; its description in one
+    line; no default of null.
+    """
     for name, field in schema.get("properties", {}).items():
+        if "description" in field:
+            field["description"] = " ".join(field["description"].split())
         if unit := shown_unit(name):
             field["x-unit"] = unit
         if field.get("default", ...) is None:
@@ -154,6 +165,33 @@ def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
     return {"required": [*form], "not": {"anyOf": others}}
 
 
+Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
+"""Of each kind, the fields that it needs, and those that it may have besides."""
+
+
+@cache
+def _of_other_kinds(model: type["RequestModel"], kind: Any) -> tuple[str, ...]:
+    """Fields that kinds of a request have, but not this one."""
+    own = {*chain(*model.KINDS[kind])}
+    every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
+    return tuple(name for name in every if name not in own)
+
+
+def _kind_schema(model: type["RequestModel"], kind: Any) -> dict[str, Any]:
+    """What a kind needs, and that it takes nothing of the others."""
+    named: dict[str, Any] = {"required": [model.KIND]}
+    if kind is None:
+        named = {"not": named}
+    else:
+        default = kind == model.model_fields[model.KIND].default
+        named = {"properties": {model.KIND: {"const": kind}}} | ({} if default else named)
+    needed, others = model.KINDS[kind][0], _of_other_kinds(model, kind)
+    rule: dict[str, Any] = {"required": [*needed]} if needed else {}
+    if others:
+        rule["not"] = {"anyOf": [{"required": [name]} for name in others]}
+    return {"if": named, "then": rule}
+
+
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
@@ -161,23 +199,44 @@ def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     for forms, _, _ in _alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)
         rules.append({"oneOf": [_only(form, names) for form in forms]})
+    rules += [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
     if rules:
         schema["allOf"] = rules
 
 
 class RequestModel(BaseModel):
-    """A request: numbers only, finite only, nothing unknown."""
+    """A request: numbers only, finite only, nothing unknown.
+
+    The text below a field is its help. `group` is the group of the form that the fields of a class
+    belong to, but for those that name another.
+    """
 
     model_config = ConfigDict(
         extra="forbid",
         strict=True,
         allow_inf_nan=False,
+        use_attribute_docstrings=True,
         json_schema_extra=request_schema,
     )
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
     """Forms of which just one has to be given, each the names of its fields; an empty one says that
     none need be."""
+
+    KIND: ClassVar[str] = "kind"
+    """The field that says of which kind it is."""
+
+    KINDS: ClassVar[Kinds] = {}
+    """What its kinds have; fields that no kind has are those of all. None: without a kind."""
+
+    def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
+        super().__init_subclass__(**config)
+        for name, field in vars(cls).items():
+            shown = field.json_schema_extra if isinstance(field, FieldInfo) else None
+            if isinstance(shown, dict) and "x-symbol" in shown and "x-group" not in shown:
+                if group is None:
+                    raise TypeError(f"{cls.__name__}.{name} belongs to no group")
+                shown["x-group"] = group
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -200,13 +259,24 @@ class RequestModel(BaseModel):
         return type(self), tuple(given)
 
     @model_validator(mode="after")
-    def _one_form_each(self) -> Self:
+    def _one_form_and_kind(self) -> Self:
         if alternatives := _alternatives(type(self)):
             named = self.model_fields_set
             for forms, names, allowed in alternatives:
                 if names & named not in allowed:
                     raise _wrong_form(forms, named)
+        if self.KINDS:
+            self._refuse_other_kinds()
         return self
+
+    def _refuse_other_kinds(self) -> None:
+        kind = getattr(self, self.KIND)
+        for name in self.KINDS[kind][0]:
+            if getattr(self, name) is None:
+                raise field_error(name, "needed_beside", field=self.KIND)
+        for name in _of_other_kinds(type(self), kind):
+            if getattr(self, name) is not None:
+                raise field_error(name, "of_another_kind", kind=kind or "none")
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
@@ -262,10 +332,10 @@ def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None
 
 def quantity(
     title: str,
+    symbol: str = "",
     *,
-    symbol: str,
-    group: str,
-    help: str = "",
+    group: str | None = None,
+    help: str | None = None,
     step: float | None = None,
     advanced: bool = False,
     schema: dict[str, Any] | None = None,
@@ -277,10 +347,10 @@ def quantity(
     ----------
     title, symbol : str
         Name and symbol, as engineers write them.
-    group : str
-        Group of the form that the field belongs to.
-    help : str
-        What it is, in a sentence.
+    group : str, optional
+        Group of the form that the field belongs to, where it is not that of its class.
+    help : str, optional
+        What it is, in a sentence, where no text below the field says it.
     step : float, optional
         By how much the arrow keys change it.
     advanced : bool
@@ -294,7 +364,7 @@ def quantity(
     extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
     return Field(
         title=title,
-        description=help or None,
+        description=help,
         json_schema_extra=cast(Any, extra | (schema or {})),
         **limits,
     )

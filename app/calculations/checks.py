@@ -3,17 +3,17 @@
 import math
 from collections.abc import Iterable
 from functools import cache, lru_cache
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
 from app.model import (
-    SIZE,
     AssumingResponse,
     Maybe,
     RequestModel,
     ResponseModel,
     Shape,
+    Size,
     Values,
     core_paths,
     given_paths,
@@ -30,169 +30,47 @@ from core.materials import LIMIT_SOURCES, Criterion, Verified
 
 FixesFor = Literal["governing", "failed"]
 
-SAFETY: dict[str, Any] = {"ge": 0.1, "le": 100, "step": 0.1}
+Safety = Annotated[float, Field(ge=0.1, le=100)]
 
 
-class RequirementsFields(RequestModel):
+class RequirementsFields(RequestModel, group="requirements"):
     """What a design has to keep; a demand that is not made is not checked."""
 
-    pitting_safety: float = quantity(
-        "Safety against pitting",
-        symbol="S_H",
-        group="requirements",
-        default=1.2,
-        **SAFETY,
-        help="Limit of the contact pressure over the pressure; a ratio of pressures.",
-    )
-    bending_safety: float = quantity(
-        "Safety against bending",
-        symbol="S_F",
-        group="requirements",
-        default=1.5,
-        **SAFETY,
-        help="Yield strength over bending stress.",
-    )
-    fatigue_safety: float = quantity(
-        "Safety in fatigue",
-        symbol="S_D",
-        group="requirements",
-        default=1.5,
-        **SAFETY,
-        help="Factor by which all stresses of a part may grow before it breaks by fatigue.",
-    )
-    static_safety: Maybe[float] = quantity(
-        "Static safety of bearings",
-        symbol="S_0",
-        group="requirements",
-        default=None,
-        **SAFETY,
-        help="Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers "
-        "where it is not given.",
-    )
-    life_h: float = quantity(
-        "Life",
-        symbol="L",
-        group="requirements",
-        default=5000.0,
-        **SIZE,
-        step=500,
-        help="Time that the reducer has to last.",
-    )
-    min_wall_mm: Maybe[float] = quantity(
-        "Least wall",
-        symbol="w",
-        group="requirements",
-        default=None,
-        ge=1e-12,
-        le=1e12,
-        step=0.5,
-        help="Least wall between holes, to the rim and to the bore.",
-    )
-    max_backlash_arcmin: Maybe[float] = quantity(
-        "Largest backlash",
-        symbol="Δφ_b",
-        group="requirements",
-        default=None,
-        ge=1e-12,
-        le=1e12,
-        step=0.5,
-        help="Largest play of the unloaded output mechanism over the turn.",
-    )
-    max_lost_motion_arcmin: Maybe[float] = quantity(
-        "Largest lost motion",
-        symbol="Δφ_l",
-        group="requirements",
-        default=None,
-        ge=1e-12,
-        le=1e12,
-        step=0.5,
-        help="Largest rotation of the output mechanism between 3 % of the torque in both "
-        "directions.",
-    )
-    max_deflection_mm: Maybe[float] = quantity(
-        "Largest deflection",
-        symbol="Δ_max",
-        group="requirements",
-        default=None,
-        ge=1e-12,
-        le=1e12,
-        step=0.01,
-        help="Largest deflection of the shaft at its bearings, or of the pins in the satellites.",
-    )
-    max_slope_mrad: Maybe[float] = quantity(
-        "Largest slope",
-        symbol="θ_max",
-        group="requirements",
-        default=None,
-        ge=1e-12,
-        le=1e12,
-        step=0.1,
-        help="Largest slope of the shaft in its bearings, or of the pins in the satellites.",
-    )
-    min_efficiency: Maybe[float] = quantity(
-        "Least efficiency",
-        symbol="η_min",
-        group="requirements",
-        default=None,
-        ge=1e-3,
-        lt=1,
-        step=0.01,
-        help="Least mean efficiency of the output mechanism alone.",
-    )
-    max_wear_mm: Maybe[float] = quantity(
-        "Largest wear",
-        symbol="h_max",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=0.01,
-        help="Largest depth of wear of pin or hole at the end of the life.",
-    )
-    max_pv_MPa_m_per_s: Maybe[float] = quantity(
-        "Largest pv",
-        symbol="(pv)_all",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=0.1,
-        help="Largest pressure on the projected area times sliding speed.",
-    )
-    max_sliding_speed_m_per_s: Maybe[float] = quantity(
-        "Largest sliding speed",
-        symbol="v_max",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=0.1,
-        help="Largest speed at which pins slide in the holes, or in their sleeves.",
-    )
-    max_outer_diameter_mm: Maybe[float] = quantity(
-        "Largest diameter",
-        symbol="D_max",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=5,
-        help="Largest diameter of the space in which the satellites move.",
-    )
-    max_unbalance_N: Maybe[float] = quantity(
-        "Largest unbalanced force",
-        symbol="F_U",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Largest force of the satellites' masses on the crankshaft.",
-    )
-    max_unbalance_couple_Nm: Maybe[float] = quantity(
-        "Largest unbalanced couple",
-        symbol="M_U",
-        group="requirements",
-        default=None,
-        **SIZE,
-        step=0.1,
-        help="Largest couple of the satellites' masses on the crankshaft.",
-    )
+    pitting_safety: Safety = quantity("Safety against pitting", "S_H", default=1.2, step=0.1)
+    """Limit of the contact pressure over the pressure; a ratio of pressures."""
+    bending_safety: Safety = quantity("Safety against bending", "S_F", default=1.5, step=0.1)
+    """Yield strength over bending stress."""
+    fatigue_safety: Safety = quantity("Safety in fatigue", "S_D", default=1.5, step=0.1)
+    """Factor by which all stresses of a part may grow before it breaks by fatigue."""
+    static_safety: Maybe[Safety] = quantity("Static safety of bearings", "S_0", step=0.1)
+    """Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers where it
+    is not given."""
+    life_h: Size = quantity("Life", "L", default=5000.0, step=500)
+    """Time that the reducer has to last."""
+    min_wall_mm: Maybe[Size] = quantity("Least wall", "w", step=0.5)
+    """Least wall between holes, to the rim and to the bore."""
+    max_backlash_arcmin: Maybe[Size] = quantity("Largest backlash", "Δφ_b", step=0.5)
+    """Largest play of the unloaded output mechanism over the turn."""
+    max_lost_motion_arcmin: Maybe[Size] = quantity("Largest lost motion", "Δφ_l", step=0.5)
+    """Largest rotation of the output mechanism between 3 % of the torque in both directions."""
+    max_deflection_mm: Maybe[Size] = quantity("Largest deflection", "Δ_max", step=0.01)
+    """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
+    max_slope_mrad: Maybe[Size] = quantity("Largest slope", "θ_max", step=0.1)
+    """Largest slope of the shaft in its bearings, or of the pins in the satellites."""
+    min_efficiency: Maybe[float] = quantity("Least efficiency", "η_min", step=0.01, ge=1e-3, lt=1)
+    """Least mean efficiency of the output mechanism alone."""
+    max_wear_mm: Maybe[Size] = quantity("Largest wear", "h_max", step=0.01)
+    """Largest depth of wear of pin or hole at the end of the life."""
+    max_pv_MPa_m_per_s: Maybe[Size] = quantity("Largest pv", "(pv)_all", step=0.1)
+    """Largest pressure on the projected area times sliding speed."""
+    max_sliding_speed_m_per_s: Maybe[Size] = quantity("Largest sliding speed", "v_max", step=0.1)
+    """Largest speed at which pins slide in the holes, or in their sleeves."""
+    max_outer_diameter_mm: Maybe[Size] = quantity("Largest diameter", "D_max", step=5)
+    """Largest diameter of the space in which the satellites move."""
+    max_unbalance_N: Maybe[Size] = quantity("Largest unbalanced force", "F_U", step=10)
+    """Largest force of the satellites' masses on the crankshaft."""
+    max_unbalance_couple_Nm: Maybe[Size] = quantity("Largest unbalanced couple", "M_U", step=0.1)
+    """Largest couple of the satellites' masses on the crankshaft."""
 
 
 class JudgedFields(RequestModel):

@@ -9,7 +9,6 @@ from pydantic import Field
 
 from app.calculations.mechanism import MechanismFields
 from app.model import (
-    SIZE,
     AccuracyOut,
     AssumingResponse,
     Calculation,
@@ -17,6 +16,7 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     Whole,
@@ -69,81 +69,39 @@ MAX_CURVE_VALUES = 1_000_000
 application_factor = partial(
     quantity,
     "Application factor",
-    symbol="K_A",
-    group="load",
-    default=None,
-    **SIZE,
+    "K_A",
     step=0.05,
-    help="Factor on the torque for stresses and pressures, not for losses, wear and the life "
-    "of bearings; not beside the contact's dynamic factor, which is the same.",
+    help="Factor on the torque for stresses and pressures, not for losses, wear and the life of "
+    "bearings; not beside the contact's dynamic factor, which is the same.",
 )
 
 peak_torque = partial(
     quantity,
     "Peak torque",
-    symbol="T_max",
-    group="load",
-    default=None,
-    **SIZE,
+    "T_max",
     step=10,
     help="Largest torque, for static strength, at least the torque times its factor; that where "
     "not given.",
 )
 
 
-class TorqueFields(RequestModel):
+class TorqueFields(RequestModel, group="load"):
     """Torque, lever and load sharing of the pins."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
     )
 
-    output_torque_Nm: Maybe[float] = quantity(
-        "Output torque",
-        symbol="T",
-        group="load",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Torque on the output link.",
-    )
-    input_torque_Nm: Maybe[float] = quantity(
-        "Input torque",
-        symbol="T₁",
-        group="load",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Torque on the crankshaft; T = T₁·u·η.",
-    )
-    efficiency: Maybe[float] = quantity(
-        "Efficiency",
-        symbol="η",
-        group="load",
-        default=None,
-        ge=1e-3,
-        le=1,
-        step=0.01,
-        help="Efficiency of the reducer, needed with the input torque.",
-    )
-    pin_circle_radius_mm: float = quantity(
-        "Pin circle radius",
-        symbol="R",
-        group="load",
-        **SIZE,
-        step=1,
-        help="Radius of the circle of pin centres.",
-    )
-    force_exponent: float = quantity(
-        "Force exponent",
-        symbol="v",
-        group="load",
-        default=1.0,
-        ge=0,
-        le=1e6,
-        step=0.1,
-        help="Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws.",
-    )
+    output_torque_Nm: Maybe[Size] = quantity("Output torque", "T", step=10)
+    """Torque on the output link."""
+    input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
+    """Torque on the crankshaft; T = T₁·u·η."""
+    efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
+    """Efficiency of the reducer, needed with the input torque."""
+    pin_circle_radius_mm: Size = quantity("Pin circle radius", "R", step=1)
+    """Radius of the circle of pin centres."""
+    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
+    """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
 
     def torque(self, mechanism: Mechanism) -> float:
         """Torque on the output link, N*m."""
@@ -157,20 +115,11 @@ class TorqueFields(RequestModel):
         )
 
 
-class CurveFields(RequestModel):
+class CurveFields(RequestModel, group="load"):
     """How finely curves are asked."""
 
-    samples: Whole = quantity(
-        "Samples",
-        symbol="",
-        group="load",
-        default=361,
-        ge=2,
-        le=MAX_SAMPLES,
-        step=1,
-        advanced=True,
-        help="Number of points of each curve.",
-    )
+    samples: Whole = quantity("Samples", default=361, step=1, advanced=True, ge=2, le=MAX_SAMPLES)
+    """Number of points of each curve."""
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more samples than the operator allows.

@@ -32,30 +32,18 @@ MAX_POINT_VALUES = 200_000
 """Most points of all contact lines together."""
 
 
-class ContactLineRequest(GearFields):
+class ContactLineRequest(GearFields, group="load"):
     """A mesh whose contact lines are asked."""
 
-    torque_sign: Maybe[Literal[-1, 1]] = quantity(
-        "Sign of the torque",
-        symbol="",
-        group="load",
-        default=None,
-        help="Chooses the loaded flank of rollers whose limits are given in z.",
-    )
+    torque_sign: Maybe[Literal[-1, 1]] = quantity("Sign of the torque")
+    """Chooses the loaded flank of rollers whose limits are given in z."""
     include: list[Literal["points"]] = Field(
         default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
     samples: Whole = quantity(
-        "Samples",
-        symbol="",
-        group="rollers",
-        default=61,
-        ge=2,
-        le=10_001,
-        step=1,
-        advanced=True,
-        help="Number of points of each curve.",
+        "Samples", group="rollers", default=61, step=1, advanced=True, ge=2, le=10_001
     )
+    """Number of points of each curve."""
 
     def cost(self) -> float:
         """Points of the contact lines, and those that are asked."""

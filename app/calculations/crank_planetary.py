@@ -2,11 +2,11 @@
 
 import math
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.checks import (
     FixesFor,
@@ -18,20 +18,20 @@ from app.calculations.checks import (
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
-from app.calculations.design import DesignFields, SatelliteBodyFields, design_schema, given_schema
+from app.calculations.design import DesignFields, SatelliteBodyFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import FitOut, OverTurnOut
-from app.calculations.mechanism import MAX_PAIRS, Angle
+from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.model import (
     AccuracyOut,
+    Angle,
     Calculation,
     Maybe,
-    RequestModel,
     ResponseModel,
     Values,
     WarningOut,
@@ -128,26 +128,7 @@ MOST_PAIRS: dict[Section, int] = {
 """Most pairs of which they are calculated."""
 
 
-def _sections_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Parts that the sections named in `include` need; what excludes or needs each other."""
-    design_schema(schema, model)
-    needed: dict[tuple[str, ...], list[Section]] = {}
-    for section, parts in _NEEDS.items():
-        needed.setdefault(parts, []).append(section)
-    schema["allOf"] += [
-        {
-            "if": {
-                "properties": {"include": {"contains": {"enum": sections}}},
-                "required": ["include"],
-            },
-            "then": given_schema(parts),
-        }
-        for parts, sections in needed.items()
-        if parts
-    ]
-
-
-class CrankPlanetaryRequest(DesignFields):
+class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
     The forces that are judged are those of `DesignFields`.
@@ -161,15 +142,8 @@ class CrankPlanetaryRequest(DesignFields):
     crankshaft: Maybe[CrankshaftFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
-    crank_angle_deg: Angle = quantity(
-        "Crank angle",
-        symbol="φ",
-        group="mechanism",
-        default=0.0,
-        step=5,
-        advanced=True,
-        help="Crank angle of the section geometry.",
-    )
+    crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
+    """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
         default=None,
         min_length=1,
@@ -183,8 +157,6 @@ class CrankPlanetaryRequest(DesignFields):
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
     )
-
-    model_config = ConfigDict(json_schema_extra=_sections_schema)
 
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:

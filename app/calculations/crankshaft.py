@@ -10,13 +10,13 @@ from app.calculations.design import ForcesUsed, forces_used
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.satellite_bearing import CrankedRequest, ShaftBearingFields
 from app.model import (
-    SIZE,
     AccuracyOut,
     AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     quantity,
@@ -32,34 +32,19 @@ from core.crank.crankshaft import Crankshaft, ReactionCurves
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
 
 
-class CrankshaftFields(RequestModel):
+class CrankshaftFields(RequestModel, group="crankshaft"):
     """The shaft: where its loads and bearings are."""
 
     satellite_positions_mm: list[Place] = quantity(
-        "Places of the satellites",
-        symbol="z₁ … z_K",
-        group="crankshaft",
-        min_length=1,
-        max_length=MAX_SATELLITES,
-        help="Middle plane of each satellite along the shaft.",
+        "Places of the satellites", "z₁ … z_K", min_length=1, max_length=MAX_SATELLITES
     )
+    """Middle plane of each satellite along the shaft."""
     bearing_positions_mm: list[Place] = quantity(
-        "Places of the bearings",
-        symbol="A, B",
-        group="crankshaft",
-        min_length=2,
-        max_length=2,
-        help="Of both bearings along the shaft, ascending; satellites may lie beyond.",
+        "Places of the bearings", "A, B", min_length=2, max_length=2
     )
-    satellite_mass_kg: Maybe[float] = quantity(
-        "Mass of a satellite",
-        symbol="m",
-        group="crankshaft",
-        default=None,
-        **SIZE,
-        step=0.1,
-        help="With its bearing; without it no balance is answered.",
-    )
+    """Of both bearings along the shaft, ascending; satellites may lie beyond."""
+    satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
+    """With its bearing; without it no balance is answered."""
     bearings: Maybe[list[ShaftBearingFields]] = Field(
         default=None,
         min_length=2,

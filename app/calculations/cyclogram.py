@@ -36,20 +36,13 @@ MAX_DRAWN_PHASES = 2000
 """Most driving phases that a figure shows."""
 
 
-class RangeFields(RequestModel):
+class RangeFields(RequestModel, group="mechanism"):
     """How much of the turn the cyclogram shows."""
 
     revolutions: float = quantity(
-        "Crank revolutions",
-        symbol="",
-        group="mechanism",
-        default=1.0,
-        gt=0,
-        le=1e6,
-        step=1,
-        advanced=True,
-        help="Length of the cyclogram, in turns of the crank.",
+        "Crank revolutions", default=1.0, step=1, advanced=True, gt=0, le=1e6
     )
+    """Length of the cyclogram, in turns of the crank."""
 
 
 class CyclogramRequest(MechanismFields, RangeFields):

@@ -3,12 +3,12 @@ load, contact, and the forces that follow.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, Literal, Self, TypeVar, cast
 
-from pydantic import ConfigDict, model_validator
+from pydantic import model_validator
 
 from app.calculations.contact_force import (
     LoadFields,
@@ -18,10 +18,9 @@ from app.calculations.contact_force import (
 )
 from app.calculations.hertz import MaterialFields, material_of
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import PinMaterial, Place, pin_places, strengths_of
+from app.calculations.pin import PinMaterial, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import (
-    BOTH,
     BentPinFields,
     ContactLawFields,
     DeviationsFields,
@@ -29,15 +28,7 @@ from app.calculations.real_mechanism import (
     assumed_pin,
     torque_direction,
 )
-from app.model import (
-    SIZE,
-    Maybe,
-    RequestModel,
-    field_error,
-    quantity,
-    request_schema,
-    result,
-)
+from app.model import Maybe, RequestModel, Size, field_error, quantity, result
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -53,58 +44,33 @@ ForcesUsed = Literal["ideal", "real"]
 
 Result = TypeVar("Result")
 
-input_speed = partial(
-    quantity,
-    "Input speed",
-    symbol="n₁",
-    group="load",
-    **SIZE,
-    step=50,
-    help="Speed of the crankshaft.",
-)
+input_speed = partial(quantity, "Input speed", "n₁", step=50, help="Speed of the crankshaft.")
 
 
-class DesignLoadFields(LoadFields):
+class DesignLoadFields(LoadFields, group="load"):
     """Load with the direction of its torque, its speed, and how it changes."""
 
     torque_direction: Direction = torque_direction()
-    input_speed_rpm: Maybe[float] = input_speed(default=None)
-    application_factor: Maybe[float] = application_factor()
-    peak_torque_Nm: Maybe[float] = peak_torque()
+    input_speed_rpm: Maybe[Size] = input_speed()
+    application_factor: Maybe[Size] = application_factor()
+    peak_torque_Nm: Maybe[Size] = peak_torque()
 
 
-class DrivenLoadFields(DesignLoadFields):
+class DrivenLoadFields(DesignLoadFields, group="load"):
     """The same with its speed."""
 
-    input_speed_rpm: float = input_speed()
+    input_speed_rpm: Size = input_speed()
 
 
-class DesignPinFields(BentPinFields):
+class DesignPinFields(BentPinFields, group="pin"):
     """A pin as it is held, bends and breaks."""
 
-    contact_length_mm: Maybe[float] = quantity(
-        "Contact length",
-        symbol="b",
-        group="pin",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Length of the contact along the pin: the width of the satellite.",
-    )
-    rotates: bool = quantity(
-        "Pin rotates",
-        symbol="",
-        group="pin",
-        default=False,
-        help="Whether the pin turns in the carrier: then its bending is fully reversed.",
-    )
-    material: Maybe[PinMaterial] = quantity(
-        "Material of the pin",
-        symbol="",
-        group="pin",
-        default=None,
-        help="A name of the table of materials, or values; that of the contact where it has one.",
-    )
+    contact_length_mm: Maybe[Size] = quantity("Contact length", "b", step=1)
+    """Length of the contact along the pin: the width of the satellite."""
+    rotates: bool = quantity("Pin rotates", default=False)
+    """Whether the pin turns in the carrier: then its bending is fully reversed."""
+    material: Maybe[PinMaterial] = quantity("Material of the pin")
+    """A name of the table of materials, or values; that of the contact where it has one."""
 
     def pin(self, contact: PinContactFields | None) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
@@ -124,48 +90,10 @@ class DesignPinFields(BentPinFields):
         )
 
 
-class SleevedPinFields(DesignPinFields):
+class SleevedPinFields(DesignPinFields, group="pin"):
     """The pin inside its sleeve; it bends where the places of the satellites are given."""
 
-    satellite_positions_mm: Maybe[list[Place]] = pin_places(default=None)  # type: ignore[assignment]
-
-
-def given_schema(parts: Iterable[str]) -> dict[str, Any]:
-    """Schema of a body that has parts, and fields of them (`part/field`)."""
-    inner: dict[str, list[str]] = {}
-    for part in parts:
-        name, _, field = part.partition("/")
-        inner.setdefault(name, []).extend([field] if field else [])
-    fields = {name: {"required": needed} for name, needed in inner.items() if needed}
-    return {"required": [*inner]} | ({"properties": fields} if fields else {})
-
-
-def design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """One factor of the load, pins inside sleeves."""
-    request_schema(schema, model)
-    factors = given_schema(("load/application_factor", "contact/dynamic_factor"))
-    schema["allOf"] = [*schema.get("allOf", ()), {"not": factors}]
-    if "friction" in model.model_fields:
-        sleeve = {"properties": {"sleeve": {"const": True}}, "required": ["sleeve"]}
-        rule = {"properties": {"friction": sleeve}, "required": ["friction"]}
-        schema["allOf"].append({"if": rule, "then": {"required": ["pin"]}})
-
-
-def section_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """The same of a section by itself: satellites that give in one way, and the difference of teeth
-    of a mechanism without them. (Beside all sections it is more than generators of requests can
-    take.)
-    """
-    design_schema(schema, model)
-    for rule in schema["allOf"]:
-        if "not" in rule:
-            rule["not"] = {"anyOf": [rule["not"], BOTH]}
-    if "gear" in model.model_fields:
-        teeth = {"properties": {"kind": {"const": "involute"}}, "required": ["kind"]}
-        toothless = given_schema(("gear", "mechanism/ratio"))
-        toothless["properties"]["gear"] = teeth
-        needed = {"properties": {"gear": {"required": ["teeth_difference"]}}}
-        schema["allOf"].append({"if": toothless, "then": needed})
+    satellite_positions_mm: Maybe[list[Size]] = pin_places()  # type: ignore[assignment]
 
 
 class DesignFields(GivingFields):
@@ -183,8 +111,6 @@ class DesignFields(GivingFields):
     contact_law: Maybe[ContactLawFields] = None
     deviations: Maybe[DeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
-
-    model_config = ConfigDict(json_schema_extra=section_schema)
 
     @model_validator(mode="after")
     def _one_factor(self) -> Self:
@@ -342,33 +268,12 @@ def forces_used() -> Any:
     )
 
 
-class SatelliteBodyFields(RequestModel):
+class SatelliteBodyFields(RequestModel, group="satellite_body"):
     """The body of a satellite, as far as it is given."""
 
-    outer_radius_mm: Maybe[float] = quantity(
-        "Outer radius",
-        symbol="r_o",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Outer radius of the satellite, with its teeth.",
-    )
-    root_radius_mm: Maybe[float] = quantity(
-        "Root radius",
-        symbol="r_f",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Radius at the root of the satellite's teeth.",
-    )
-    bore_radius_mm: Maybe[float] = quantity(
-        "Bore radius",
-        symbol="r_b",
-        group="satellite_body",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Radius of the satellite's bore.",
-    )
+    outer_radius_mm: Maybe[Size] = quantity("Outer radius", "r_o", step=1)
+    """Outer radius of the satellite, with its teeth."""
+    root_radius_mm: Maybe[Size] = quantity("Root radius", "r_f", step=1)
+    """Radius at the root of the satellite's teeth."""
+    bore_radius_mm: Maybe[Size] = quantity("Bore radius", "r_b", step=1)
+    """Radius of the satellite's bore."""

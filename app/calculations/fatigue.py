@@ -2,7 +2,7 @@
 
 from typing import ClassVar
 
-from app.model import SIZE, Forms, Maybe, RequestModel, ResponseModel, quantity, result
+from app.model import Forms, Maybe, RequestModel, ResponseModel, Size, quantity, result
 from app.units import to_si
 from core.checks.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface
@@ -11,24 +11,16 @@ STEEL_GPA = 190.0, 220.0
 """Young's moduli of steels: for them only there is a rule of the endurance limit."""
 
 
-class NotchFields(RequestModel):
+class NotchFields(RequestModel, group="fatigue"):
     """A notch of the part where it bends most."""
 
-    theoretical_factor: float = quantity(
-        "Stress concentration",
-        symbol="K_t",
-        group="fatigue",
-        ge=1,
-        le=100,
-        step=0.1,
-        help="Elastic stress concentration factor of the notch.",
-    )
-    radius_mm: float = quantity(
-        "Notch radius", symbol="r", group="fatigue", **SIZE, step=0.1, help="Radius of the notch."
-    )
+    theoretical_factor: float = quantity("Stress concentration", "K_t", step=0.1, ge=1, le=100)
+    """Elastic stress concentration factor of the notch."""
+    radius_mm: Size = quantity("Notch radius", "r", step=0.1)
+    """Radius of the notch."""
 
 
-class FatigueFields(RequestModel):
+class FatigueFields(RequestModel, group="fatigue"):
     """What the fatigue of a part is judged by."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
@@ -37,77 +29,27 @@ class FatigueFields(RequestModel):
         (("fatigue_notch_factor",), ("notch",), ()),
     )
 
-    surface: Maybe[Surface] = quantity(
-        "Surface",
-        symbol="",
-        group="fatigue",
-        default=None,
-        help="How the surface was made; cold-drawn counts as machined.",
-    )
-    surface_factor: Maybe[float] = quantity(
-        "Surface factor",
-        symbol="k_a",
-        group="fatigue",
-        default=None,
-        ge=0.01,
-        le=1,
-        step=0.05,
-        help="Its factor instead.",
-    )
-    edition: Edition = quantity(
-        "Edition",
-        symbol="",
-        group="fatigue",
-        default="shigley_11",
-        advanced=True,
-        help="Edition of Shigley whose constants of the surface are taken.",
-    )
-    reliability_percent: Maybe[float] = quantity(
-        "Reliability",
-        symbol="",
-        group="fatigue",
-        default=None,
-        ge=50,
-        le=99.99,
-        help="50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given.",
-    )
+    surface: Maybe[Surface] = quantity("Surface")
+    """How the surface was made; cold-drawn counts as machined."""
+    surface_factor: Maybe[float] = quantity("Surface factor", "k_a", step=0.05, ge=0.01, le=1)
+    """Its factor instead."""
+    edition: Edition = quantity("Edition", default="shigley_11", advanced=True)
+    """Edition of Shigley whose constants of the surface are taken."""
+    reliability_percent: Maybe[float] = quantity("Reliability", ge=50, le=99.99)
+    """50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."""
     reliability_factor: Maybe[float] = quantity(
-        "Reliability factor",
-        symbol="k_e",
-        group="fatigue",
-        default=None,
-        ge=0.01,
-        le=1,
-        step=0.05,
-        help="Its factor instead.",
+        "Reliability factor", "k_e", step=0.05, ge=0.01, le=1
     )
+    """Its factor instead."""
     fatigue_notch_factor: Maybe[float] = quantity(
-        "Fatigue notch factor",
-        symbol="K_f",
-        group="fatigue",
-        default=None,
-        ge=1,
-        le=100,
-        step=0.1,
-        help="Of the seat or any notch where the part bends most; 1 says that there is none.",
+        "Fatigue notch factor", "K_f", step=0.1, ge=1, le=100
     )
+    """Of the seat or any notch where the part bends most; 1 says that there is none."""
     notch: Maybe[NotchFields] = None
-    endurance_limit_MPa: Maybe[float] = quantity(
-        "Endurance limit",
-        symbol="S_e",
-        group="fatigue",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Endurance limit of the part itself, all factors in it.",
-    )
-    criterion: Criterion = quantity(
-        "Criterion",
-        symbol="",
-        group="fatigue",
-        default="goodman",
-        help="How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM.",
-    )
+    endurance_limit_MPa: Maybe[Size] = quantity("Endurance limit", "S_e", step=10)
+    """Endurance limit of the part itself, all factors in it."""
+    criterion: Criterion = quantity("Criterion", default="goodman")
+    """How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."""
 
     def basis(self) -> FatigueBasis:
         """The same in SI units."""
@@ -118,21 +60,14 @@ class FatigueFields(RequestModel):
         return FatigueBasis(**own)
 
 
-class PinFatigueFields(FatigueFields):
+class PinFatigueFields(FatigueFields, group="fatigue"):
     """What the fatigue of a pin is judged by, which is loaded once a turn of the crank against the
     output.
     """
 
-    life_h: Maybe[float] = quantity(
-        "Life",
-        symbol="L",
-        group="fatigue",
-        default=None,
-        **SIZE,
-        step=500,
-        help="Time that the pins have to last: for fewer than a million cycles their strength is "
-        "above the endurance limit; the life of the requirements where not given.",
-    )
+    life_h: Maybe[Size] = quantity("Life", "L", step=500)
+    """Time that the pins have to last: for fewer than a million cycles their strength is above the
+    endurance limit; the life of the requirements where not given."""
 
 
 class FactorsOut(ResponseModel):

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, field_validator
 
-from app.model import SIZE, Forms, Maybe, RequestModel, Whole, no_dust, quantity
+from app.model import Angle, Forms, Maybe, RequestModel, Size, Whole, no_dust, quantity
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
@@ -20,61 +20,34 @@ Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 _position = partial(
     quantity,
     "Position angle",
-    symbol="φ₁",
-    group="rollers",
-    ge=-3600,
-    le=3600,
+    "φ₁",
     help="Position of the roller on the central wheel; of a wheel's first.",
 )
 _from = partial(
     quantity,
     "Working length from",
-    symbol="z_min",
-    group="rollers",
+    "z_min",
     step=1,
     help="Start of the working length, along the axis from the precession centre.",
 )
-_to = partial(
-    quantity,
-    "Working length to",
-    symbol="z_max",
-    group="rollers",
-    step=1,
-    help="End of the working length.",
-)
+_to = partial(quantity, "Working length to", "z_max", step=1, help="End of the working length.")
 """Fields that a roller and a wheel both have."""
 
 
-class RollerFields(RequestModel):
+class RollerFields(RequestModel, group="rollers"):
     """One roller: its place on the wheel and the limits of its contact line."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("z_min_mm", "z_max_mm"), ("phi_min_deg", "phi_max_deg")),
     )
 
-    position_angle_deg: float = _position(step=15)
-    z_min_mm: Maybe[Coordinate] = _from(default=None)
-    z_max_mm: Maybe[Coordinate] = _to(default=None)
-    phi_min_deg: Maybe[float] = quantity(
-        "Contact from",
-        symbol="φ_min",
-        group="rollers",
-        default=None,
-        ge=-3600,
-        le=3600,
-        step=1,
-        help="Polar angle on the roller at which contact starts, instead of a working length.",
-    )
-    phi_max_deg: Maybe[float] = quantity(
-        "Contact to",
-        symbol="φ_max",
-        group="rollers",
-        default=None,
-        ge=-3600,
-        le=3600,
-        step=1,
-        help="Polar angle on the roller at which contact ends.",
-    )
+    position_angle_deg: Angle = _position(step=15)
+    z_min_mm: Maybe[Coordinate] = _from()
+    z_max_mm: Maybe[Coordinate] = _to()
+    phi_min_deg: Maybe[Angle] = quantity("Contact from", "φ_min", step=1)
+    """Polar angle on the roller at which contact starts, instead of a working length."""
+    phi_max_deg: Maybe[Angle] = quantity("Contact to", "φ_max", step=1)
+    """Polar angle on the roller at which contact ends."""
 
     _sizes = field_validator("z_min_mm", "z_max_mm")(no_dust)
 
@@ -85,29 +58,14 @@ class RollerFields(RequestModel):
         return RollerByAngle(**self.to_core())
 
 
-class WheelFields(RequestModel):
+class WheelFields(RequestModel, group="rollers"):
     """Evenly spaced rollers with one working length."""
 
-    rollers_total: Whole = quantity(
-        "Rollers of the wheel",
-        symbol="z₁",
-        group="rollers",
-        ge=1,
-        le=MAX_ROLLERS,
-        step=1,
-        help="Number of rollers of the central wheel.",
-    )
-    rollers_in_mesh: Maybe[Whole] = quantity(
-        "Rollers in mesh",
-        symbol="",
-        group="rollers",
-        default=None,
-        ge=1,
-        le=MAX_ROLLERS,
-        step=1,
-        help="How many of them touch the satellite, from the first on; all where not given.",
-    )
-    position_angle_deg: float = _position(step=5)
+    rollers_total: Whole = quantity("Rollers of the wheel", "z₁", step=1, ge=1, le=MAX_ROLLERS)
+    """Number of rollers of the central wheel."""
+    rollers_in_mesh: Maybe[Whole] = quantity("Rollers in mesh", step=1, ge=1, le=MAX_ROLLERS)
+    """How many of them touch the satellite, from the first on; all where not given."""
+    position_angle_deg: Angle = _position(step=5)
     z_min_mm: Coordinate = _from()
     z_max_mm: Coordinate = _to()
 
@@ -118,61 +76,25 @@ ROLLER_POINTS = 400
 """Points of a roller, with the nodes of its contact line."""
 
 
-class GearFields(RequestModel):
+class GearFields(RequestModel, group="gear"):
     """Geometry of the mesh and its rollers."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("rollers",), ("wheel",)),)
 
-    roller_circle_radius_mm: float = quantity(
-        "Roller circle radius",
-        symbol="R_C",
-        group="gear",
-        **SIZE,
-        step=1,
-        help="Radius of the circle of the roller axes.",
-    )
-    roller_radius_mm: float = quantity(
-        "Roller radius",
-        symbol="ρ",
-        group="gear",
-        **SIZE,
-        step=0.5,
-        help="Radius of a roller.",
-    )
-    nutation_angle_deg: float = quantity(
-        "Nutation angle",
-        symbol="θ",
-        group="gear",
-        ge=1e-9,
-        lt=90,
-        step=0.5,
-        help="Angle between the axes of the central wheel and the satellite.",
-    )
-    ratio_u12: float = quantity(
-        "Ratio",
-        symbol="u₁₂",
-        group="gear",
-        ge=-1e6,
-        le=1e6,
-        step=0.01,
-        help="Ratio of the mesh with the input shaft held.",
-    )
+    roller_circle_radius_mm: Size = quantity("Roller circle radius", "R_C", step=1)
+    """Radius of the circle of the roller axes."""
+    roller_radius_mm: Size = quantity("Roller radius", "ρ", step=0.5)
+    """Radius of a roller."""
+    nutation_angle_deg: float = quantity("Nutation angle", "θ", step=0.5, ge=1e-9, lt=90)
+    """Angle between the axes of the central wheel and the satellite."""
+    ratio_u12: float = quantity("Ratio", "u₁₂", step=0.01, ge=-1e6, le=1e6)
+    """Ratio of the mesh with the input shaft held."""
     rollers: Maybe[list[RollerFields]] = quantity(
-        "Rollers",
-        symbol="",
-        group="rollers",
-        default=None,
-        min_length=1,
-        max_length=MAX_ROLLERS,
-        help="The rollers in mesh, one by one.",
+        "Rollers", group="rollers", min_length=1, max_length=MAX_ROLLERS
     )
-    wheel: Maybe[WheelFields] = quantity(
-        "Wheel",
-        symbol="",
-        group="rollers",
-        default=None,
-        help="Evenly spaced rollers with one working length, instead of a list.",
-    )
+    """The rollers in mesh, one by one."""
+    wheel: Maybe[WheelFields] = quantity("Wheel", group="rollers")
+    """Evenly spaced rollers with one working length, instead of a list."""
 
     def gear(self) -> dict[str, float]:
         """Geometry in SI units, as the core's arguments."""

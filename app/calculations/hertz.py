@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag, field_validator
 
 from app.model import (
-    SIZE,
     UNION_TAGS,
     AccuracyOut,
     AssumingResponse,
@@ -15,6 +14,7 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     no_dust,
@@ -44,55 +44,23 @@ else:
     MaterialName = Literal[tuple(MATERIALS)]
 
 
-class MaterialFields(RequestModel):
+class MaterialFields(RequestModel, group="material"):
     """A material by its values."""
 
-    youngs_modulus_GPa: float = quantity(
-        "Young's modulus",
-        symbol="E",
-        group="material",
-        **SIZE,
-        step=1,
-        help="Modulus of elasticity of the material.",
-    )
-    poissons_ratio: float = quantity(
-        "Poisson's ratio",
-        symbol="ν",
-        group="material",
-        ge=0,
-        lt=0.5,
-        step=0.01,
-        help="Lateral strain over the strain along a tension.",
-    )
-    allowable_pressure_MPa: Maybe[float] = quantity(
-        "Allowable pressure",
-        symbol="p_all",
-        group="material",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Allowable contact pressure: what this body is judged by.",
-    )
+    youngs_modulus_GPa: Size = quantity("Young's modulus", "E", step=1)
+    """Modulus of elasticity of the material."""
+    poissons_ratio: float = quantity("Poisson's ratio", "ν", step=0.01, ge=0, lt=0.5)
+    """Lateral strain over the strain along a tension."""
+    allowable_pressure_MPa: Maybe[Size] = quantity("Allowable pressure", "p_all", step=10)
+    """Allowable contact pressure: what this body is judged by."""
 
-    yield_strength_MPa: Maybe[float] = quantity(
-        "Yield strength",
-        symbol="R_e",
-        group="material",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Yield strength: judges bending, or yield below the surface.",
-    )
+    yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", step=10)
+    """Yield strength: judges bending, or yield below the surface."""
 
-    life_curve: Maybe[LifeCurve] = quantity(
-        "Life curve",
-        symbol="",
-        group="material",
-        default=None,
-        help="How the allowable pressure falls over the life, which a design with a speed has: as "
-        "that of through- or case-hardened steel, of nitrided steel and cast iron, or of "
-        "nitrocarburised steel.",
-    )
+    life_curve: Maybe[LifeCurve] = quantity("Life curve")
+    """How the allowable pressure falls over the life, which a design with a speed has: as that of
+    through- or case-hardened steel, of nitrided steel and cast iron, or of nitrocarburised
+    steel."""
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
@@ -124,80 +92,44 @@ UNION_TAGS.update(("name", "values"))
 contact_length = partial(
     quantity,
     "Contact length",
-    symbol="b",
-    group="contact",
-    **SIZE,
+    "b",
     step=1,
     help="Length of the contact along the pin: the width of the satellite.",
 )
 pin_radius = partial(
-    quantity,
-    "Pin radius",
-    symbol="r_in",
-    group="contact",
-    **SIZE,
-    step=0.5,
-    help="Radius of the pin, or of its sleeve.",
+    quantity, "Pin radius", "r_in", step=0.5, help="Radius of the pin, or of its sleeve."
 )
 hole_radius = partial(
     quantity,
     "Hole radius",
-    symbol="r_out",
-    group="contact",
-    **SIZE,
+    "r_out",
     step=0.5,
     help="Radius of the hole in the satellite: pin radius + eccentricity.",
 )
 eccentricity = partial(
     quantity,
     "Eccentricity",
-    symbol="e",
-    group="contact",
-    **SIZE,
+    "e",
     step=0.5,
     help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
 )
 """Fields that may be left out in some requests, and not in others."""
 
 
-class ContactFields(RequestModel):
+class ContactFields(RequestModel, group="contact"):
     """Pin and hole: sizes, materials, load factors."""
 
-    contact_length_mm: float = contact_length()
-    pin_radius_mm: float = pin_radius()
-    hole_radius_mm: float = hole_radius()
-    pin_material: Material = quantity(
-        "Pin material",
-        symbol="",
-        group="contact",
-        default="steel_bearing",
-        help="A name of the table of materials, or values.",
-    )
-    hole_material: Material = quantity(
-        "Hole material",
-        symbol="",
-        group="contact",
-        default="steel_through_hardened",
-        help="A name of the table of materials, or values.",
-    )
-    dynamic_factor: float = quantity(
-        "Dynamic factor",
-        symbol="K_A",
-        group="contact",
-        default=1.0,
-        **SIZE,
-        step=0.05,
-        help="Factor of the dynamic load.",
-    )
-    distribution_factor: float = quantity(
-        "Distribution factor",
-        symbol="K_α",
-        group="contact",
-        default=1.0,
-        **SIZE,
-        step=0.05,
-        help="Factor of uneven load sharing between the pairs.",
-    )
+    contact_length_mm: Size = contact_length()
+    pin_radius_mm: Size = pin_radius()
+    hole_radius_mm: Size = hole_radius()
+    pin_material: Material = quantity("Pin material", default="steel_bearing")
+    """A name of the table of materials, or values."""
+    hole_material: Material = quantity("Hole material", default="steel_through_hardened")
+    """A name of the table of materials, or values."""
+    dynamic_factor: Size = quantity("Dynamic factor", "K_A", default=1.0, step=0.05)
+    """Factor of the dynamic load."""
+    distribution_factor: Size = quantity("Distribution factor", "K_α", default=1.0, step=0.05)
+    """Factor of uneven load sharing between the pairs."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 
@@ -218,18 +150,11 @@ MAX_FORCE_N = 1e50
 some 1e12 times that are refused as dead centres."""
 
 
-class HertzRequest(ContactFields):
+class HertzRequest(ContactFields, group="contact"):
     """Pin, hole and the force between them."""
 
-    force_N: float = quantity(
-        "Contact force",
-        symbol="F",
-        group="contact",
-        ge=0,
-        le=MAX_FORCE_N,
-        step=100,
-        help="Force between pin and hole.",
-    )
+    force_N: float = quantity("Contact force", "F", step=100, ge=0, le=MAX_FORCE_N)
+    """Force between pin and hole."""
 
     _force_size = field_validator("force_N")(no_dust)
 

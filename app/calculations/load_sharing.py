@@ -17,18 +17,9 @@ from app.calculations.load_sharing_answer import (
     StiffnessCurveOut,
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
-from app.calculations.mechanism import Angle
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields
-from app.model import (
-    SIZE,
-    Calculation,
-    Maybe,
-    Values,
-    accuracy_values,
-    quantity,
-    warning,
-)
+from app.model import LARGEST, Angle, Calculation, Maybe, Values, accuracy_values, quantity, warning
 from app.running import run
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
@@ -68,32 +59,21 @@ DIRECTIONS = "driving", "reverse"
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's curves."""
 
-Torque = Annotated[float, Field(ge=-SIZE["le"], le=SIZE["le"])]
+Torque = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
-class LoadSharingRequest(CurveFields, RealDesignFields):
+class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
     """Mechanism, load and contact as the parts are made, and which results are wanted."""
 
     deviations: Maybe[DeviationsFields] = None
     crank_angle_deg: list[Angle] = quantity(
-        "Crank angles",
-        symbol="φ",
-        group="positions",
-        default=[0.0],
-        min_length=1,
-        max_length=MAX_POSITIONS,
-        help="Crank angles of the positions; the curve of the lag is taken at the first.",
+        "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
+    """Crank angles of the positions; the curve of the lag is taken at the first."""
     torques_Nm: Maybe[list[Torque]] = quantity(
-        "Torques",
-        symbol="T",
-        group="positions",
-        default=None,
-        min_length=1,
-        max_length=MAX_POSITIONS,
-        help="Torques of the curve of the lag, negative in reverse; shares of the load where not "
-        "given.",
+        "Torques", "T", min_length=1, max_length=MAX_POSITIONS
     )
+    """Torques of the curve of the lag, negative in reverse; shares of the load where not given."""
     include: list[Section] = Field(
         default=["positions"],
         min_length=1,

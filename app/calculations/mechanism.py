@@ -1,11 +1,11 @@
 """The parallel-crank mechanism as a request gives it."""
 
 from functools import lru_cache
-from typing import Annotated, ClassVar, Self
+from typing import ClassVar, Self
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
-from app.model import Forms, Maybe, RequestModel, Whole, field_error, quantity
+from app.model import Angle, Forms, Maybe, RequestModel, Whole, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
@@ -21,14 +21,12 @@ MAX_SATELLITES = 100
 MAX_DRAWN_PAIRS = 240
 """Most pairs that a figure shows."""
 
-Angle = Annotated[float, Field(ge=-3600, le=3600)]
-
 
 PAIR_POINTS = 240
 """Points of a pair, whose forces are searched and integrated over the turn."""
 
 
-class MechanismFields(RequestModel):
+class MechanismFields(RequestModel, group="mechanism"):
     """Pins, satellites, cranks and ratio."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
@@ -36,84 +34,30 @@ class MechanismFields(RequestModel):
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),
     )
 
-    pins: Whole = quantity(
-        "Pins",
-        symbol="N",
-        group="mechanism",
-        ge=1,
-        le=MAX_PAIRS,
-        step=1,
-        help="Number of pins of the output link, evenly spaced on the pin circle.",
-    )
-    satellites: Whole = quantity(
-        "Satellites",
-        symbol="K",
-        group="mechanism",
-        default=2,
-        ge=1,
-        le=MAX_SATELLITES,
-        step=1,
-        help="Number of satellites, each on its own crank.",
-    )
-    crank_spacing_deg: Maybe[Angle] = quantity(
-        "Crank spacing",
-        symbol="α",
-        group="mechanism",
-        default=None,
-        step=15,
-        help="Angle between neighbouring cranks; 360°/K where not given.",
-    )
+    pins: Whole = quantity("Pins", "N", step=1, ge=1, le=MAX_PAIRS)
+    """Number of pins of the output link, evenly spaced on the pin circle."""
+    satellites: Whole = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
+    """Number of satellites, each on its own crank."""
+    crank_spacing_deg: Maybe[Angle] = quantity("Crank spacing", "α", step=15)
+    """Angle between neighbouring cranks; 360°/K where not given."""
     crank_angles_deg: Maybe[list[Angle]] = quantity(
-        "Crank angles",
-        symbol="α₁ … α_K",
-        group="mechanism",
-        default=None,
-        min_length=1,
-        max_length=MAX_SATELLITES,
-        help="Angle of each crank, one for each satellite, instead of an even spacing.",
+        "Crank angles", "α₁ … α_K", min_length=1, max_length=MAX_SATELLITES
     )
+    """Angle of each crank, one for each satellite, instead of an even spacing."""
     ratio: Maybe[float] = quantity(
-        "Ratio",
-        symbol="u",
-        group="mechanism",
-        default=None,
-        ge=-1e9,
-        le=1e9,
-        step=1,
-        schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]},
-        help="Speed of the crank over speed of the output, u = z₂/(z₃ − z₂), at least 1; a sign is "
-        "that of the output, which turns the other way.",
+        "Ratio", "u", step=1, schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]}, ge=-1e9, le=1e9
     )
-    satellite_teeth: Maybe[Whole] = quantity(
-        "Satellite teeth",
-        symbol="z₂",
-        group="mechanism",
-        default=None,
-        ge=1,
-        le=10**6,
-        step=1,
-        help="Number of teeth of a satellite; gives the ratio and the assembly angles.",
-    )
-    ring_teeth: Maybe[Whole] = quantity(
-        "Ring teeth",
-        symbol="z₃",
-        group="mechanism",
-        default=None,
-        ge=2,
-        le=10**6,
-        step=1,
-        help="Number of teeth of the ring, more than the satellite has.",
-    )
+    """Speed of the crank over speed of the output, u = z₂/(z₃ − z₂), at least 1; a sign is that of
+    the output, which turns the other way."""
+    satellite_teeth: Maybe[Whole] = quantity("Satellite teeth", "z₂", step=1, ge=1, le=10**6)
+    """Number of teeth of a satellite; gives the ratio and the assembly angles."""
+    ring_teeth: Maybe[Whole] = quantity("Ring teeth", "z₃", step=1, ge=2, le=10**6)
+    """Number of teeth of the ring, more than the satellite has."""
     initial_crank_angle_deg: Angle = quantity(
-        "Initial wave angle",
-        symbol="φ₀",
-        group="mechanism",
-        default=0.0,
-        step=15,
-        advanced=True,
-        help="0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what "
-        "reversing the torque does.",
+        "Initial wave angle", "φ₀", default=0.0, step=15, advanced=True
     )
+    """0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what reversing the
+    torque does."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 

@@ -27,25 +27,13 @@ from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 
 
-class MeshingLoadRequest(GearFields):
+class MeshingLoadRequest(GearFields, group="load"):
     """A mesh and its torque."""
 
-    torque_Nm: float = quantity(
-        "Torque",
-        symbol="M₁",
-        group="load",
-        ge=-1e12,
-        le=1e12,
-        step=1,
-        help="Torque on the central wheel; its sign chooses the loaded flanks.",
-    )
-    reference_z_mm: Coordinate = quantity(
-        "Place of C",
-        symbol="l",
-        group="load",
-        step=1,
-        help="Place of the bearing C along the axis, from the precession centre.",
-    )
+    torque_Nm: float = quantity("Torque", "M₁", step=1, ge=-1e12, le=1e12)
+    """Torque on the central wheel; its sign chooses the loaded flanks."""
+    reference_z_mm: Coordinate = quantity("Place of C", "l", step=1)
+    """Place of the bearing C along the axis, from the precession centre."""
 
     _sizes = field_validator("torque_Nm", "reference_z_mm")(no_dust)
 

@@ -4,7 +4,7 @@ import math
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import ConfigDict, Field, field_validator
+from pydantic import Field, field_validator
 
 from app.calculations.contact_force import CurveFields
 from app.calculations.design import (
@@ -18,7 +18,6 @@ from app.calculations.hertz import eccentricity
 from app.calculations.pin_contact import PinContactFields
 from app.model import (
     NO_DUST,
-    SIZE,
     AccuracyOut,
     AssumingResponse,
     Calculation,
@@ -26,11 +25,11 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     no_dust,
     quantity,
-    request_schema,
 )
 from app.running import run
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
@@ -51,52 +50,25 @@ from core.checks.sections import Friction
 from core.output.losses import LossCurves, PinLosses
 
 
-class SlidingContactFields(PinContactFields):
+class SlidingContactFields(PinContactFields, group="contact"):
     """Pin, hole and crank, whose eccentricity is needed."""
 
-    eccentricity_mm: float = eccentricity()
-
-    model_config = ConfigDict(json_schema_extra=request_schema)
+    eccentricity_mm: Size = eccentricity()
 
 
-class FrictionFields(RequestModel):
+class FrictionFields(RequestModel, group="friction"):
     """Friction and wear of pin and hole, or of pin and sleeve."""
 
     coefficient: float = quantity(
-        "Friction coefficient",
-        symbol="μ",
-        group="friction",
-        ge=0,
-        le=10,
-        step=0.01,
-        schema=NO_DUST,
-        help="Friction coefficient of the surfaces that slide.",
+        "Friction coefficient", "μ", step=0.01, schema=NO_DUST, ge=0, le=10
     )
-    sleeve: bool = quantity(
-        "Sleeves on the pins",
-        symbol="",
-        group="friction",
-        default=False,
-        help="Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed.",
-    )
-    wear_rate_mm3_per_Nm: Maybe[float] = quantity(
-        "Wear coefficient",
-        symbol="k",
-        group="friction",
-        default=None,
-        **SIZE,
-        step=1e-9,
-        help="Worn volume over force and sliding distance (Archard).",
-    )
-    life_h: Maybe[float] = quantity(
-        "Life",
-        symbol="t",
-        group="friction",
-        default=None,
-        **SIZE,
-        step=100,
-        help="Time in which it wears.",
-    )
+    """Friction coefficient of the surfaces that slide."""
+    sleeve: bool = quantity("Sleeves on the pins", default=False)
+    """Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed."""
+    wear_rate_mm3_per_Nm: Maybe[Size] = quantity("Wear coefficient", "k", step=1e-9)
+    """Worn volume over force and sliding distance (Archard)."""
+    life_h: Maybe[Size] = quantity("Life", "t", step=100)
+    """Time in which it wears."""
 
     _coefficient_size = field_validator("coefficient")(no_dust)
 

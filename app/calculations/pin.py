@@ -2,31 +2,24 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar
 
-from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Tag
 
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields, MaterialName
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import Kinds, Maybe, RequestModel, Size, quantity
 from app.units import to_si
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.pin_beam import Support
 
 
-class PinMaterialFields(MaterialFields):
+class PinMaterialFields(MaterialFields, group="material"):
     """A material of a pin by its values."""
 
-    tensile_strength_MPa: Maybe[float] = quantity(
-        "Tensile strength",
-        symbol="R_m",
-        group="material",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Tensile strength: what fatigue is judged by.",
-    )
+    tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
+    """Tensile strength: what fatigue is judged by."""
 
     def material(self) -> ElasticMaterial:
         """The material in SI units, without its tensile strength."""
@@ -64,54 +57,30 @@ PinMaterial = Annotated[
 ]
 
 
-def _held_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Two supports need their span."""
-    request_schema(schema, model)
-    schema["if"] = {
-        "properties": {"support": {"enum": ["supported", "fixed"]}},
-        "required": ["support"],
-    }
-    schema["then"] = {"required": ["span_mm"]}
-
-
-Place = Annotated[float, Field(**SIZE)]
 pin_places = partial(
     quantity,
     "Places of the satellites",
-    symbol="z₁ … z_K",
-    group="pin",
+    "z₁ … z_K",
     min_length=1,
     max_length=MAX_SATELLITES,
     help="Middle plane of each satellite, from the face of the carrier.",
 )
 
 
-class HeldPinFields(RequestModel):
+class HeldPinFields(RequestModel, group="pin"):
     """How the pins are held, and where the satellites load them."""
 
-    satellite_positions_mm: list[Place] = pin_places()
-    support: Support = quantity(
-        "Support",
-        symbol="",
-        group="pin",
-        default="cantilever",
-        help="Held at one end (cantilever), at both ends free to tilt (supported), or at both "
-        "ends built in (fixed); the truth of a cage lies between the latter two.",
-    )
-    span_mm: Maybe[float] = quantity(
-        "Span",
-        symbol="L",
-        group="pin",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Distance of the two supports; not for a cantilever.",
-    )
+    KIND: ClassVar[str] = "support"
 
-    model_config = ConfigDict(json_schema_extra=_held_schema)
+    KINDS: ClassVar[Kinds] = {
+        "cantilever": ((), ("span_mm",)),
+        "supported": (("span_mm",), ()),
+        "fixed": (("span_mm",), ()),
+    }
 
-    @model_validator(mode="after")
-    def _span_of_two_supports(self) -> Self:
-        if self.support != "cantilever" and self.span_mm is None:
-            raise field_error("span_mm", "needed_beside", field="support")
-        return self
+    satellite_positions_mm: list[Size] = pin_places()
+    support: Support = quantity("Support", default="cantilever")
+    """Held at one end (cantilever), at both ends free to tilt (supported), or at both ends built in
+    (fixed); the truth of a cage lies between the latter two."""
+    span_mm: Maybe[Size] = quantity("Span", "L", step=1)
+    """Distance of the two supports; not for a cantilever."""

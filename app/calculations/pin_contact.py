@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from decimal import Decimal
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.hertz import (
     ContactFields,
@@ -13,7 +13,7 @@ from app.calculations.hertz import (
     hole_radius,
     pin_radius,
 )
-from app.model import Forms, Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import Forms, Maybe, Size, field_error, quantity
 from app.units import to_si
 from core.output.pin_geometry import felt
 
@@ -23,32 +23,17 @@ RADII = ("pin_radius_mm", "eccentricity_mm", "hole_clearance_mm")
 """What the radius of the hole is the sum of."""
 
 
-def _fit_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """The hole or the eccentricity is needed; a clearance stands beside the eccentricity."""
-    request_schema(schema, model)
-    schema["anyOf"] = [{"required": ["hole_radius_mm"]}, {"required": ["eccentricity_mm"]}]
-    schema["dependentRequired"] = {"hole_clearance_mm": ["eccentricity_mm"]}
-
-
-class PinContactFields(ContactFields):
+class PinContactFields(ContactFields, group="contact"):
     """Pin, hole, crank and clearance: of hole radius, eccentricity and clearance any two say the
     third.
     """
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
 
-    hole_radius_mm: Maybe[float] = hole_radius(default=None)  # type: ignore[assignment]
-    eccentricity_mm: Maybe[float] = eccentricity(default=None)
-    hole_clearance_mm: Maybe[Deviation] = quantity(
-        "Clearance",
-        symbol="c",
-        group="contact",
-        default=None,
-        step=0.005,
-        help="Radial clearance: hole radius − pin radius − eccentricity; negative is interference.",
-    )
-
-    model_config = ConfigDict(json_schema_extra=_fit_schema)
+    hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
+    eccentricity_mm: Maybe[Size] = eccentricity()
+    hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
+    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference."""
 
     @model_validator(mode="after")
     def _radii_agree(self) -> Self:
@@ -112,21 +97,12 @@ TOUCHING = ("pin_radius_mm", "contact_length_mm")
 """What pins have to have where their holes are given."""
 
 
-def _crank_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Holes need their pins."""
-    request_schema(schema, model)
-    needs = {"required": [*TOUCHING]}  # in their order, which FastAPI drops of `dependentRequired`
-    schema["dependentSchemas"] = dict.fromkeys(RADII_OF_HOLES, needs)
-
-
-class CrankContactFields(PinContactFields):
+class CrankContactFields(PinContactFields, group="contact"):
     """The crank; pin and hole where the forces of real pins and holes are wanted."""
 
-    contact_length_mm: Maybe[float] = contact_length(default=None)  # type: ignore[assignment]
-    pin_radius_mm: Maybe[float] = pin_radius(default=None)  # type: ignore[assignment]
-    eccentricity_mm: float = eccentricity()
-
-    model_config = ConfigDict(json_schema_extra=_crank_schema)
+    contact_length_mm: Maybe[Size] = contact_length()  # type: ignore[assignment]
+    pin_radius_mm: Maybe[Size] = pin_radius()  # type: ignore[assignment]
+    eccentricity_mm: Size = eccentricity()
 
     @model_validator(mode="after")
     def _holes_of_pins(self) -> Self:

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.design import (
     DesignFields,
@@ -15,8 +15,6 @@ from app.calculations.design import (
     DesignPinFields,
     ForcesUsed,
     forces_used,
-    given_schema,
-    section_schema,
 )
 from app.calculations.fatigue import FactorsOut, PinFatigueFields
 from app.model import (
@@ -24,7 +22,6 @@ from app.model import (
     AssumingResponse,
     Calculation,
     Maybe,
-    RequestModel,
     ResponseModel,
     Values,
     WarningOut,
@@ -48,18 +45,6 @@ BOUNDS: tuple[Support, ...] = ("supported", "fixed")
 """Supports between which the truth of a cage lies."""
 
 
-def _pin_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What a pin without a contact has to say, and what needs a contact."""
-    section_schema(schema, model)
-    schema["dependentRequired"] = {name: ["contact"] for name in TOUCHING}
-    schema["if"] = {"not": {"required": ["contact"]}}
-    schema["then"] = {"properties": {"pin": {"required": [*ALONE]}}}
-    bounds = {"properties": {"include": {"contains": {"const": "support_bounds"}}}}
-    schema["allOf"].append(
-        {"if": bounds | {"required": ["include"]}, "then": given_schema(("pin/span_mm",))}
-    )
-
-
 class PinStrengthRequest(DesignFields):
     """Mechanism, load, pin and what its fatigue is judged by; with the contact the forces follow
     from it too.
@@ -71,8 +56,6 @@ class PinStrengthRequest(DesignFields):
     include: list[Literal["deflection", "locus", "support_bounds"]] = Field(
         default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
-
-    model_config = ConfigDict(json_schema_extra=_pin_schema)
 
     @model_validator(mode="after")
     def _contact_or_alone(self) -> Self:

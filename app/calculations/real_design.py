@@ -4,12 +4,10 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, Literal, Self
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.mechanism import MechanismFields
 from app.calculations.real_mechanism import (
-    BOTH,
-    GIVING,
     BentPinFields,
     ContactLawFields,
     GivingFields,
@@ -17,7 +15,7 @@ from app.calculations.real_mechanism import (
     RealLoadFields,
     assumed_pin,
 )
-from app.model import Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import Maybe, field_error, quantity
 from app.units import to_si
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -25,20 +23,6 @@ from core.output.satellite_support import Shares
 
 TIMES_AS_LONG = 4
 """How many times as long a position takes whose satellites give."""
-
-
-def _design_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """Satellites give in one way, and in first order only."""
-    request_schema(schema, model)
-    first_order = {
-        "properties": {"geometry": {"const": "first_order"}},
-        "required": ["geometry"],
-    }
-    schema["allOf"] = [
-        *schema.get("allOf", ()),
-        {"if": GIVING, "then": first_order},
-        {"not": BOTH},
-    ]
 
 
 LEFT_OUT = (
@@ -52,34 +36,26 @@ LEFT_OUT = (
 """What the model leaves out."""
 
 
-class RealDesignFields(GivingFields):
+class RealDesignFields(GivingFields, group="contact_law"):
     """Mechanism, load, contact, law of contact, pins, and what the satellites give."""
-
-    model_config = ConfigDict(json_schema_extra=_design_schema)
 
     mechanism: MechanismFields
     load: RealLoadFields
     contact: RealContactFields
     contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     pin: Maybe[BentPinFields] = None
-    geometry: Literal["exact", "first_order"] = quantity(
-        "Geometry",
-        symbol="",
-        group="contact_law",
-        default="exact",
-        help="Exact, or first order in lag and deviations as in the papers.",
-    )
+    geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
+    """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
         "Torque of the lost motion",
-        symbol="",
         group="load",
         default=0.03,
-        ge=1e-6,
-        le=1,
         step=0.01,
         advanced=True,
-        help="Share of the torque, in both directions, under which the lost motion is taken.",
+        ge=1e-6,
+        le=1,
     )
+    """Share of the torque, in both directions, under which the lost motion is taken."""
 
     @model_validator(mode="after")
     def _first_order(self) -> Self:

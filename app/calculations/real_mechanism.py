@@ -3,16 +3,24 @@
 import math
 from collections.abc import Iterator
 from functools import cached_property, partial
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
 from app.calculations.hertz import Material, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
-from app.model import SIZE, Maybe, RequestModel, field_error, quantity, request_schema
+from app.model import (
+    LARGEST,
+    Kinds,
+    Maybe,
+    RequestModel,
+    Size,
+    field_error,
+    quantity,
+)
 from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
 from core.materials import ElasticMaterial
@@ -38,16 +46,6 @@ from core.output.satellite_support import (
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
 
-BY_KIND: dict[Kind, tuple[str, ...]] = {
-    "hertz": (),
-    "palmgren": (),
-    "linear": ("stiffness_N_per_mm",),
-    "power": ("exponent", "reference_force_N", "reference_approach_mm"),
-}
-"""What each kind of contact law needs; a field of another kind does not belong to it."""
-
-ONLY_HERTZ = "reference_depth_mm"
-
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
 MAX_LISTED_PINS = 1000
@@ -57,15 +55,13 @@ MAX_LISTED_PINS = 1000
 torque_direction = partial(
     quantity,
     "Direction of the torque",
-    symbol="",
-    group="load",
     default="driving",
-    help="Driving: the satellites turn the pins; reverse: the load turns them back; "
-    "alternating: both are solved, and the worse is given.",
+    help="Driving: the satellites turn the pins; reverse: the load turns them back; alternating: "
+    "both are solved, and the worse is given.",
 )
 
 
-class RealLoadFields(TorqueFields):
+class RealLoadFields(TorqueFields, group="load"):
     """Torque, its direction, and its lever; the force exponent is that of the contact law."""
 
     torque_direction: Direction = torque_direction()
@@ -75,36 +71,25 @@ class RealLoadFields(TorqueFields):
         return -torque if self.torque_direction == "reverse" else torque
 
 
-class OneWayLoadFields(RealLoadFields):
+class OneWayLoadFields(RealLoadFields, group="study"):
     """Torque in one direction."""
 
     torque_direction: Literal["driving", "reverse"] = quantity(
-        "Direction of the torque",
-        symbol="",
-        group="study",
-        default="driving",
-        help="Driving: the satellites turn the pins; reverse: the load turns them back.",
+        "Direction of the torque", default="driving"
     )
+    """Driving: the satellites turn the pins; reverse: the load turns them back."""
 
 
-class RealContactFields(PinContactFields):
+class RealContactFields(PinContactFields, group="contact"):
     """Pin, hole, crank and clearance. Forces and pressures are those at the torque: the dynamic
     factor is for checks.
     """
 
-    eccentricity_mm: float = eccentricity()
+    eccentricity_mm: Size = eccentricity()
     distribution_factor: float = quantity(
-        "Distribution factor",
-        symbol="K_α",
-        group="contact",
-        default=1.0,
-        ge=1e-12,
-        le=1,
-        step=0.05,
-        help="Factor of uneven load sharing between the pairs.",
+        "Distribution factor", "K_α", default=1.0, step=0.05, ge=1e-12, le=1
     )
-
-    model_config = ConfigDict(json_schema_extra=request_schema)
+    """Factor of uneven load sharing between the pairs."""
 
     def sizes(self) -> dict[str, Any]:
         """Sizes and materials in SI units, as the core's arguments."""
@@ -118,96 +103,28 @@ class RealContactFields(PinContactFields):
         }
 
 
-def _law_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What each kind of law needs, and that it takes nothing of the others."""
-    request_schema(schema, model)
-    names = [*(name for some in BY_KIND.values() for name in some), ONLY_HERTZ]
-    schema["allOf"] = [
-        {
-            "if": {"properties": {"kind": {"const": kind}}}
-            | ({} if kind == "hertz" else {"required": ["kind"]}),
-            "then": ({"required": [*needed]} if needed else {})
-            | {"not": {"anyOf": [{"required": [name]} for name in _strange(kind, names)]}},
-        }
-        for kind, needed in BY_KIND.items()
-    ]
-
-
-def _strange(kind: Kind, names: list[str]) -> list[str]:
-    own = (*BY_KIND[kind], ONLY_HERTZ) if kind == "hertz" else BY_KIND[kind]
-    return [name for name in names if name not in own]
-
-
-class ContactLawFields(RequestModel):
+class ContactLawFields(RequestModel, group="contact_law"):
     """How a pair gives under a force."""
 
-    kind: Kind = quantity(
-        "Law of contact",
-        symbol="",
-        group="contact_law",
-        default="hertz",
-        help="Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power.",
-    )
-    reference_depth_mm: Maybe[float] = quantity(
-        "Reference depth",
-        symbol="t",
-        group="contact_law",
-        default=None,
-        **SIZE,
-        step=1,
-        advanced=True,
-        help="Depth to which the approach of the hole is counted; the hole's radius where not "
-        "given.",
-    )
-    stiffness_N_per_mm: Maybe[float] = quantity(
-        "Contact stiffness",
-        symbol="k",
-        group="contact_law",
-        default=None,
-        **SIZE,
-        step=1000,
-        help="Stiffness of a pair, for the linear law.",
-    )
-    exponent: Maybe[float] = quantity(
-        "Exponent",
-        symbol="n",
-        group="contact_law",
-        default=None,
-        ge=MIN_EXPONENT,
-        le=MAX_EXPONENT,
-        step=0.1,
-        help="Force ∝ approachⁿ, for the power law.",
-    )
-    reference_force_N: Maybe[float] = quantity(
-        "Reference force",
-        symbol="F_ref",
-        group="contact_law",
-        default=None,
-        **SIZE,
-        step=100,
-        help="A force whose approach is known, for the power law.",
-    )
-    reference_approach_mm: Maybe[float] = quantity(
-        "Reference approach",
-        symbol="δ_ref",
-        group="contact_law",
-        default=None,
-        **SIZE,
-        step=0.001,
-        help="The approach under the reference force.",
-    )
+    KINDS: ClassVar[Kinds] = {
+        "hertz": ((), ("reference_depth_mm",)),
+        "palmgren": ((), ()),
+        "linear": (("stiffness_N_per_mm",), ()),
+        "power": (("exponent", "reference_force_N", "reference_approach_mm"), ()),
+    }
 
-    model_config = ConfigDict(json_schema_extra=_law_schema)
-
-    @model_validator(mode="after")
-    def _fields_of_the_kind(self) -> Self:
-        for name in BY_KIND[self.kind]:
-            if getattr(self, name) is None:
-                raise field_error(name, "needed_beside", field="kind")
-        for name in _strange(self.kind, [*type(self).model_fields][1:]):
-            if getattr(self, name) is not None:
-                raise field_error(name, "of_another_kind", kind=self.kind)
-        return self
+    kind: Kind = quantity("Law of contact", default="hertz")
+    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."""
+    reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
+    """Depth to which the approach of the hole is counted; the hole's radius where not given."""
+    stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
+    """Stiffness of a pair, for the linear law."""
+    exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
+    """Force ∝ approachⁿ, for the power law."""
+    reference_force_N: Maybe[Size] = quantity("Reference force", "F_ref", step=100)
+    """A force whose approach is known, for the power law."""
+    reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
+    """The approach under the reference force."""
 
     def law(self) -> ContactLaw:
         """The law in SI units."""
@@ -216,25 +133,13 @@ class ContactLawFields(RequestModel):
         return kinds[own.pop("kind")](**own)  # type: ignore[no-any-return]
 
 
-class BentPinFields(HeldPinFields):
+class BentPinFields(HeldPinFields, group="pin"):
     """How the pins are held, and where the satellites load them."""
 
-    diameter_mm: Maybe[float] = quantity(
-        "Pin diameter",
-        symbol="d",
-        group="pin",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Diameter of the pin itself, inside its sleeve where it has one.",
-    )
-    material: Maybe[Material] = quantity(
-        "Material of the pin",
-        symbol="",
-        group="pin",
-        default=None,
-        help="A name of the table of materials, or values; that of the contact where it has one.",
-    )
+    diameter_mm: Maybe[Size] = quantity("Pin diameter", "d", step=0.5)
+    """Diameter of the pin itself, inside its sleeve where it has one."""
+    material: Maybe[Material] = quantity("Material of the pin")
+    """A name of the table of materials, or values; that of the contact where it has one."""
 
     def held(self, contact: PinContactFields | None) -> PinSupport:
         """The pin in SI units; what is not given is that of the contact."""
@@ -264,28 +169,15 @@ def assumed_pin(
         yield ("pin", "material"), values
 
 
-class CrankSupportFields(RequestModel):
+class CrankSupportFields(RequestModel, group="crank_support"):
     """Bearings of the satellites on their cranks. The gear's force on them is left out."""
 
-    stiffness_N_per_mm: Maybe[float] = quantity(
-        "Stiffness of a bearing",
-        symbol="k_b",
-        group="crank_support",
-        default=None,
-        **SIZE,
-        step=10_000,
-        help="Radial stiffness of the bearing of one satellite; rigid where not given.",
-    )
+    stiffness_N_per_mm: Maybe[Size] = quantity("Stiffness of a bearing", "k_b", step=10_000)
+    """Radial stiffness of the bearing of one satellite; rigid where not given."""
     radial_clearance_mm: float = quantity(
-        "Clearance of a bearing",
-        symbol="G",
-        group="crank_support",
-        default=0.0,
-        ge=0,
-        le=SIZE["le"],
-        step=0.005,
-        help="Radial internal clearance, as catalogues give it: half of it to either side.",
+        "Clearance of a bearing", "G", default=0.0, step=0.005, ge=0, le=LARGEST
     )
+    """Radial internal clearance, as catalogues give it: half of it to either side."""
 
     def support(self) -> CrankSupport:
         """The bearings in SI units."""
@@ -294,66 +186,28 @@ class CrankSupportFields(RequestModel):
 
 CouplingKind = Literal["rigid", "elastic", "shares"]
 
-COUPLED_BY: dict[CouplingKind, str] = {
-    "elastic": "stiffness_Nm_per_arcmin",
-    "shares": "shares",
-}
-"""What a kind of coupling needs, and only that kind takes."""
 
-
-def _coupling_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What each kind of coupling needs, and that it takes nothing of the others."""
-    request_schema(schema, model)
-    schema["allOf"] = [
-        {
-            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
-            "then": {"required": [name]},
-            "else": {"not": {"required": [name]}},
-        }
-        for kind, name in COUPLED_BY.items()
-    ]
-
-
-class SatelliteCouplingFields(RequestModel):
+class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
     """How the satellites share the torque."""
 
-    kind: CouplingKind = quantity(
-        "Coupling of the satellites",
-        symbol="",
-        group="satellite_coupling",
-        default="rigid",
-        help="Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each "
-        "carries a given share.",
-    )
-    stiffness_Nm_per_arcmin: Maybe[float] = quantity(
-        "Stiffness of a mesh",
-        symbol="k_D",
-        group="satellite_coupling",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Torque of one satellite over what its mesh lets it turn, for elastic coupling.",
-    )
-    shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
-        "Shares of the torque",
-        symbol="w_j",
-        group="satellite_coupling",
-        default=None,
-        min_length=1,
-        max_length=MAX_SATELLITES,
-        help="Share of each satellite, together 1.",
-    )
+    KINDS: ClassVar[Kinds] = {
+        "rigid": ((), ()),
+        "elastic": (("stiffness_Nm_per_arcmin",), ()),
+        "shares": (("shares",), ()),
+    }
 
-    model_config = ConfigDict(json_schema_extra=_coupling_schema)
+    kind: CouplingKind = quantity("Coupling of the satellites", default="rigid")
+    """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
+    given share."""
+    stiffness_Nm_per_arcmin: Maybe[Size] = quantity("Stiffness of a mesh", "k_D", step=1)
+    """Torque of one satellite over what its mesh lets it turn, for elastic coupling."""
+    shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
+        "Shares of the torque", "w_j", min_length=1, max_length=MAX_SATELLITES
+    )
+    """Share of each satellite, together 1."""
 
     @model_validator(mode="after")
-    def _fields_of_the_kind(self) -> Self:
-        for kind, name in COUPLED_BY.items():
-            given = getattr(self, name) is not None
-            if kind == self.kind and not given:
-                raise field_error(name, "needed_beside", field="kind")
-            if kind != self.kind and given:
-                raise field_error(name, "of_another_kind", kind=self.kind)
+    def _shares_of_one(self) -> Self:
         total = math.fsum(self.shares or [1.0])
         if abs(total - 1) > SUM_ERROR:
             raise field_error("shares", "sum_not_one", sum=total)
@@ -408,72 +262,38 @@ class GivingFields(RequestModel):
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
 
 
-_COUPLED = {
-    "properties": {
-        "satellite_coupling": {
-            "properties": {"kind": {"enum": [*COUPLED_BY]}},
-            "required": ["kind"],
-        }
-    },
-    "required": ["satellite_coupling"],
-}
-_SUPPORTED = {"required": ["crank_support"]}
+OF_PINS = Field(min_length=1, max_length=MAX_LISTED_PINS)
+OF_SATELLITES = Field(min_length=1, max_length=MAX_SATELLITES)
 
-GIVING: dict[str, Any] = {"anyOf": [_SUPPORTED, _COUPLED]}
-"""Schema of a body whose satellites give."""
-
-BOTH: dict[str, Any] = {"allOf": [_SUPPORTED, _COUPLED]}
-"""Schema of a body that says in two ways what they give, which is refused."""
+PerPin = Annotated[list[Deviation], OF_PINS]
+PerHole = Annotated[list[PerPin], OF_SATELLITES]
+PerSatellite = Annotated[list[Deviation], OF_SATELLITES]
+PhasePerSatellite = Annotated[list[Phase], OF_SATELLITES]
 
 
-def _deviation(title: str, symbol: str, help: str, most: int = MAX_LISTED_PINS) -> Any:
-    return quantity(
-        title,
-        symbol=symbol,
-        group="deviations",
-        default=None,
-        step=0.001,
-        min_length=1,
-        max_length=most,
-        help=help,
-    )
-
-
-Row = list[Deviation]
-Table = list[Annotated[Row, Field(min_length=1, max_length=MAX_LISTED_PINS)]]
-
-
-class DeviationsFields(RequestModel):
+class DeviationsFields(RequestModel, group="deviations"):
     """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
     satellite, of each crank or disc. Positive: outward, in the driving sense, larger, ahead.
     """
 
-    pin_radial_mm: Maybe[Row] = _deviation("Pins outward", "ρ", "Of each pin, outward.")
-    pin_tangential_mm: Maybe[Row] = _deviation(
-        "Pins along the circle", "τ", "Of each pin, in the driving sense."
-    )
-    pin_radius_mm: Maybe[Row] = _deviation("Pin radii", "Δr", "Of each pin's radius.")
-    hole_radial_mm: Maybe[Table] = _deviation(
-        "Holes outward", "ρ_j", "Of each hole, outward, a list for each satellite.", MAX_SATELLITES
-    )
-    hole_tangential_mm: Maybe[Table] = _deviation(
-        "Holes along the circle", "τ_j", "The same in the driving sense.", MAX_SATELLITES
-    )
-    hole_radius_mm: Maybe[Table] = _deviation(
-        "Hole radii", "Δr_j", "Of each hole's radius.", MAX_SATELLITES
-    )
-    eccentricity_mm: Maybe[Row] = _deviation(
-        "Eccentricities", "Δe", "Of each crank.", MAX_SATELLITES
-    )
-    crank_phase_deg: Maybe[list[Phase]] = _deviation(
-        "Crank phases", "Δα", "Angle of each crank, positive ahead.", MAX_SATELLITES
-    )
-    disc_phase_deg: Maybe[list[Phase]] = _deviation(
-        "Disc phases",
-        "η",
-        "Angle of each disc's holes against its teeth, positive ahead.",
-        MAX_SATELLITES,
-    )
+    pin_radial_mm: Maybe[PerPin] = quantity("Pins outward", "ρ", step=0.001)
+    """Of each pin, outward."""
+    pin_tangential_mm: Maybe[PerPin] = quantity("Pins along the circle", "τ", step=0.001)
+    """Of each pin, in the driving sense."""
+    pin_radius_mm: Maybe[PerPin] = quantity("Pin radii", "Δr", step=0.001)
+    """Of each pin's radius."""
+    hole_radial_mm: Maybe[PerHole] = quantity("Holes outward", "ρ_j", step=0.001)
+    """Of each hole, outward, a list for each satellite."""
+    hole_tangential_mm: Maybe[PerHole] = quantity("Holes along the circle", "τ_j", step=0.001)
+    """The same in the driving sense."""
+    hole_radius_mm: Maybe[PerHole] = quantity("Hole radii", "Δr_j", step=0.001)
+    """Of each hole's radius."""
+    eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
+    """Of each crank."""
+    crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
+    """Angle of each crank, positive ahead."""
+    disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
+    """Angle of each disc's holes against its teeth, positive ahead."""
 
     def deviations(self) -> Deviations:
         """The deviations in SI units."""
@@ -511,4 +331,4 @@ class DeviationsFields(RequestModel):
                 yield f"{name}/{index}", pins, len(row)
 
 
-assert {*get_args(Kind)} == {*BY_KIND}
+assert {*get_args(Kind)} == {*ContactLawFields.KINDS}

@@ -5,24 +5,22 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
-    SIZE,
     AccuracyOut,
     Calculation,
     Forms,
     Maybe,
-    RequestModel,
+    Size,
     Values,
     WarningOut,
     Whole,
     field_error,
     no_dust,
     quantity,
-    request_schema,
     result,
     warning,
 )
@@ -75,21 +73,11 @@ Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 NOTCHES = ("fatigue_notch_factor", "notch")
 
 
-def _notched_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """A notch counts once: beside the middle sphere or in the fatigue."""
-    request_schema(schema, model)
-    twice = {
-        "stress_concentration": {"exclusiveMinimum": 1},
-        "fatigue": {"anyOf": [{"required": [name]} for name in NOTCHES]},
-    }
-    schema["allOf"].append({"not": {"properties": twice, "required": [*twice]}})
-
-
 ROLLER_POINTS = 400
 """Points of a roller, with its part of the curves."""
 
 
-class RollerStrengthRequest(JudgedFields):
+class RollerStrengthRequest(JudgedFields, group="roller"):
     """Rollers, their load, and how far their holes are off."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
@@ -97,168 +85,57 @@ class RollerStrengthRequest(JudgedFields):
         (("poissons_ratio",), ("shear_modulus_GPa",)),
     )
 
-    output_torque_Nm: float = quantity(
-        "Output torque",
-        symbol="T",
-        group="load",
-        **SIZE,
-        step=10,
-        help="Torque on the output link.",
-    )
-    hole_circle_radius_mm: float = quantity(
-        "Hole circle radius",
-        symbol="R",
-        group="load",
-        **SIZE,
-        step=1,
-        help="Radius of the circle of the rollers' holes.",
-    )
-    rollers: Whole = quantity(
-        "Rollers",
-        symbol="n",
-        group="load",
-        ge=1,
-        le=MAX_ROLLERS,
-        step=1,
-        help="Number of rollers.",
-    )
+    output_torque_Nm: Size = quantity("Output torque", "T", group="load", step=10)
+    """Torque on the output link."""
+    hole_circle_radius_mm: Size = quantity("Hole circle radius", "R", group="load", step=1)
+    """Radius of the circle of the rollers' holes."""
+    rollers: Whole = quantity("Rollers", "n", group="load", step=1, ge=1, le=MAX_ROLLERS)
+    """Number of rollers."""
     position_tolerance_mm: Maybe[float] = quantity(
-        "Position tolerance",
-        symbol="χ",
-        group="load",
-        default=None,
-        ge=0,
-        le=1e6,
-        step=0.005,
-        help="Positional tolerance of the holes; the worst case has one hole ahead in each part.",
+        "Position tolerance", "χ", group="load", step=0.005, ge=0, le=1e6
     )
-    gaps_mm: Maybe[list[Gap]] = quantity(
-        "Gaps",
-        symbol="g₁ … g_n",
-        group="load",
-        default=None,
-        max_length=MAX_ROLLERS,
-        help="Gap of each roller before it carries, instead of the worst case of a tolerance.",
-    )
-    diameter_mm: float = quantity(
-        "Cylinder diameter",
-        symbol="d",
-        group="roller",
-        **SIZE,
-        step=0.5,
-        help="Diameter of the cylinders between the spheres.",
-    )
-    cylinder_length_mm: float = quantity(
-        "Cylinder length",
-        symbol="l",
-        group="roller",
-        **SIZE,
-        step=1,
-        help="Length of one cylinder, from the middle sphere to the end sphere.",
-    )
-    sphere_width_mm: float = quantity(
-        "Sphere width",
-        symbol="b",
-        group="roller",
-        **SIZE,
-        step=0.5,
-        help="Width of a spherical part along the roller.",
-    )
-    sphere_diameter_mm: float = quantity(
-        "Sphere diameter",
-        symbol="D",
-        group="roller",
-        **SIZE,
-        step=0.5,
-        help="Diameter of the spherical parts.",
-    )
+    """Positional tolerance of the holes; the worst case has one hole ahead in each part."""
+    gaps_mm: Maybe[list[Gap]] = quantity("Gaps", "g₁ … g_n", group="load", max_length=MAX_ROLLERS)
+    """Gap of each roller before it carries, instead of the worst case of a tolerance."""
+    diameter_mm: Size = quantity("Cylinder diameter", "d", step=0.5)
+    """Diameter of the cylinders between the spheres."""
+    cylinder_length_mm: Size = quantity("Cylinder length", "l", step=1)
+    """Length of one cylinder, from the middle sphere to the end sphere."""
+    sphere_width_mm: Size = quantity("Sphere width", "b", step=0.5)
+    """Width of a spherical part along the roller."""
+    sphere_diameter_mm: Size = quantity("Sphere diameter", "D", step=0.5)
+    """Diameter of the spherical parts."""
     friction_coefficient: float = quantity(
-        "Friction coefficient",
-        symbol="k",
-        group="roller",
-        ge=0,
-        le=10,
-        step=0.01,
-        default=0.16,
-        help="Friction between sphere and hole.",
+        "Friction coefficient", "k", default=0.16, step=0.01, ge=0, le=10
     )
-    youngs_modulus_GPa: float = quantity(
-        "Young's modulus",
-        symbol="E",
-        group="material",
-        **SIZE,
-        step=1,
-        default=210.0,
-        help="Modulus of elasticity of the material.",
+    """Friction between sphere and hole."""
+    youngs_modulus_GPa: Size = quantity(
+        "Young's modulus", "E", group="material", default=210.0, step=1
     )
+    """Modulus of elasticity of the material."""
     poissons_ratio: Maybe[float] = quantity(
-        "Poisson's ratio",
-        symbol="ν",
-        group="material",
-        default=None,
-        ge=0,
-        lt=0.5,
-        step=0.01,
-        help="Lateral strain over the strain along a tension.",
+        "Poisson's ratio", "ν", group="material", step=0.01, ge=0, lt=0.5
     )
-    shear_modulus_GPa: Maybe[float] = quantity(
-        "Shear modulus",
-        symbol="G",
-        group="material",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Shear modulus of the rollers, instead of Poisson's ratio.",
-    )
+    """Lateral strain over the strain along a tension."""
+    shear_modulus_GPa: Maybe[Size] = quantity("Shear modulus", "G", group="material", step=1)
+    """Shear modulus of the rollers, instead of Poisson's ratio."""
     stress_concentration: float = quantity(
-        "Stress concentration",
-        symbol="K_σ",
-        group="material",
-        default=1.0,
-        ge=1,
-        le=100,
-        step=0.1,
-        help="Stress concentration at the step beside the middle sphere.",
+        "Stress concentration", "K_σ", group="material", default=1.0, step=0.1, ge=1, le=100
     )
+    """Stress concentration at the step beside the middle sphere."""
 
-    yield_strength_MPa: Maybe[float] = quantity(
-        "Yield strength",
-        symbol="R_e",
-        group="material",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Yield strength: judges bending, or yield below the surface.",
-    )
-    eccentricity_mm: Maybe[float] = quantity(
-        "Eccentricity",
-        symbol="e",
-        group="roller",
-        default=None,
-        **SIZE,
-        step=0.5,
-        help="Eccentricity of the crank: judges the length of the rollers.",
-    )
+    yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", group="material", step=10)
+    """Yield strength: judges bending, or yield below the surface."""
+    eccentricity_mm: Maybe[Size] = quantity("Eccentricity", "e", step=0.5)
+    """Eccentricity of the crank: judges the length of the rollers."""
 
-    tensile_strength_MPa: Maybe[float] = quantity(
-        "Tensile strength",
-        symbol="R_m",
-        group="material",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Tensile strength: what fatigue is judged by.",
+    tensile_strength_MPa: Maybe[Size] = quantity(
+        "Tensile strength", "R_m", group="material", step=10
     )
-    roller_rotates: bool = quantity(
-        "Roller rotates",
-        symbol="",
-        group="roller",
-        default=False,
-        help="Whether the roller spins in its seat: then its bending is fully reversed.",
-    )
+    """Tensile strength: what fatigue is judged by."""
+    roller_rotates: bool = quantity("Roller rotates", default=False)
+    """Whether the roller spins in its seat: then its bending is fully reversed."""
     fatigue: Maybe[FatigueFields] = None
-
-    model_config = ConfigDict(json_schema_extra=_notched_schema)
 
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
 

@@ -3,19 +3,17 @@
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict, model_validator
+from pydantic import model_validator
 
 from app.calculations.design import (
     DesignFields,
     DrivenLoadFields,
     ForcesUsed,
     forces_used,
-    section_schema,
 )
-from app.calculations.pin_contact import TOUCHING, CrankContactFields
+from app.calculations.pin_contact import CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
-    SIZE,
     AccuracyOut,
     AssumingResponse,
     Calculation,
@@ -23,6 +21,7 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     quantity,
@@ -40,77 +39,28 @@ OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupl
 """Sections that say something of pins and holes."""
 
 
-class ShaftBearingFields(RequestModel):
+class ShaftBearingFields(RequestModel, group="bearing"):
     """A bearing of the crankshaft."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
 
-    kind: Literal["ball", "roller"] = quantity(
-        "Rolling elements",
-        symbol="",
-        group="bearing",
-        help="Balls: the life falls with the cube of the load; rollers: with its power 10/3.",
-    )
-    dynamic_rating_N: Maybe[float] = quantity(
-        "Dynamic load rating",
-        symbol="C",
-        group="bearing",
-        default=None,
-        **SIZE,
-        step=100,
-        help="Basic dynamic load rating; without it no life is answered.",
-    )
+    kind: Literal["ball", "roller"] = quantity("Rolling elements")
+    """Balls: the life falls with the cube of the load; rollers: with its power 10/3."""
+    dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
+    """Basic dynamic load rating; without it no life is answered."""
 
 
-class BearingFields(ShaftBearingFields):
+class BearingFields(ShaftBearingFields, group="bearing"):
     """A rolling bearing as its catalogue gives it."""
 
-    static_rating_N: Maybe[float] = quantity(
-        "Static load rating",
-        symbol="C₀",
-        group="bearing",
-        default=None,
-        **SIZE,
-        step=100,
-        help="Basic static load rating, for the static safety.",
-    )
-    reliability_percent: float = quantity(
-        "Reliability",
-        symbol="",
-        group="bearing",
-        default=90.0,
-        ge=90,
-        le=99,
-        help="90, 95, 96, 97, 98 or 99 %: the share of bearings that reach the life.",
-    )
-    ring_factor: float = quantity(
-        "Factor of the rings",
-        symbol="V",
-        group="bearing",
-        default=1.0,
-        ge=0.1,
-        le=10,
-        step=0.1,
-        help="Of the equivalent load: 1.2 is usual where the outer ring turns against the load.",
-    )
-    weibull_slope: Maybe[float] = quantity(
-        "Weibull slope",
-        symbol="β",
-        group="bearing",
-        default=None,
-        ge=0.1,
-        le=10,
-        step=0.1,
-        help="Slope of the distribution of lives, for the life of all bearings together.",
-    )
-
-
-def _cranked_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """What needs pins that touch their holes."""
-    section_schema(schema, model)
-    some = {"anyOf": [{"required": [name]} for name in OF_PINS]}
-    touching = {"properties": {"contact": {"required": [*TOUCHING]}}}
-    schema["allOf"].append({"if": some, "then": touching})
+    static_rating_N: Maybe[Size] = quantity("Static load rating", "C₀", step=100)
+    """Basic static load rating, for the static safety."""
+    reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
+    """90, 95, 96, 97, 98 or 99 %: the share of bearings that reach the life."""
+    ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)
+    """Of the equivalent load: 1.2 is usual where the outer ring turns against the load."""
+    weibull_slope: Maybe[float] = quantity("Weibull slope", "β", step=0.1, ge=0.1, le=10)
+    """Slope of the distribution of lives, for the life of all bearings together."""
 
 
 class CrankedRequest(DesignFields):
@@ -119,8 +69,6 @@ class CrankedRequest(DesignFields):
     load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
-
-    model_config = ConfigDict(json_schema_extra=_cranked_schema)
 
     @model_validator(mode="after")
     def _touching(self) -> Self:

@@ -9,13 +9,13 @@ from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.model import (
-    SIZE,
     AccuracyOut,
     Calculation,
     Forms,
     Maybe,
     RequestModel,
     ResponseModel,
+    Size,
     Values,
     WarningOut,
     quantity,
@@ -42,47 +42,27 @@ Plane = tuple[float, float]
 Limit = Callable[[float], FatigueStrength]
 
 
-class ShaftSectionFields(RequestModel):
+class ShaftSectionFields(RequestModel, group="shaft"):
     """A stretch of the shaft with one diameter."""
 
-    length_mm: float = quantity(
-        "Length",
-        symbol="",
-        group="shaft",
-        **SIZE,
-        step=1,
-        help="Length of this stretch of the shaft.",
-    )
-    diameter_mm: float = quantity(
-        "Diameter", symbol="", group="shaft", **SIZE, step=1, help="Diameter of the shaft there."
-    )
+    length_mm: Size = quantity("Length", step=1)
+    """Length of this stretch of the shaft."""
+    diameter_mm: Size = quantity("Diameter", step=1)
+    """Diameter of the shaft there."""
 
 
-class LineContactFields(RequestModel):
+class LineContactFields(RequestModel, group="line_contact"):
     """What the pressure along the contact lines follows from."""
 
     mating_radius_mm: float = quantity(
-        "Curvature radius of the teeth",
-        symbol="r_m",
-        group="line_contact",
-        ge=-1e12,
-        le=1e12,
-        step=1,
-        help="Radius of curvature of the satellite's teeth across the contact line: negative, and "
-        "larger than the roller's, where the roller lies in a hollow.",
+        "Curvature radius of the teeth", "r_m", step=1, ge=-1e12, le=1e12
     )
-    roller_material: Material = quantity(
-        "Material of the rollers",
-        symbol="",
-        group="line_contact",
-        help="A name of the table of materials, or values.",
-    )
-    mating_material: Material = quantity(
-        "Material of the satellite",
-        symbol="",
-        group="line_contact",
-        help="A name of the table of materials, or values.",
-    )
+    """Radius of curvature of the satellite's teeth across the contact line: negative, and larger
+    than the roller's, where the roller lies in a hollow."""
+    roller_material: Material = quantity("Material of the rollers")
+    """A name of the table of materials, or values."""
+    mating_material: Material = quantity("Material of the satellite")
+    """A name of the table of materials, or values."""
 
     def materials(self) -> tuple[ElasticMaterial, ElasticMaterial]:
         """Of roller and tooth."""
@@ -93,7 +73,7 @@ _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """What a fix may change of the gear."""
 
 
-class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
+class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields, group="shaft"):
     """A mesh, its torque and the shaft that carries it."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
@@ -102,77 +82,27 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields):
         """Points of the contact lines; fixes are searched."""
         return math.inf if "fixes" in self.include else super().cost()
 
-    bearing_distance_mm: float = quantity(
-        "Bearing distance",
-        symbol="a",
-        group="shaft",
-        **SIZE,
-        step=1,
-        help="Distance of the satellite's bearings, from C to B.",
-    )
-    overhang_mm: float = quantity(
-        "Overhang",
-        symbol="b",
-        group="shaft",
-        **SIZE,
-        step=1,
-        help="Distance from B to the clamped end of the shaft.",
-    )
-    shaft_diameter_mm: Maybe[float] = quantity(
-        "Shaft diameter",
-        symbol="d",
-        group="shaft",
-        default=None,
-        **SIZE,
-        step=1,
-        help="Diameter of the shaft, the same everywhere.",
-    )
+    bearing_distance_mm: Size = quantity("Bearing distance", "a", step=1)
+    """Distance of the satellite's bearings, from C to B."""
+    overhang_mm: Size = quantity("Overhang", "b", step=1)
+    """Distance from B to the clamped end of the shaft."""
+    shaft_diameter_mm: Maybe[Size] = quantity("Shaft diameter", "d", step=1)
+    """Diameter of the shaft, the same everywhere."""
     shaft_sections: Maybe[list[ShaftSectionFields]] = quantity(
-        "Shaft sections",
-        symbol="",
-        group="shaft",
-        default=None,
-        min_length=1,
-        max_length=100,
-        help="Stretches of the shaft from C to the clamp, instead of one diameter; their lengths "
-        "add up to a + b.",
+        "Shaft sections", min_length=1, max_length=100
     )
-    youngs_modulus_GPa: float = quantity(
-        "Young's modulus",
-        symbol="E",
-        group="shaft",
-        default=210.0,
-        **SIZE,
-        step=1,
-        help="Modulus of elasticity of the material.",
-    )
+    """Stretches of the shaft from C to the clamp, instead of one diameter; their lengths add up to
+    a + b."""
+    youngs_modulus_GPa: Size = quantity("Young's modulus", "E", default=210.0, step=1)
+    """Modulus of elasticity of the material."""
 
-    yield_strength_MPa: Maybe[float] = quantity(
-        "Yield strength",
-        symbol="R_e",
-        group="shaft",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Yield strength: judges bending, or yield below the surface.",
-    )
-    tensile_strength_MPa: Maybe[float] = quantity(
-        "Tensile strength",
-        symbol="R_m",
-        group="shaft",
-        default=None,
-        **SIZE,
-        step=10,
-        help="Tensile strength: what fatigue is judged by.",
-    )
-    load_rotates_with_shaft: bool = quantity(
-        "Load turns with the shaft",
-        symbol="",
-        group="shaft",
-        default=False,
-        help="Whether the mesh turns with the shaft and bends it one way all the time; else its "
-        "bending is fully reversed.",
-    )
+    yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", step=10)
+    """Yield strength: judges bending, or yield below the surface."""
+    tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
+    """Tensile strength: what fatigue is judged by."""
+    load_rotates_with_shaft: bool = quantity("Load turns with the shaft", default=False)
+    """Whether the mesh turns with the shaft and bends it one way all the time; else its bending is
+    fully reversed."""
     fatigue: Maybe[FatigueFields] = None
     line_contact: Maybe[LineContactFields] = None
 

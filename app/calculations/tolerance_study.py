@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -16,10 +16,10 @@ from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import TolerancesFields
 from app.model import (
-    SIZE,
     Calculation,
     Maybe,
     RequestModel,
+    Size,
     Values,
     Whole,
     accuracy_values,
@@ -72,66 +72,34 @@ Report = Callable[[float], None]
 """What is told how much is done, from 0 to 1."""
 
 
-def _limit(title: str) -> Any:
-    return quantity(
-        title,
-        symbol="",
-        group="limits",
-        default=None,
-        **SIZE,
-        help="Limit whose yield is asked; its quantity is calculated too.",
-    )
+_limit = partial(quantity, help="Limit whose yield is asked; its quantity is calculated too.")
 
 
-class LimitsFields(RequestModel):
+class LimitsFields(RequestModel, group="limits"):
     """Limits of quantities: of the stiffness a lower one, of all else an upper one."""
 
-    peak_force_N: Maybe[float] = _limit("Limit of the peak force")
-    max_pressure_MPa: Maybe[float] = _limit("Limit of the pressure")
-    transmission_error_arcmin: Maybe[float] = _limit("Limit of the transmission error")
-    backlash_max_arcmin: Maybe[float] = _limit("Limit of the backlash")
-    lost_motion_arcmin: Maybe[float] = _limit("Limit of the lost motion")
-    stiffness_min_Nm_per_arcmin: Maybe[float] = _limit("Limit of the stiffness")
+    peak_force_N: Maybe[Size] = _limit("Limit of the peak force")
+    max_pressure_MPa: Maybe[Size] = _limit("Limit of the pressure")
+    transmission_error_arcmin: Maybe[Size] = _limit("Limit of the transmission error")
+    backlash_max_arcmin: Maybe[Size] = _limit("Limit of the backlash")
+    lost_motion_arcmin: Maybe[Size] = _limit("Limit of the lost motion")
+    stiffness_min_Nm_per_arcmin: Maybe[Size] = _limit("Limit of the stiffness")
 
 
-class ToleranceStudyRequest(RealDesignFields):
+class ToleranceStudyRequest(RealDesignFields, group="study"):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
 
     load: OneWayLoadFields
     tolerances: TolerancesFields
-    samples: Maybe[Whole] = quantity(
-        "Samples",
-        symbol="n",
-        group="study",
-        default=None,
-        ge=1,
-        le=MAX_SAMPLES,
-        step=100,
-        help="Pieces that are drawn; samples × pairs × crank angles are bounded. Where they are "
-        "not given as many as fit, up to 4096, or 1024 with contributions.",
-    )
-    seed: Whole = quantity(
-        "Seed",
-        symbol="",
-        group="study",
-        default=0,
-        ge=0,
-        le=2**53 - 1,
-        step=1,
-        advanced=True,
-        help="Of the draws: the same seed gives the same pieces, however many there are.",
-    )
+    samples: Maybe[Whole] = quantity("Samples", "n", step=100, ge=1, le=MAX_SAMPLES)
+    """Pieces that are drawn; samples × pairs × crank angles are bounded. Where they are not given
+    as many as fit, up to 4096, or 1024 with contributions."""
+    seed: Whole = quantity("Seed", default=0, step=1, advanced=True, ge=0, le=2**53 - 1)
+    """Of the draws: the same seed gives the same pieces, however many there are."""
     crank_angles: Whole = quantity(
-        "Crank angles",
-        symbol="",
-        group="study",
-        default=60,
-        ge=12,
-        le=1000,
-        step=12,
-        advanced=True,
-        help="Even positions of the turn at which each piece is solved.",
+        "Crank angles", default=60, step=12, advanced=True, ge=12, le=1000
     )
+    """Even positions of the turn at which each piece is solved."""
     quantities: list[Name] = Field(
         default=["peak_force_N", "backlash_max_arcmin"],
         min_length=1,
@@ -140,14 +108,9 @@ class ToleranceStudyRequest(RealDesignFields):
         "long.",
     )
     percentiles: list[Annotated[float, Field(ge=0.01, le=99.99)]] = quantity(
-        "Percentiles",
-        symbol="",
-        group="study",
-        default=[50.0, 95.0],
-        max_length=20,
-        help="Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % "
-        "368.",
+        "Percentiles", default=[50.0, 95.0], max_length=20
     )
+    """Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."""
     limits: Maybe[LimitsFields] = None
     include: list[Literal["histogram", "contributions"]] = Field(
         default=[],

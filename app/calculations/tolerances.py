@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
@@ -9,10 +10,11 @@ from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 from app.calculations.pin_contact import Deviation
 from app.calculations.real_mechanism import Phase, RealContactFields
 from app.model import (
-    SIZE,
+    SMALLEST,
     UNION_TAGS,
     Maybe,
     RequestModel,
+    Size,
     field_error,
     quantity,
     request_schema,
@@ -30,23 +32,13 @@ def _class_pattern(of_pins: bool) -> str:
     return f"^({letters})({'|'.join(map(str, GRADES))})$"
 
 
-class _SpreadFields(RequestModel):
+class _SpreadFields(RequestModel, group="tolerances"):
     """How a size or an angle varies between its limits."""
 
-    distribution: Distribution = quantity(
-        "Distribution",
-        symbol="",
-        group="tolerances",
-        default="normal",
-        help="Normal, cut off at the limits, three standard deviations off the middle; or uniform.",
-    )
-    common: bool = quantity(
-        "Common to all",
-        symbol="",
-        group="tolerances",
-        default=False,
-        help="Whether all such parts of a piece have the same: one batch, one tool.",
-    )
+    distribution: Distribution = quantity("Distribution", default="normal")
+    """Normal, cut off at the limits, three standard deviations off the middle; or uniform."""
+    common: bool = quantity("Common to all", default=False)
+    """Whether all such parts of a piece have the same: one batch, one tool."""
 
     def _refuse_reversed(self, unit: str) -> None:
         lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
@@ -57,22 +49,16 @@ class _SpreadFields(RequestModel):
         return Spread(lower, upper, self.distribution, self.common)
 
 
-def _limit(title: str, which: str, **default: Any) -> Any:
-    return quantity(
-        title,
-        symbol="",
-        group="tolerances",
-        step=0.001,
-        help=f"{which} limit of the deviation.",
-        **default,
-    )
+_lower = partial(quantity, "From", step=0.001, help="Lower limit of the deviation.")
+_upper = partial(quantity, "To", step=0.001, help="Upper limit of the deviation.")
+"""Fields of lengths, angles and diameters."""
 
 
-class LengthSpreadFields(_SpreadFields):
+class LengthSpreadFields(_SpreadFields, group="tolerances"):
     """Limits of a length's deviation."""
 
-    lower_mm: Deviation = _limit("From", "Lower")
-    upper_mm: Deviation = _limit("To", "Upper")
+    lower_mm: Deviation = _lower()
+    upper_mm: Deviation = _upper()
 
     @model_validator(mode="after")
     def _in_order(self) -> Self:
@@ -84,11 +70,11 @@ class LengthSpreadFields(_SpreadFields):
         return self._spread(to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm))
 
 
-class PhaseSpreadFields(_SpreadFields):
+class PhaseSpreadFields(_SpreadFields, group="tolerances"):
     """Limits of an angle's deviation."""
 
-    lower_deg: Phase = _limit("From", "Lower")
-    upper_deg: Phase = _limit("To", "Upper")
+    lower_deg: Phase = _lower()
+    upper_deg: Phase = _upper()
 
     @model_validator(mode="after")
     def _in_order(self) -> Self:
@@ -110,12 +96,12 @@ def _size_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
-class _DiameterFields(_SpreadFields):
+class _DiameterFields(_SpreadFields, group="tolerances"):
     """A diameter's class or limits."""
 
     tolerance_class: Maybe[str] = None
-    lower_mm: Maybe[Deviation] = _limit("From", "Lower", default=None)
-    upper_mm: Maybe[Deviation] = _limit("To", "Upper", default=None)
+    lower_mm: Maybe[Deviation] = _lower()
+    upper_mm: Maybe[Deviation] = _upper()
 
     model_config = ConfigDict(json_schema_extra=_size_schema)
 
@@ -151,29 +137,22 @@ class _DiameterFields(_SpreadFields):
         return self._spread(lower / 2, upper / 2)
 
 
-def _class(of_pins: bool) -> Any:
-    shown = "m6 of a shaft" if of_pins else "H7 of a hole"
-    return quantity(
-        "Class",
-        symbol="",
-        group="pin_diameter" if of_pins else "hole_diameter",
-        default=None,
-        alias="class",
-        help=f"ISO 286 class, as {shown}, instead of limits.",
-        schema={"pattern": _class_pattern(of_pins)},
-    )
-
-
-class PinDiameterFields(_DiameterFields):
+class PinDiameterFields(_DiameterFields, group="pin_diameter"):
     """Class or limits of the pins' diameter."""
 
-    tolerance_class: Maybe[str] = _class(True)
+    tolerance_class: Maybe[str] = quantity(
+        "Class", alias="class", schema={"pattern": _class_pattern(True)}
+    )
+    """ISO 286 class, as m6 of a shaft, instead of limits."""
 
 
-class HoleDiameterFields(_DiameterFields):
+class HoleDiameterFields(_DiameterFields, group="hole_diameter"):
     """Class or limits of the holes' diameter."""
 
-    tolerance_class: Maybe[str] = _class(False)
+    tolerance_class: Maybe[str] = quantity(
+        "Class", alias="class", schema={"pattern": _class_pattern(False)}
+    )
+    """ISO 286 class, as H7 of a hole, instead of limits."""
 
 
 def _kind(given: Any) -> Literal["plus_minus", "limits"]:
@@ -182,10 +161,9 @@ def _kind(given: Any) -> Literal["plus_minus", "limits"]:
 
 UNION_TAGS.update(("plus_minus", "limits"))
 
-PlusMinus = Annotated[float, Field(**SIZE)]
-AnglePlusMinus = Annotated[float, Field(ge=SIZE["ge"], le=360)]
+AnglePlusMinus = Annotated[float, Field(ge=SMALLEST, le=360)]
 LengthSpread = Annotated[
-    Annotated[PlusMinus, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
+    Annotated[Size, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
     Discriminator(_kind),
 ]
 PhaseSpread = Annotated[
@@ -194,40 +172,25 @@ PhaseSpread = Annotated[
 ]
 
 
-def _tolerance(title: str, symbol: str, help: str, **more: Any) -> Any:
-    return quantity(
-        title, symbol=symbol, group="tolerances", default=None, step=0.001, help=help, **more
-    )
-
-
-class TolerancesFields(RequestModel):
+class TolerancesFields(RequestModel, group="tolerances"):
     """What the parts are made to; what is not named is exact. Each part of a piece has a deviation
     of its own.
     """
 
-    pin_position_mm: Maybe[float] = _tolerance(
-        "Position of the pins", "t", "Diameter of the round zone of each pin's centre.", **SIZE
-    )
-    hole_position_mm: Maybe[float] = _tolerance(
-        "Position of the holes", "t_j", "Diameter of the round zone of each hole's centre.", **SIZE
-    )
-    pin_diameter: Maybe[PinDiameterFields] = _tolerance(
-        "Pin diameter", "", "Class or limits of the diameter that touches the hole."
-    )
-    hole_diameter: Maybe[HoleDiameterFields] = _tolerance(
-        "Hole diameter", "", "Class or limits of the diameter of the holes."
-    )
-    eccentricity_mm: Maybe[LengthSpread] = _tolerance(
-        "Eccentricity", "Δe", "Of each crank: plus or minus so much, or limits."
-    )
-    crank_phase_deg: Maybe[PhaseSpread] = _tolerance(
-        "Crank phase", "Δα", "Angle of each crank: plus or minus so much, or limits."
-    )
-    disc_phase_deg: Maybe[PhaseSpread] = _tolerance(
-        "Disc phase",
-        "η",
-        "Angle of each disc's holes against its teeth: plus or minus so much, or limits.",
-    )
+    pin_position_mm: Maybe[Size] = quantity("Position of the pins", "t", step=0.001)
+    """Diameter of the round zone of each pin's centre."""
+    hole_position_mm: Maybe[Size] = quantity("Position of the holes", "t_j", step=0.001)
+    """Diameter of the round zone of each hole's centre."""
+    pin_diameter: Maybe[PinDiameterFields] = quantity("Pin diameter", step=0.001)
+    """Class or limits of the diameter that touches the hole."""
+    hole_diameter: Maybe[HoleDiameterFields] = quantity("Hole diameter", step=0.001)
+    """Class or limits of the diameter of the holes."""
+    eccentricity_mm: Maybe[LengthSpread] = quantity("Eccentricity", "Δe", step=0.001)
+    """Of each crank: plus or minus so much, or limits."""
+    crank_phase_deg: Maybe[PhaseSpread] = quantity("Crank phase", "Δα", step=0.001)
+    """Angle of each crank: plus or minus so much, or limits."""
+    disc_phase_deg: Maybe[PhaseSpread] = quantity("Disc phase", "η", step=0.001)
+    """Angle of each disc's holes against its teeth: plus or minus so much, or limits."""
 
     def tolerances(self, contact: RealContactFields) -> Tolerances:
         """The same in SI units, for a contact's sizes.

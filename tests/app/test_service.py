@@ -190,7 +190,9 @@ async def test_the_pages_ask_no_other_host(api):
 
 
 async def test_the_description_is_enough_for_a_form(api):
-    """Each number of a request has a title and, where its name ends in one, its unit."""
+    """Each number of a request has a title, a help, a group and, where its name ends in one, its
+    unit.
+    """
     schema = (await api.get("openapi.json")).json()
     models = schema["components"]["schemas"]
     pins = models["CyclogramRequest"]["properties"]["pins"]
@@ -200,6 +202,8 @@ async def test_the_description_is_enough_for_a_form(api):
     for name, model in models.items():
         for field, described in model.get("properties", {}).items():
             assert described.get("x-unit", "") == shown_unit(field), f"{name}.{field}"
+            if "x-group" in described:
+                assert described["title"] and described["description"], f"{name}.{field}"
 
 
 async def test_the_values_of_each_choice_have_names_of_their_own_in_generated_clients(api):
