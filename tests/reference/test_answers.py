@@ -25,10 +25,13 @@ def test_every_number_is_as_good_as_is_stated(calculation: Calculation, seed: in
     assert case.extreme or not case.refused, case.body
 
 
-def test_the_worst_cycle_is_found_where_it_lies_on_a_ridge() -> None:
-    """A least stress that is next to nothing, and moves with the direction."""
+@pytest.mark.parametrize("seed", [1480, 7760])
+def test_the_worst_cycle_is_found_where_it_lies_on_a_ridge(seed: int) -> None:
+    """A least stress that is next to nothing, and moves with the direction; forces of exponent 0.5,
+    whose stated error was too small.
+    """
     (pins,) = (each for each in CALCULATIONS if each.path == "pin-strength")
-    assert outcome(pins, 1480).false == {}
+    assert outcome(pins, seed).false == {}
 
 
 def test_the_error_is_that_against_the_decimal() -> None:
