@@ -46,7 +46,7 @@ REFUSALS = {
     "smaller_than": "must be smaller than {field}, {limit:.9g}",
     "sum_not_one": "must add up to 1, not to {sum:.15g}",
     "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
-    "too_few": "needs a larger sample",
+    "too_few": "needs a sample of at least {limit:d}",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
     "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
     "too_short": "must have at least {limit:d} entries",

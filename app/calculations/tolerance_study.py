@@ -139,7 +139,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             try:
                 refuse_few(count=self.drawn, percent=percent)
             except InvalidInput as error:
-                raise refusal(f"/percentiles/{index}", error.code) from error
+                raise refusal(f"/percentiles/{index}", error.code, **error.params) from error
 
     def refuse_longer(self, settings: Settings, times: int = 1) -> None:
         """Refuse more samples than there is time for, if all is done so many times over; where

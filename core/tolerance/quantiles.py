@@ -60,6 +60,27 @@ def _most(tail: int, count: int, p: float) -> float:
     return float(tail >= last)
 
 
+def fewest(percent: float) -> int:
+    """Least size of a sample in which a percentile has an interval.
+
+    Parameters
+    ----------
+    percent : float
+        Percentage, between 0 and 100.
+
+    Returns
+    -------
+    int
+        The least n for which p^n and (1 - p)^n are at most 2.5 %.
+
+    Examples
+    --------
+    >>> fewest(50), fewest(95), fewest(99)
+    (6, 72, 368)
+    """
+    return math.ceil(math.log((1 - CONFIDENCE) / 2) / math.log(max(percent, 100 - percent) / 100))
+
+
 def refuse_few(*, count: int, percent: float) -> None:
     """Refuse a percentage whose percentile has no interval in a sample of this size: as all values
     may lie on one side of it.
@@ -81,14 +102,14 @@ def refuse_few(*, count: int, percent: float) -> None:
     >>> refuse_few(count=368, percent=99)
     >>> refuse_few(count=367, percent=99)
     Traceback (most recent call last):
-    core.errors.InvalidInput: percent = 99 needs a larger sample
+    core.errors.InvalidInput: percent = 99 needs a sample of at least 368
     """
     if not 0 < percent < 100:
         limit = 0 if percent <= 0 else 100
         raise InvalidInput("percent", percent, "greater_than" if limit == 0 else "less_than",
                            limit=limit)  # fmt: skip
-    if max(percent, 100 - percent) / 100 > ((1 - CONFIDENCE) / 2) ** (1 / max(count, 1)):
-        raise InvalidInput("percent", percent, "too_few")
+    if count < fewest(percent):
+        raise InvalidInput("percent", percent, "too_few", limit=fewest(percent))
 
 
 def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estimate:
@@ -116,7 +137,7 @@ def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estim
     --------
     >>> percentile(values=range(1, 1001), percent=99.9)
     Traceback (most recent call last):
-    core.errors.InvalidInput: percent = 99.9 needs a larger sample
+    core.errors.InvalidInput: percent = 99.9 needs a sample of at least 3688
     >>> percentile(values=range(1, 1001), percent=50)
     Estimate(value=500.0, low=469.0, high=532.0)
     """

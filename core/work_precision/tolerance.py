@@ -8,7 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.tolerance.quantiles import percentile
+from core.tolerance.quantiles import fewest, percentile
 from core.tolerance.study import Study
 from core.work_precision.study import Reference, WorkPoint, WorkPrecision
 
@@ -46,7 +46,7 @@ def _estimate(values: FloatArray, percent: float | None) -> float:
     """Percentile of the pieces that can work, their mean where no percent is asked."""
     known = values[~np.isnan(values)]
     if not len(known):
-        raise InvalidInput("samples", len(values), "too_few")
+        raise InvalidInput("samples", len(values), "too_few", limit=len(values) + 1)
     return (
         float(known.mean()) if percent is None else percentile(values=known, percent=percent).value
     )
@@ -123,7 +123,8 @@ def _line(
     scatters = {count // blocks: _scatter(grid, blocks, percent) for blocks in BLOCKS}
     quartered = scatters[count // BLOCKS[-1]]
     if quartered is None:
-        raise InvalidInput("samples", count, "too_few")
+        least = 2 if percent is None else fewest(percent)
+        raise InvalidInput("samples", count, "too_few", limit=BLOCKS[-1] * least)
     scatters[count] = quartered / 2
     return [
         WorkPoint(

@@ -903,7 +903,7 @@ export default {
       roller_without_arm: "ставить ролик {roller} у положення, кратне пів обертам: там контакт не має плеча",
       smaller_than: "має бути менше ніж {field}, {limit}",
       no_class: "має бути класом ISO 286 з таблиці, як m6 чи H7",
-      too_few: "потребує більшої вибірки",
+      too_few: "потребує вибірки щонайменше з {limit}",
       too_many_pairs: "має бути не більше ніж {limit} (кількість сателітів: {satellites})",
       too_many_phases: "має бути менше: робочих фаз було б понад {limit}",
       too_short: "потрібно значень: щонайменше {limit}",

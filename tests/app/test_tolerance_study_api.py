@@ -356,7 +356,12 @@ async def test_a_diameter_beyond_the_table_is_refused(api):
 
 
 async def test_a_percentile_that_the_sample_does_not_give_is_refused(api):
-    assert await refused(api, changed(percentiles=[50, 95])) == ("/percentiles/1", "too_few")
+    response = await api.post(PATH, json=changed(percentiles=[50, 95]))
+    (error,) = response.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/percentiles/1", "too_few")
+    assert error["params"] == {"limit": 72} and "72" in error["detail"]
+    enough = await api.post(PATH, json=changed(percentiles=[50, 95], samples=72))
+    assert enough.status_code == 200
 
 
 async def test_a_design_that_cannot_work_is_refused(api):

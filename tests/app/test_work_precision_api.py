@@ -373,6 +373,7 @@ async def test_too_few_pieces_are_refused_by_name(api):
     body = {"calculation": "tolerance-study", "input": {**PIECES, "samples": 20}}
     error = (await api.post("work-precision", json=body)).json()["errors"][0]
     assert (error["pointer"], error["code"]) == ("/input/samples", "too_few")
+    assert error["params"]["limit"] > 20
 
 
 def test_pieces_take_eight_times_as_long_as_their_own_study():

@@ -139,9 +139,9 @@ def test_ends_of_intervals_are_the_binomial_quantiles(percent: float) -> None:
         high = sum(each < Fraction(975, 1000) for each in below) + 1
         values = range(1, count + 1)
         if low < 1 or high > count:
-            with pytest.raises(InvalidInput, match="needs a larger sample"):
+            with pytest.raises(InvalidInput, match="needs a sample of at least"):
                 refuse_few(count=count, percent=percent)
-            with pytest.raises(InvalidInput, match="needs a larger sample"):
+            with pytest.raises(InvalidInput, match="needs a sample of at least"):
                 percentile(values=values, percent=percent)
             continue
         refuse_few(count=count, percent=percent)
