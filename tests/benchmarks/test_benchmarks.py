@@ -17,6 +17,7 @@ SAYS = {
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",
     "honesty": "\nhonest",
+    "house": "largest files",
     "load": "stopped (SIGTERM)",
     "page": "a frame",
     "peaks": "0 peaks missed",
