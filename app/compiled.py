@@ -11,23 +11,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-from core.output import compiled, sharing_kernel
-from core.output.contact_law import LinearLaw
-from core.output.mechanism import Mechanism
-from core.output.over_turn import over_turn
-from core.output.real_mechanism import RealMechanism
-from core.output.real_turn import real_turn
-from core.tolerance.study import Evaluation, Study, tolerance_study
-from core.tolerance.tolerances import Tolerances
-
 LOG = logging.getLogger("khv.compiled")
 
 ONCE = "compiling the load sharing, once an installation: half a minute or so"
 
-SOURCE = Path(sharing_kernel.__file__)
+SOURCE = Path(__file__).parent.parent / "core" / "output" / "sharing_kernel.py"
 
-
-LAST = sharing_kernel.pieces.__name__
+LAST = "pieces"
 """What `run_once` has compiled last."""
 
 
@@ -45,6 +35,14 @@ def cached() -> bool:
 
 def run_once() -> None:
     """Go through all that is called of what is compiled."""
+    from core.output.contact_law import LinearLaw
+    from core.output.mechanism import Mechanism
+    from core.output.over_turn import over_turn
+    from core.output.real_mechanism import RealMechanism
+    from core.output.real_turn import real_turn
+    from core.tolerance.study import Evaluation, Study, tolerance_study
+    from core.tolerance.tolerances import Tolerances
+
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=3, satellites=1, ratio=18.0),
         pin_circle_radius=0.02,
@@ -61,8 +59,11 @@ def run_once() -> None:
 
 def load() -> None:
     """Calculate with the compiled loops from now on, all of them read from the cache or compiled
-    now; without numba with the same loops as they are.
+    now; without numba with the same loops as they are. (Who only looks for the cache, as the
+    parent of workers, imports none of the calculation.)
     """
+    from core.output import compiled
+
     try:
         compiled.load()
     except ImportError:

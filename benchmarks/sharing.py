@@ -47,7 +47,9 @@ TOLERANCES = Tolerances(
 COLD = """
 import time
 begun = time.process_time()
-from app.compiled import compiled, run_once
+from app.compiled import run_once
+from core.output import compiled
+from core.tolerance.study import tolerance_study
 ready = time.process_time()
 compiled.load()
 run_once()

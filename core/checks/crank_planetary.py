@@ -5,7 +5,18 @@ import math
 from collections.abc import Callable
 from functools import partial
 
-from core.checks.check import Check, Measure, Status, Verdict, asked, attempt, judged, verdict, wall
+from core.checks.check import (
+    Check,
+    Measure,
+    Status,
+    Verdict,
+    asked,
+    attempt,
+    judged,
+    not_checked,
+    verdict,
+    wall,
+)
 from core.checks.crank import BEARING, GEAR, SHAFT, within_roots
 from core.checks.crank_design import CrankDesign
 from core.checks.friction import FRICTION
@@ -45,7 +56,7 @@ def _interference(design: CrankDesign) -> Check:
     code, clearance = "interference", design.known_clearance
     try:
         fit = design.fit
-    except NotKnown:
+    except NotKnown as why:
         if clearance >= 0 and not design.deviations:  # the room is the clearance
             return judged(code, clearance, 0.0)._replace(utilisation=None)
         if not design.loaded:
@@ -53,7 +64,7 @@ def _interference(design: CrankDesign) -> Check:
         if clearance < 0:
             return Check(code=code, status="fail", value=clearance, limit=0.0,
                          impossible=True, reason="cannot_assemble")  # fmt: skip
-        return Check(code=code, status="not_checked", limit=0.0, reason="too_many_pairs")
+        return not_checked(code, why, limit=0.0)
     at: dict[str, float] = {}
     if fit.room.binding:
         pair = fit.room.binding[0]

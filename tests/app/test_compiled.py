@@ -56,6 +56,18 @@ def test_all_that_is_called_of_the_loops_is_in_the_cache():
     assert {name: getattr(kernel, name).signatures for name in names} == before
 
 
+def test_who_looks_for_the_cache_imports_nothing_of_the_calculation():
+    code = """
+import sys
+import app.serve
+print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy", "numba")])
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+    assert Path(sharing_kernel.__file__) == compiled.SOURCE
+    assert sharing_kernel.pieces.__name__ == compiled.LAST
+
+
 def test_without_numba_the_loops_run_as_they_are():
     code = """
 import sys
