@@ -77,6 +77,9 @@ UNDESCRIBED = re.compile("/input/|/requests/")
 BETWEEN_FIELDS = {"exclusive", "first_order_only", "needed_for"}
 """Codes of rules between fields, which stand in their validators only."""
 
+NEEDED = {"needed", "needed_beside", "only_one"}
+"""Codes of what another field needs or excludes."""
+
 OF_OTHER_FIELDS = (
     "/contact",
     "/contact/contact_length_mm",
@@ -104,5 +107,6 @@ def test_the_service_does_what_its_description_says(case):
     if response.status_code != 422 or not described:  # 0 stands for a body that was not found
         return
     for error in response.json()["errors"]:
-        if not UNDESCRIBED.match(error["pointer"]) and error["pointer"] not in OF_OTHER_FIELDS:
-            assert error["code"] in PHYSICAL | BETWEEN_FIELDS, error
+        if not UNDESCRIBED.match(error["pointer"]):
+            there = NEEDED if error["pointer"] in OF_OTHER_FIELDS else set()
+            assert error["code"] in PHYSICAL | BETWEEN_FIELDS | there, error
