@@ -7,7 +7,6 @@ import itertools
 import math
 import timeit
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,12 +15,14 @@ from app.calculations.crank_planetary import STRENGTH as STRENGTH_SECTIONS
 from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
 from app.examples import REQUESTS
 from benchmarks.options import options
-from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
 from core.crank.bearing_life import rating_life
 from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import satellite_bearings
+from core.design.document import Design, changed
+from core.design.results import Results
+from core.design.sections import Contact, Load, MechanismSection
 from core.exploration.solve import solve_for
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
@@ -68,22 +69,31 @@ def _line() -> object:
     )  # fmt: skip
 
 
-REF = CrankDesign(
-    pins=6, satellites=2, ratio=20.0, output_torque=500.0, pin_circle_radius=0.05,
-    contact_length=0.02, pin_radius=0.008, hole_radius=0.01, eccentricity=0.002,
-    pin_material=MATERIALS["steel_bearing"].material,
-    hole_material=MATERIALS["steel_through_hardened"].material,
-)  # fmt: skip
+REF = Design(
+    mechanism=MechanismSection(pins=6, satellites=2, ratio=20.0),
+    load=Load(output_torque=500.0, pin_circle_radius=0.05),
+    contact=Contact(
+        contact_length=0.02,
+        pin_radius=0.008,
+        hole_radius=0.01,
+        eccentricity=0.002,
+        pin_material=MATERIALS["steel_bearing"].material,
+        hole_material=MATERIALS["steel_through_hardened"].material,
+    ),
+)
 
 
 def _checks() -> object:
-    """All checks of a design: each call another one, as nothing of a design is kept."""
-    return crank_checks(replace(REF))
+    """All checks of a design: each call others, as nothing of a design is kept."""
+    return crank_checks(Results(REF))
 
 
 def _fixes() -> object:
     """All fixes of its governing check, six of them."""
-    return crank_fixes(design=replace(REF, output_torque=1500.0), codes=["contact_pressure_hole"])
+    results = Results(changed(REF, {"load.output_torque": 1500.0}))
+    return crank_fixes(
+        results=results, codes=["contact_pressure_hole"], current=crank_checks(results)
+    )
 
 
 MECHANISM = _mechanism()

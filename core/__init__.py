@@ -35,6 +35,7 @@ rollers             swinging rollers: stiffness, load sharing, bending stress, a
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 crank               bearings of the satellites, reactions and balance of the crankshaft
 exploration         an input solved for a result
+design              the design of a reducer as its JSON is nested, and what follows from it
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check
 work_precision      error against run time of the methods above

@@ -25,6 +25,7 @@ from app.running import path_of
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
 from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED, REASONS
+from core.design.sections import Requirements
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 
@@ -71,6 +72,10 @@ class RequirementsFields(RequestModel, group="requirements"):
     """Largest force of the satellites' masses on the crankshaft."""
     max_unbalance_couple_Nm: Maybe[Size] = quantity("Largest unbalanced couple", "M_U", step=0.1)
     """Largest couple of the satellites' masses on the crankshaft."""
+
+    def section(self, _: Any) -> Requirements:
+        """The same in SI units."""
+        return Requirements(**self.to_core())
 
 
 class JudgedFields(RequestModel):
@@ -288,7 +293,7 @@ def _value(body: Any, path: tuple[str | int, ...]) -> Any:
 
 
 SETS = {
-    "crankshaft.dynamic_rating": tuple(
+    "crankshaft.bearings.dynamic_rating": tuple(
         f"crankshaft.bearings[{index}].dynamic_rating" for index in (0, 1)
     )
 }
@@ -310,7 +315,9 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
     path = paths[0]
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
-    if fix.variable == "output_torque" and _value(body, path) is None:  # that of the input is given
+    if (
+        fix.variable == "load.output_torque" and _value(body, path) is None
+    ):  # that of the input is given
         name = "input_torque_Nm"
         given_path = (*path[:-1], name)
         path, paths, given = given_path, [given_path], _value(body, given_path)
@@ -323,16 +330,17 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
         to = _short(to)
     sets = {pointer(each): to for each in paths}
     hole, clearance, pin = (
-        path_of(body, each) for each in ("hole_radius", "hole_clearance", "pin.diameter")
+        path_of(body, each)
+        for each in ("contact.hole_radius", "contact.hole_clearance", "pin.diameter")
     )
-    if fix.variable == "pin_radius" and hole is not None and _value(body, hole) is not None:
+    if fix.variable == "contact.pin_radius" and hole is not None and _value(body, hole) is not None:
         sets[pointer(hole)] = _short(_value(body, hole) + to - before)
     inside = _value(body, pin) if pin is not None else None
     no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)
-    if fix.variable == "pin_radius" and no_sleeve:
+    if fix.variable == "contact.pin_radius" and no_sleeve:
         sets[pointer(pin)] = 2 * to  # type: ignore[arg-type]
     loose = None if clearance is None else _value(body, clearance)
-    if fix.variable == "hole_radius" and clearance is not None and loose is not None:
+    if fix.variable == "contact.hole_radius" and clearance is not None and loose is not None:
         sets[pointer(clearance)] = _short(loose + to - before)
         if _value(body, path) is None:  # the hole follows the clearance
             del sets[pointer(path)]

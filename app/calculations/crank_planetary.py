@@ -58,13 +58,11 @@ from app.sources import (
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.crank_planetary import crank_checks
-from core.checks.design.pins import MOST_PIN_PAIRS
 from core.checks.largest_torque import exact_torque
-from core.checks.real_forces import RealForces
-from core.checks.sections import Friction, RollingBearing
 from core.derived import if_known
+from core.design.real_forces import RealForces
+from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS
 from core.fixes.crank import crank_fixes
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position
@@ -109,13 +107,13 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
-STRENGTH: dict[Section, str] = {
-    "pin_strength": "pin_strength",
-    "output_efficiency": "losses",
-    "satellite_bearing": "bearings",
-    "crankshaft": "shaft",
-}
-"""Sections of strength and life, and what of a design they answer."""
+STRENGTH: tuple[Section, ...] = (
+    "pin_strength",
+    "output_efficiency",
+    "satellite_bearing",
+    "crankshaft",
+)
+"""Sections of strength and life."""
 
 AS_MADE = ("hertz", "geometry", *STRENGTH)
 """Sections that follow from the forces of the mechanism as it is made, where it is given so."""
@@ -207,14 +205,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         ]
         if not self.as_made or "hertz" not in allowed:
             return allowed
-        if if_known(lambda: self.design.judged_forces) is None:
+        if if_known(lambda: self.results.judged_forces) is None:
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
         made = section == "load_sharing" or (self.as_made and section in AS_MADE)
-        fit = if_known(lambda: self.design.fit) if made else None
+        fit = if_known(lambda: self.results.fit) if made else None
         return fit is not None and fit.impossible
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -234,38 +232,28 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return load.solve_for(self.design.driven)
 
     def parts(self) -> dict[str, Any]:
-        """All sections and what is required, in SI units."""
-        body = self.satellite_body
+        """Without pins where there is no contact: nothing loads them."""
         return {
-            "pin": self.pin and self.contact and self.pin.pin(self.contact),
-            "fatigue": self.fatigue and self.fatigue.basis(),
-            "friction": self.friction and Friction(**self.friction.to_core()),
-            "gear": self.gear and self.gear.ring(self.mechanism.teeth_difference),
-            "bearing": self.bearing and RollingBearing(**self.bearing.to_core()),
-            "crankshaft": self.crankshaft and self.crankshaft.to_shaft(),
-            **({} if body is None else {"has_body": True, **body.to_core()}),
-            **self.requirements.to_core(),
+            name: part
+            for name, part in super().parts().items()
+            if name != "pin" or self.contact is not None
         }
 
     def judge(self) -> Values:
         """Verdict, and checks and fixes where asked."""
-        found = exact_torque(design=self.design, found=crank_checks(self.design))
+        found = exact_torque(design=self.design, found=crank_checks(self.results))
         fixes = None
         if "fixes" in self.sections:
             codes = codes_to_fix(found, self.fixes_for)
-            fixes = crank_fixes(design=self.design, codes=codes, current=found)
+            fixes = crank_fixes(results=self.results, codes=codes, current=found)
         values = judgement(
             found,
             self,
-            torque=self.design.output_torque,
+            torque=self.design.load.output_torque if self.design.load else None,
             checks="checks" in self.sections,
             fixes=fixes,
         )
         return {name: value for name, value in values.items() if value is not None}
-
-    def solve_strength(self, section: Section) -> Any:
-        """Result of a section of strength and life."""
-        return getattr(self.design, STRENGTH[section])
 
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
@@ -277,7 +265,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if not self.as_made:
             forces = self.load.forces_at(self.design.driven, crank_angle)
         else:
-            solved = self.design.real_forces
+            solved = self.results.real_forces
             torque = solved.way * solved.torque
             found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
             forces = np.array(found.force)
@@ -500,31 +488,31 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
-        sharing, sharing_us = run(body, lambda: body.design.real_forces)
-        forces = if_known(lambda: body.design.judged_forces)
+        sharing, sharing_us = run(body, lambda: body.results.real_forces)
+        forces = if_known(lambda: body.results.judged_forces)
         force_N = forces.force if isinstance(forces, RealForces) else None
         sections["load_sharing"] = LoadSharingOut.values(
             sharing, sharing_us, judged_force_N=force_N
         )
     if "hertz" in asked:
-        contact, hertz_us = run(body, lambda: body.design.contact)
-        factor = body.design.line_load_factor if body.pin else None
+        contact, hertz_us = run(body, lambda: body.results.hertz)
+        factor = body.results.line_load_factor if body.pin else None
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:
-            found, run_us = run(body, partial(body.solve_strength, name))
+            found, run_us = run(body, partial(getattr, body.results, name))
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
     sizes, _ = run(body, body.solve_fit)
-    fit, _ = run(body, lambda: if_known(lambda: body.design.fit))
+    fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:
         sections["fit"] = FitOut.values(fit)
     notices = (() if sizes is None else sizes.notices) + (
         () if body.contact is None else body.contact.material_notices()
     )
     if "pin_strength" not in asked:  # which tells it itself
-        notices += run(body, lambda: body.design.size_notices)[0]
+        notices += run(body, lambda: body.results.size_notices)[0]
     if notices:
         sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)

@@ -26,8 +26,9 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
-from core.checks.sections import RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, ReactionCurves
+from core.design.curves import design_reactions
+from core.design.sections import RollingBearing, Shaft
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
 
@@ -52,7 +53,7 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
         description="Both bearings, in the housing; ball bearings where not given.",
     )
 
-    def to_shaft(self) -> Shaft:
+    def section(self, _: Any) -> Shaft:
         """The shaft in SI units."""
         own = self.to_core()
         for name in ("satellite_positions", "bearing_positions"):
@@ -71,18 +72,14 @@ class CrankshaftRequest(CrankedRequest):
         """No end: the loads of its bearings are searched over the turn."""
         return math.inf
 
-    def parts(self) -> dict[str, Any]:
-        """Pin, ring and shaft in SI units."""
-        return super().parts() | {"crankshaft": self.crankshaft.to_shaft()}
-
     def solve(self) -> Crankshaft:
         """Reactions and balance."""
-        return self.with_fit(self.design.shaft)
+        return self.with_fit(self.results.crankshaft)
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """The same, and curves over the turn."""
         angles, _ = self.drawn_angles()
-        return self.solve(), self.design.reaction_curves(angles)
+        return self.solve(), design_reactions(results=self.results, crank_angle=angles)
 
 
 class ShaftBearingOut(ResponseModel):

@@ -4,7 +4,7 @@ load, contact, and the forces that follow.
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import Any, Literal, Self, TypeVar, cast
 
@@ -16,7 +16,7 @@ from app.calculations.contact_force import (
     force_of_one,
     peak_torque,
 )
-from app.calculations.hertz import MaterialFields, material_of
+from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinMaterial, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
@@ -32,8 +32,9 @@ from app.model import Maybe, RequestModel, Size, field_error, quantity, result
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
-from core.checks.crank_design import CrankDesign
-from core.checks.sections import DesignPin
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import DesignPin, Load, Requirements
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -55,6 +56,18 @@ class DesignLoadFields(LoadFields, group="load"):
     application_factor: Maybe[Size] = application_factor()
     peak_torque_Nm: Maybe[Size] = peak_torque()
 
+    def section(self, whole: Any) -> Load:
+        """The load in SI units."""
+        return Load(
+            output_torque=self.torque(whole.built),
+            pin_circle_radius=to_si("radius_mm", self.pin_circle_radius_mm),
+            force_exponent=self.force_exponent,
+            torque_direction=self.torque_direction,
+            input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
+            application_factor=self.application_factor,
+            peak_torque=self.peak_torque_Nm,
+        )
+
 
 class DrivenLoadFields(DesignLoadFields, group="load"):
     """The same with its speed."""
@@ -72,13 +85,10 @@ class DesignPinFields(BentPinFields, group="pin"):
     material: Maybe[PinMaterial] = quantity("Material of the pin")
     """A name of the table of materials, or values; that of the contact where it has one."""
 
-    def pin(self, contact: PinContactFields | None) -> DesignPin:
+    def section(self, whole: Any) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
-        held = self.held(contact)
-        material: str | MaterialFields | None = self.material
-        if material is None:
-            assert contact is not None
-            material = contact.pin_material
+        held = self.held(whole.contact)
+        material: str | MaterialFields = self.material or whole.contact.pin_material
         return DesignPin(
             support=held.support,
             diameter=held.diameter,
@@ -193,54 +203,20 @@ class DesignFields(GivingFields):
         return self.mechanism.mechanism()
 
     def parts(self) -> dict[str, Any]:
-        """The pin, sections of this request alone and what is required of the design, in SI units,
-        as `core.checks.design.given.GivenDesign` names them.
-        """
-        return {"pin": self.pin and self.pin.pin(self.contact), "life": math.inf}
+        """The sections of the design that are given, by their names in it."""
+        given = ((each.name, getattr(self, each.name, None)) for each in fields(Design))
+        return {name: section for name, section in given if section is not None}
 
     @cached_property
-    def design(self) -> CrankDesign:
-        """The design in SI units, and all that follows from it."""
-        own, contact, load = self.mechanism, self.contact, self.load
-        given: dict[str, Any] = {
-            "pins": own.pins,
-            "satellites": own.satellites,
-            "ratio": self.built.ratio,
-            "crank_spacing": to_si("spacing_deg", own.crank_spacing_deg),
-            "crank_angles": own.crank_angles_deg and self.built.crank_angles,
-            "initial_crank_angle": self.built.initial_crank_angle,
-            "satellite_teeth": own.satellite_teeth,
-            "law": self.contact_law and self.contact_law.law(),
-            "deviations": self.deviations and self.deviations.deviations(),
-            "support": self.support,
-            **self.parts(),
-        }
-        radius_mm = None
-        if load is not None:
-            radius_mm = load.pin_circle_radius_mm
-            given |= {
-                "output_torque": load.torque(self.built),
-                "pin_circle_radius": to_si("radius_mm", radius_mm),
-                "force_exponent": load.force_exponent,
-                "torque_direction": load.torque_direction,
-                "input_speed": to_si("input_speed_rpm", load.input_speed_rpm),
-                "peak_torque": load.peak_torque_Nm,
-            }
-        if contact is not None:
-            materials = {name: getattr(contact, name) for name in ("pin_material", "hole_material")}
-            given |= contact.fit(radius_mm)
-            given |= {name: material_of(each) for name, each in materials.items()}
-            given |= {
-                "contact_length": to_si("length_mm", contact.contact_length_mm),
-                "dynamic_factor": contact.dynamic_factor,
-                "distribution_factor": contact.distribution_factor,
-                "own_limits": tuple(
-                    name for name, each in materials.items() if not isinstance(each, str)
-                ),
-            }
-        if load is not None and load.application_factor is not None:
-            given["dynamic_factor"] = load.application_factor
-        return CrankDesign(**given)
+    def design(self) -> Design:
+        """The design in SI units; what a request cannot ask for is not required."""
+        sections = {name: each.section(self) for name, each in self.parts().items()}
+        return Design(**{"requirements": Requirements(life=math.inf)} | sections)
+
+    @cached_property
+    def results(self) -> Results:
+        """What follows from it, each result worked out once."""
+        return Results(self.design)
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit."""

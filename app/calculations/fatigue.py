@@ -1,10 +1,10 @@
 """Fatigue of a part: what it is judged by, and its stress cycle."""
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from app.model import Forms, Maybe, RequestModel, ResponseModel, Size, quantity, result
 from app.units import to_si
-from core.checks.sections import FatigueBasis
+from core.design.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface
 
 STEEL_GPA = 190.0, 220.0
@@ -51,7 +51,7 @@ class FatigueFields(RequestModel, group="fatigue"):
     criterion: Criterion = quantity("Criterion", default="goodman")
     """How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."""
 
-    def basis(self) -> FatigueBasis:
+    def section(self, _: Any = None) -> FatigueBasis:
         """The same in SI units."""
         own = self.to_core()
         if self.notch is not None:

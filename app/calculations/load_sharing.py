@@ -128,7 +128,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
 
     def real(self) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
-        return self.made(Deviations() if self.deviations is None else self.deviations.deviations())
+        return self.made(Deviations() if self.deviations is None else self.deviations.section())
 
     def solve_all(self) -> "Solved":
         """What is asked for."""

@@ -1,13 +1,13 @@
 """The parallel-crank mechanism as a request gives it."""
 
-from functools import lru_cache
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
 from app.model import Angle, Forms, Maybe, RequestModel, Whole, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
+from core.design.sections import MechanismSection
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism, ratio_from_teeth
 from core.results import Notice
@@ -156,32 +156,19 @@ class MechanismFields(RequestModel, group="mechanism"):
         assert self.satellite_teeth is not None and self.ring_teeth is not None
         return ratio_from_teeth(satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth)
 
-    def mechanism(self) -> Mechanism:
-        """The mechanism in SI units."""
-        ratio, start_deg = self.ratio_given(), self.initial_crank_angle_deg
-        if self.crank_angles_deg is None:
-            return _evenly_spaced(
-                self.pins, self.satellites, ratio, self.crank_spacing_deg, start_deg
-            )
-        return Mechanism(
+    def section(self, _: Any = None) -> MechanismSection:
+        """The same in SI units."""
+        angles = to_si("crank_angles_deg", self.crank_angles_deg)
+        return MechanismSection(
             pins=self.pins,
-            crank_angles=tuple(to_si("crank_angles_deg", self.crank_angles_deg)),
-            ratio=ratio,
-            initial_crank_angle=to_si("initial_crank_angle_deg", start_deg),
+            satellites=self.satellites,
+            ratio=self.ratio_given(),
+            crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
+            crank_angles=angles and tuple(angles),
+            initial_crank_angle=to_si("initial_crank_angle_deg", self.initial_crank_angle_deg),
+            satellite_teeth=self.satellite_teeth,
         )
 
-
-@lru_cache(maxsize=1024)
-def _evenly_spaced(
-    pins: int, satellites: int, ratio: float, spacing_deg: float | None, start_deg: float
-) -> Mechanism:
-    """One mechanism for the same numbers, which is hashed and compared sooner where it is asked for
-    again: sizes and loads vary far more often.
-    """
-    return Mechanism.evenly_spaced(
-        pins=pins,
-        satellites=satellites,
-        ratio=ratio,
-        crank_spacing=to_si("spacing_deg", spacing_deg),
-        initial_crank_angle=to_si("angle_deg", start_deg),
-    )
+    def mechanism(self) -> Mechanism:
+        """The mechanism in SI units."""
+        return self.section().built

@@ -46,7 +46,8 @@ from app.theme import (
 )
 from app.units import from_si
 from core.arrays import FloatArray
-from core.checks.sections import Friction
+from core.design.curves import design_losses
+from core.design.sections import Friction
 from core.output.losses import LossCurves, PinLosses
 
 
@@ -72,6 +73,10 @@ class FrictionFields(RequestModel, group="friction"):
 
     _coefficient_size = field_validator("coefficient")(no_dust)
 
+    def section(self, _: Any) -> Friction:
+        """The same in SI units."""
+        return Friction(**self.to_core())
+
 
 class WornFields(FrictionFields):
     """The same where a rate of wear needs the time."""
@@ -95,26 +100,26 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
         samples = self.samples if "curves" in self.include else 0
         return max(super().cost(), self.mechanism.points(samples=samples))
 
-    def parts(self) -> dict[str, Any]:
-        """Pin and friction in SI units."""
-        return super().parts() | {"friction": Friction(**self.friction.to_core())}
-
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
-        return self.with_fit(self.design.losses)
+        return self.with_fit(self.results.output_efficiency)
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, and their curves over a turn where they are asked."""
         losses = self.solve()
         if "curves" not in self.include:
             return losses, None
-        return losses, self.design.loss_curves(losses, turn(self.samples_of(self.built)))
+        return losses, self.curves(losses, turn(self.samples_of(self.built)))
+
+    def curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
+        """Loss and efficiency at crank angles, rad."""
+        return design_losses(results=self.results, losses=losses, crank_angle=crank_angle)
 
     def solve_for_drawing(self) -> tuple[PinLosses, LossCurves, FloatArray]:
         """Losses, curves fit to be drawn, and the switching angles, rad."""
         angles, switching = self.drawn_angles()
         losses = self.solve()
-        return losses, self.design.loss_curves(losses, angles), switching
+        return losses, self.curves(losses, angles), switching
 
 
 def result(title: str, symbol: str, meaning: str, **default: Any) -> Any:

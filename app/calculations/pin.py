@@ -28,7 +28,7 @@ class PinMaterialFields(MaterialFields, group="material"):
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     """Material of a pin with its yield strength, and what its strength is judged by, as
-    `core.checks.sections.DesignPin` names it.
+    `core.design.sections.DesignPin` names it.
     """
     if isinstance(given, str):
         entry = MATERIALS[given]

@@ -11,10 +11,12 @@ from app.calculations.hertz import (
     contact_length,
     eccentricity,
     hole_radius,
+    material_of,
     pin_radius,
 )
 from app.model import Forms, Maybe, Size, field_error, quantity
 from app.units import to_si
+from core.design.sections import Contact
 from core.output.pin_geometry import felt
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
@@ -80,6 +82,20 @@ class PinContactFields(ContactFields, group="contact"):
                 return 0.0
             clearance = float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
         return felt(clearance=clearance, hole_radius=self.hole_mm())
+
+    def section(self, _: Any = None) -> Contact:
+        """The same in SI units."""
+        given = {name: getattr(self, name) for name in ("pin_material", "hole_material")}
+        return Contact(
+            contact_length=to_si("contact_length_mm", self.contact_length_mm),
+            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
+            hole_radius=to_si("hole_radius_mm", self.hole_mm()),
+            eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
+            dynamic_factor=self.dynamic_factor,
+            distribution_factor=self.distribution_factor,
+            own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),
+            **{name: material_of(each) for name, each in given.items()},
+        )
 
     def fit(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""

@@ -32,6 +32,8 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
+from core.design.document import changed
+from core.design.results import Results
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
 
@@ -75,13 +77,9 @@ class PinStrengthRequest(DesignFields):
             raise field_error("pin/span_mm", "needed_for", section="support_bounds")
         return self
 
-    def parts(self) -> dict[str, Any]:
-        """The pin and its fatigue in SI units."""
-        return super().parts() | {"fatigue": self.fatigue and self.fatigue.basis()}
-
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
-        found = self.design.judged_pins(locus=locus or "locus" in self.include)
+        found = self.results.judged_pins(locus=locus or "locus" in self.include)
         return self._asked(self.with_fit(found))
 
     def _asked(self, strength: PinStrength) -> PinStrength:
@@ -89,9 +87,7 @@ class PinStrengthRequest(DesignFields):
 
     def solve_held(self, support: Support) -> PinStrength:
         """Strength of the pin in other supports, under the forces that these make."""
-        design = self.design
-        assert design.pin is not None
-        held = replace(design, pin=replace(design.pin, support=support))
+        held = Results(changed(self.design, {"pin.support": support}))
         return self._asked(held.pin_strength)
 
     def bounds(self) -> Iterator[Values]:

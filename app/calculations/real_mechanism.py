@@ -126,7 +126,7 @@ class ContactLawFields(RequestModel, group="contact_law"):
     reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
     """The approach under the reference force."""
 
-    def law(self) -> ContactLaw:
+    def section(self, _: Any = None) -> ContactLaw:
         """The law in SI units."""
         own = self.to_core()
         kinds = {"hertz": HertzLaw, "palmgren": PalmgrenLaw, "linear": LinearLaw, "power": PowerLaw}
@@ -179,7 +179,7 @@ class CrankSupportFields(RequestModel, group="crank_support"):
     )
     """Radial internal clearance, as catalogues give it: half of it to either side."""
 
-    def support(self) -> CrankSupport:
+    def section(self, _: Any = None) -> CrankSupport:
         """The bearings in SI units."""
         return CrankSupport(**self.to_core())
 
@@ -213,7 +213,7 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
             raise field_error("shares", "sum_not_one", sum=total)
         return self
 
-    def support(self) -> ElasticMesh | Shares | None:
+    def section(self, _: Any = None) -> ElasticMesh | Shares | None:
         """The coupling in SI units; none where it is rigid."""
         if self.stiffness_Nm_per_arcmin is not None:
             return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
@@ -241,8 +241,8 @@ class GivingFields(RequestModel):
     def support(self) -> SatelliteSupport | None:
         """What the satellites give; none where they are rigid."""
         if self.crank_support is not None:
-            return self.crank_support.support()
-        return None if self.satellite_coupling is None else self.satellite_coupling.support()
+            return self.crank_support.section()
+        return None if self.satellite_coupling is None else self.satellite_coupling.section()
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.
@@ -295,7 +295,7 @@ class DeviationsFields(RequestModel, group="deviations"):
     disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
     """Angle of each disc's holes against its teeth, positive ahead."""
 
-    def deviations(self) -> Deviations:
+    def section(self, _: Any = None) -> Deviations:
         """The deviations in SI units."""
 
         def fixed(value: Any) -> Any:

@@ -1,11 +1,11 @@
 """The ring as a request gives it: what presses the satellites along their cranks."""
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from app.model import Forms, Kinds, Maybe, RequestModel, Size, Whole, field_error, quantity
 from app.units import to_si
-from core.checks.sections import Ring
-from core.checks.sections import RingKind as Kind
+from core.design.sections import Ring
+from core.design.sections import RingKind as Kind
 
 REFERENCE_ANGLE_DEG = 20.0
 
@@ -63,19 +63,9 @@ class RingFields(RequestModel, group="gear"):
         if given and difference and difference > 0 and given != difference:
             raise field_error(name, "teeth_disagree", expected=difference)
 
-    def ring(self, difference: int | None) -> Ring:
-        """The ring in SI units.
-
-        Parameters
-        ----------
-        difference : int or None
-            Of the mechanism's teeth, where it has them.
-
-        Returns
-        -------
-        Ring
-        """
-        own = self.to_core()
+    def section(self, whole: Any) -> Ring:
+        """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
+        own, difference = self.to_core(), whole.mechanism.teeth_difference
         if difference is not None:
             own["teeth_difference"] = difference
         if self.kind == "involute":

@@ -173,7 +173,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         """
         if self.fatigue is None:
             return None
-        basis, notch = self.fatigue.basis(), self.stress_concentration
+        basis, notch = self.fatigue.section(), self.stress_concentration
         stress = float(result.bending_stress)
         if basis.endurance_limit is not None:
             stress /= notch

@@ -32,8 +32,9 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
 from core.arrays import FloatArray
-from core.checks.sections import RollingBearing
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
+from core.design.curves import design_bearings
+from core.design.sections import RollingBearing
 
 OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
 """Sections that say something of pins and holes."""
@@ -62,6 +63,10 @@ class BearingFields(ShaftBearingFields, group="bearing"):
     weibull_slope: Maybe[float] = quantity("Weibull slope", "β", step=0.1, ge=0.1, le=10)
     """Slope of the distribution of lives, for the life of all bearings together."""
 
+    def section(self, _: Any) -> RollingBearing:
+        """The bearing in SI units."""
+        return RollingBearing(**self.to_core())
+
 
 class CrankedRequest(DesignFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
@@ -77,28 +82,21 @@ class CrankedRequest(DesignFields):
                 self.contact.refuse_without_pins(name, "contact/")
         return self
 
-    def parts(self) -> dict[str, Any]:
-        """Pin and ring in SI units."""
-        return super().parts() | {"gear": self.gear.ring(self.mechanism.teeth_difference)}
-
 
 class SatelliteBearingRequest(CrankedRequest):
     """Mechanism, load, crank, ring and bearing."""
 
     bearing: BearingFields
 
-    def parts(self) -> dict[str, Any]:
-        """The same with the bearing."""
-        return super().parts() | {"bearing": RollingBearing(**self.bearing.to_core())}
-
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
-        return self.with_fit(self.design.bearings)
+        return self.with_fit(self.results.satellite_bearing)
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """The same, curves over the turn, and the switching angles, rad."""
         angles, switching = self.drawn_angles()
-        return self.solve(), self.design.bearing_curves(angles), switching
+        curves = design_bearings(results=self.results, crank_angle=angles)
+        return self.solve(), curves, switching
 
 
 class SatelliteBearingOut(ResponseModel):

@@ -133,7 +133,7 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields, group="shaft"):
         """What the fatigue of the shaft is judged by; why it is not known; None where not asked."""
         if self.fatigue is None:
             return None
-        return self.fatigue.basis().of(
+        return self.fatigue.section().of(
             diameter=diameter,
             tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
             yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),

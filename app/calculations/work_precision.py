@@ -20,7 +20,7 @@ from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
-from core.checks.crank_design import CrankDesign
+from core.design.results import Results
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
@@ -101,20 +101,24 @@ class PinStrengthStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        design, equally = self.input.design, {"pair_stiffness": None, "made": None}
-        loaded = design.loaded_pins | equally
+        results, equally = self.input.results, {"pair_stiffness": None, "made": None}
+        loaded = results.loaded_pins | equally
         if self.quantity != "edge_load":
             return pin_bending_study(quantity=self.quantity, **loaded)
-        assert design.contact_length is not None
-        return edge_load_study(
-            edge_length=design.contact_length, compliance=design.compliance, **loaded
-        )
+        length = results.design.contact.pair.contact_length
+        return edge_load_study(edge_length=length, compliance=results.compliance, **loaded)
 
 
-def _turning(design: CrankDesign) -> dict[str, Any]:
+def _turning(results: Results) -> dict[str, Any]:
     """What presses the cranks over the turn, as arguments."""
-    names = "mechanism", "force_exponent", "pin_circle_radius", "eccentricity", "mesh"
-    return {name: getattr(design, name) for name in names}
+    design = results.design
+    return {
+        "mechanism": design.mechanism.built,
+        "force_exponent": design.load.force_exponent,
+        "pin_circle_radius": design.load.pin_circle_radius,
+        "eccentricity": design.known_eccentricity,
+        "mesh": results.ring_mesh,
+    }
 
 
 class SatelliteBearingStudy(Study):
@@ -125,9 +129,8 @@ class SatelliteBearingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        design = self.input.design
-        assert design.bearing is not None
-        return equivalent_load_study(**_turning(design), kind=design.bearing.kind)
+        results = self.input.results
+        return equivalent_load_study(**_turning(results), kind=results.design.bearing.kind)
 
 
 class CrankshaftStudy(Study):
@@ -140,14 +143,12 @@ class CrankshaftStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        design = self.input.design
-        assert design.crankshaft is not None
-        shaft = design.crankshaft
+        shaft = self.input.design.crankshaft
         kinds: dict[str, Any] = {}
         if shaft.bearings is not None:
             kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
         return equivalent_reaction_study(
-            **_turning(design),
+            **_turning(self.input.results),
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
             **kinds,

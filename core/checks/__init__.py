@@ -8,10 +8,7 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 kinds               every check by code: title, formula, reasons, sources, what is left out
 check               a value judged against its limit, and the verdict of all checks
-real_forces         forces with clearance, deviations and elasticity, in each direction
-sections            pin, fatigue, friction, ring, bearings, crankshaft, as far as given
-design              a crank-planetary reducer: inputs, forces, pins, contact, losses
-crank_design        the same with ring, bearings and shaft: what its checks look at
+design_check        a check as a function of a design and its results
 pin_contact         pressure, shakedown and yield where pin and hole touch
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear

@@ -247,7 +247,7 @@ def asked(code: str, limit: float | None, measure: Callable[[], Measure], *, nam
     measure : callable
         What is compared.
     name : str
-        Core name of the limit.
+        Name of the limit, among the requirements.
 
     Returns
     -------
@@ -260,8 +260,8 @@ def asked(code: str, limit: float | None, measure: Callable[[], Measure], *, nam
             return not_checked(code, why, limit=limit)
         found = None
     if limit is None or found is None:
-        value = found and found.value
-        return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=(name,))
+        value, missing = found and found.value, (f"requirements.{name}",)
+        return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=missing)
     reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
     return judged(
         code,

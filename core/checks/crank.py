@@ -9,20 +9,21 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.check import Check, Measure, asked, attempt, judged, wall
-from core.checks.crank_design import CrankDesign
-from core.checks.sections import RollingBearing
+from core.checks.design_check import Judge
 from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY, system_life
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
+from core.design.document import Design
+from core.design.reserves import loads_under, reactions_under, torque_reserve
+from core.design.results import Results
+from core.design.sections import RollingBearing
 from core.errors import NotKnown
 
 Value = TypeVar("Value")
 
-Judge = Callable[[CrankDesign], Check]
 
-
-def against(code: str, limit: Callable[[CrankDesign], float | None]) -> Callable[[Judge], Judge]:
+def against(code: str, limit: Callable[[Design], float | None]) -> Callable[[Judge], Judge]:
     """A check that says its limit where it could not be made, too.
 
     Parameters
@@ -37,7 +38,9 @@ def against(code: str, limit: Callable[[CrankDesign], float | None]) -> Callable
     callable
         Decorator of the check.
     """
-    return lambda judge: lambda design: attempt(code, partial(judge, design), limit=limit(design))
+    return lambda judge: (
+        lambda design, results: attempt(code, partial(judge, design, results), limit=limit(design))
+    )
 
 
 def _required(value: Value | None, name: str) -> Value:
@@ -51,7 +54,7 @@ def _lives(found: SatelliteBearings, bearing: RollingBearing) -> FloatArray:
     """Lives of the bearings."""
     _required(bearing.dynamic_rating, "bearing.dynamic_rating")
     if found.life is None:
-        raise NotKnown("speed_missing", "input_speed")
+        raise NotKnown("speed_missing", "load.input_speed")
     return found.life
 
 
@@ -72,20 +75,18 @@ def _left_out(
     return max(moved - 1, 0.0) if short else 1 - moved
 
 
-def _equivalent(design: CrankDesign) -> float:
+def _equivalent(results: Results) -> float:
     """Centrifugal force of a satellite as an equivalent load has it: by the ring that turns, N."""
-    assert design.bearing is not None
-    return float(design.bearing.ring_factor) * design.centrifugal
+    return float(results.design.bearing.ring_factor) * results.centrifugal
 
 
-def _required_life(design: CrankDesign) -> float:
-    return design.life
+def _required_life(design: Design) -> float:
+    return design.requirements.life
 
 
 @against("bearing_life", _required_life)
-def _life(design: CrankDesign) -> Check:
-    found, limit = design.bearings, design.life
-    assert design.bearing is not None
+def _life(design: Design, results: Results) -> Check:
+    found, limit = results.satellite_bearing, design.requirements.life
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
     worst = int(np.argmin(lives))
     value = float(lives[worst])
@@ -93,13 +94,16 @@ def _life(design: CrankDesign) -> Check:
         "bearing_life",
         value,
         limit,
-        reserve=design.reserve(
-            (value / limit) ** (1 / power),
-            lambda factors: design.moved_loads(factors, power).max(axis=1),
+        reserve=torque_reserve(
+            results=results,
+            growth=(value / limit) ** (1 / power),
+            value=lambda factors: loads_under(results=results, factors=factors, exponent=power).max(
+                axis=1
+            ),
         ),
         error=4 * power * float(found.accuracy.relative_error)
         + _left_out(
-            _equivalent(design),
+            _equivalent(results),
             float(found.equivalent_load[worst]),
             short=value < limit,
             of=lambda load: load**-power,
@@ -109,15 +113,13 @@ def _life(design: CrankDesign) -> Check:
     )
 
 
-def _required_safety(design: CrankDesign) -> float:
-    assert design.bearing is not None
-    return design.static_safety or STATIC_SAFETY[design.bearing.kind]
+def _required_safety(design: Design) -> float:
+    return design.requirements.static_safety or STATIC_SAFETY[design.bearing.kind]
 
 
 @against("bearing_static", _required_safety)
-def _static(design: CrankDesign) -> Check:
-    found, limit = design.bearings, _required_safety(design)
-    assert design.bearing is not None
+def _static(design: Design, results: Results) -> Check:
+    found, limit = results.satellite_bearing, _required_safety(design)
     rating = _required(design.bearing.static_rating, "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
@@ -127,31 +129,32 @@ def _static(design: CrankDesign) -> Check:
         "bearing_static",
         value,
         limit,
-        reserve=design.reserve(
-            value / limit, lambda factors: design.moved_loads(factors * share).max(axis=1)
+        reserve=torque_reserve(
+            results=results,
+            growth=value / limit,
+            value=lambda factors: loads_under(results=results, factors=factors * share).max(axis=1),
         ),
         error=4 * error
         + _left_out(
-            design.centrifugal,
+            results.centrifugal,
             rating / value,
             short=value < limit,
             of=lambda load: 1 / load,
         ),
         rough=design.as_made,
-        limit_source="" if design.static_safety else "static_guide",
+        limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
 
 
 @against("system_life", _required_life)
-def _system(design: CrankDesign) -> Check:
-    code, limit = "system_life", design.life
-    assert design.bearing is not None
-    if design.satellites == 1:
+def _system(design: Design, results: Results) -> Check:
+    code, limit = "system_life", design.requirements.life
+    if design.mechanism.satellites == 1:
         return Check(code=code, status="not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
         return Check(code=code, status="not_asked", missing=("bearing.weibull_slope",))
-    found, slope = design.bearings, design.bearing.weibull_slope
+    found, slope = results.satellite_bearing, design.bearing.weibull_slope
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
     value = float(system_life(lives=lives, weibull_slope=slope))
     error = 4 * power * float(found.accuracy.relative_error)
@@ -159,32 +162,34 @@ def _system(design: CrankDesign) -> Check:
     def lasting(loads: FloatArray) -> FloatArray:
         return np.asarray(system_life(lives=loads**-power, weibull_slope=slope))
 
-    error += _left_out(_equivalent(design), found.equivalent_load, short=value < limit, of=lasting)
+    error += _left_out(_equivalent(results), found.equivalent_load, short=value < limit, of=lasting)
 
     def together(factors: FloatArray) -> FloatArray:
-        return lasting(design.moved_loads(factors, power)) ** (-1 / power)
+        return lasting(loads_under(results=results, factors=factors, exponent=power)) ** (
+            -1 / power
+        )
 
-    reserve = design.reserve((value / limit) ** (1 / power), together)
+    reserve = torque_reserve(results=results, growth=(value / limit) ** (1 / power), value=together)
     return judged(code, value, limit, reserve=reserve, error=error, rough=design.as_made)
 
 
-def _pressure_angle(design: CrankDesign) -> Check:
+def _pressure_angle(design: Design, results: Results) -> Check:
     code = "pressure_angle"
-    if_known(lambda: design.mesh)  # a ring that cannot be is refused, of whatever kind
-    if design.gear is not None and design.gear.kind != "involute":
+    if_known(lambda: results.ring_mesh)  # a ring that cannot be is refused, of whatever kind
+    if design.gear and design.gear.kind != "involute":
         return Check(code=code, status="not_applicable", reason="no_involute")
-    angle = design.mesh.operating_pressure_angle
+    angle = results.ring_mesh.operating_pressure_angle
     assert angle is not None  # of an involute
     return judged(code, float(angle), STEEP, warning="steep_mesh")
 
 
-def within_roots(*, design: CrankDesign, code: str, least: float | None = None) -> Check:
+def within_roots(*, design: Design, code: str, least: float | None = None) -> Check:
     """The wall between the holes and the roots of the satellite's teeth: it passes by the least
     radius of these, fails by the largest, and is not known between.
 
     Parameters
     ----------
-    design : CrankDesign
+    design : Design
         The design.
     code : str
         Which check.
@@ -195,9 +200,10 @@ def within_roots(*, design: CrankDesign, code: str, least: float | None = None) 
     -------
     Check
     """
-    assert design.pin_circle_radius is not None and design.hole_radius is not None
-    reach, size = design.pin_circle_radius + design.hole_radius, design.hole_radius
-    source = "roots" if design.root_radius is None and design.gear else ""
+    size = design.contact.pair.hole_radius
+    reach = design.load.pin_circle_radius + size
+    known = design.satellite_body and design.satellite_body.root_radius
+    source = "roots" if design.gear and not known else ""
     shallow, deep = (
         wall(code, width=radius - reach, size=size, least=least)._replace(limit_source=source)
         for radius in reversed(design.roots)
@@ -206,32 +212,29 @@ def within_roots(*, design: CrankDesign, code: str, least: float | None = None) 
         return deep
     if shallow.status == "fail":
         return shallow
-    cycloid = design.gear is not None and design.gear.kind == "cycloid"
-    if cycloid and design.eccentricity is None:
-        raise NotKnown("eccentricity_missing", "eccentricity")
-    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
+    name = "satellite_body.root_radius"
+    if design.gear and design.gear.kind == "cycloid" and design.known_eccentricity:
+        name = "gear.ring_pin_radius"
     return Check(
         code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
     )
 
 
-def _gear_room(design: CrankDesign) -> Check:
-    assert design.gear is not None
+def _gear_room(design: Design, results: Results) -> Check:
     if design.gear.kind not in ("involute", "cycloid"):
         return Check(code="gear_room", status="not_applicable", reason="no_teeth")
     return within_roots(design=design, code="gear_room")
 
 
 @against("crank_bearing_life", _required_life)
-def _shaft_life(design: CrankDesign) -> Check:
-    code, limit = "crank_bearing_life", design.life
-    assert design.crankshaft is not None
+def _shaft_life(design: Design, results: Results) -> Check:
+    code, limit = "crank_bearing_life", design.requirements.life
     bearings = design.crankshaft.bearings
     if bearings is None:
         return Check(code=code, status="not_asked", missing=("crankshaft.bearings",))
     for each in bearings:
         _required(each.dynamic_rating, "crankshaft.bearings")
-    found = design.shaft
+    found = results.crankshaft
     lives = [math.inf if each is None else each for each in found.basic_life]
     if math.isinf(min(lives)):
         return Check(code=code, status="not_applicable", limit=limit, reason="unloaded")
@@ -256,58 +259,61 @@ def _shaft_life(design: CrankDesign) -> Check:
         )
 
     def used(factors: FloatArray) -> FloatArray:
-        return np.asarray((design.moved_reactions(factors) / allowed).max(axis=1))
+        reactions = reactions_under(results=results, factors=factors)
+        return np.asarray((reactions / allowed).max(axis=1))
 
     return judged(
         code,
         value,
         limit,
-        reserve=design.reserve(min(reserves), used),
+        reserve=torque_reserve(results=results, growth=min(reserves), value=used),
         error=4 * max(powers) * float(found.accuracy.relative_error) + left_out,
         rough=design.as_made,
         at={"bearing": worst},
     )
 
 
-def _balance(design: CrankDesign, code: str, limit: float | None, name: str) -> Check:
+def _balance(design: Design, results: Results, code: str, limit: float | None, name: str) -> Check:
     """What is left of the satellites' centrifugal forces against what is asked."""
 
     def left() -> Measure:
         shaft, made = design.crankshaft, design.deviations
-        if shaft is not None and shaft.satellite_mass is None:
+        if shaft.satellite_mass is None:
             raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
         if made is not None and any((*made.eccentricity, *made.crank_phase)):
             raise NotKnown("cranks_deviate")
-        balance = design.shaft.balance
+        balance = results.crankshaft.balance
         assert balance is not None  # of a mass that is known
         return Measure(getattr(balance, code.removeprefix("unbalance_")))
 
     return asked(code, limit, left, name=name)
 
 
-def _unbalance_force(design: CrankDesign) -> Check:
-    return _balance(design, "unbalance_force", design.max_unbalance, "max_unbalance")
+def _unbalance_force(design: Design, results: Results) -> Check:
+    return _balance(
+        design, results, "unbalance_force", design.requirements.max_unbalance, "max_unbalance"
+    )
 
 
-def _unbalance_couple(design: CrankDesign) -> Check:
-    name = "max_unbalance_couple"
-    return _balance(design, "unbalance_couple", design.max_unbalance_couple, name)
+def _unbalance_couple(design: Design, results: Results) -> Check:
+    limit, name = design.requirements.max_unbalance_couple, "max_unbalance_couple"
+    return _balance(design, results, "unbalance_couple", limit, name)
 
 
-BEARING: dict[str, Callable[[CrankDesign], Check]] = {
+BEARING: dict[str, Judge] = {
     "bearing_life": _life,
     "bearing_static": _static,
     "system_life": _system,
 }
 """Checks of the satellites' bearings, by code."""
 
-GEAR: dict[str, Callable[[CrankDesign], Check]] = {
+GEAR: dict[str, Judge] = {
     "pressure_angle": _pressure_angle,
     "gear_room": _gear_room,
 }
 """Checks of the ring against the satellite, by code."""
 
-SHAFT: dict[str, Callable[[CrankDesign], Check]] = {
+SHAFT: dict[str, Judge] = {
     "crank_bearing_life": _shaft_life,
     "unbalance_force": _unbalance_force,
     "unbalance_couple": _unbalance_couple,

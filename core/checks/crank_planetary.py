@@ -2,7 +2,6 @@
 
 import cmath
 import math
-from collections.abc import Callable
 from functools import partial
 
 from core.checks.check import (
@@ -18,48 +17,52 @@ from core.checks.check import (
     wall,
 )
 from core.checks.crank import BEARING, GEAR, SHAFT, within_roots
-from core.checks.crank_design import CrankDesign
+from core.checks.design_check import Judge
 from core.checks.friction import FRICTION
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pins import PIN_FATIGUE, PINS
 from core.checks.play import PLAY
-from core.checks.real_forces import RealForces
 from core.derived import if_known
+from core.design.document import Design
+from core.design.real_forces import RealForces
+from core.design.results import Results
 from core.errors import NotKnown
 from core.output.mechanism import assembly_angles
 
 
-def _dead_centre(design: CrankDesign) -> Check:
+def _dead_centre(design: Design, results: Results) -> Check:
     zones, code = design.driven.phases.dead_zones(), "dead_centre"
     if not zones:
         return Check(code=code, status="pass", value=0.0, limit=0.0)
-    start = zones[0][0] * design.mechanism.crank_angle_per_wave
+    start = zones[0][0] * design.mechanism.built.crank_angle_per_wave
     return judged(code, float(len(zones)), 0.0, impossible=True, at={"crank_angle": start})
 
 
-def _crank_balance(design: CrankDesign) -> Check:
-    angles = design.mechanism.crank_angles
+def _crank_balance(design: Design, results: Results) -> Check:
+    angles = design.mechanism.built.crank_angles
     off = abs(sum(cmath.exp(1j * angle) for angle in angles)) / len(angles)
     return judged("crank_balance", off if off > 1e-9 else 0.0, 0.0, warning="unbalanced")
 
 
-def _assembly(design: CrankDesign) -> Check:
-    if design.satellite_teeth is None:
-        return Check(code="assembly", status="not_asked", missing=("satellite_teeth",))
-    angles = assembly_angles(mechanism=design.mechanism, satellite_teeth=design.satellite_teeth)
+def _assembly(design: Design, results: Results) -> Check:
+    teeth = design.mechanism.satellite_teeth
+    if teeth is None:
+        missing = ("mechanism.satellite_teeth",)
+        return Check(code="assembly", status="not_asked", missing=missing)
+    angles = assembly_angles(mechanism=design.mechanism.built, satellite_teeth=teeth)
     different = sum(not each.identical for each in angles)
     return judged("assembly", float(different), 0.0, warning="different_parts")
 
 
-def _interference(design: CrankDesign) -> Check:
+def _interference(design: Design, results: Results) -> Check:
     """By geometry, before any force: the room over the turn."""
     code, clearance = "interference", design.known_clearance
     try:
-        fit = design.fit
+        fit = results.fit
     except NotKnown as why:
         if clearance >= 0 and not design.deviations:  # the room is the clearance
             return judged(code, clearance, 0.0)._replace(utilisation=None)
-        if not design.loaded:
+        if not design.load:
             raise
         if clearance < 0:
             return Check(code=code, status="fail", value=clearance, limit=0.0,
@@ -91,70 +94,72 @@ MOST_PLAY = 0.75
 what the mechanism moves by."""
 
 
-def _clearance(design: CrankDesign) -> Check:
+def _clearance(design: Design, results: Results) -> Check:
     code, clearance = "clearance", design.known_clearance
     share = max(clearance, 0.0) / design.known_eccentricity
     wanted = [
-        PLAY[name](design).status == "pass"
+        PLAY[name](design, results).status == "pass"
         for name in ("backlash", "lost_motion")
-        if share > MOST_PLAY and getattr(design, f"max_{name}") is not None
+        if share > MOST_PLAY and getattr(design.requirements, f"max_{name}") is not None
     ]
     if wanted and all(wanted):  # as much play as is asked for
         return Check(code=code, status="pass", value=share, limit=MOST_PLAY)
     return judged(code, share, MOST_PLAY, warning="clearance_like_eccentricity")
 
 
-def _between(
-    code: str, design: CrankDesign, radius: float | None, least: float | None = None
-) -> Check:
+def _between(code: str, design: Design, radius: float, least: float | None = None) -> Check:
     """The wall or the gap between neighbours on the pin circle."""
-    if design.pitch is None:
+    pins = design.mechanism.pins
+    if pins < 2:
         return Check(code=code, status="not_applicable", reason="one_only")
-    assert radius is not None
-    return wall(code, width=design.pitch - 2 * radius, size=radius, least=least)
+    pitch = 2 * design.load.pin_circle_radius * math.sin(math.pi / pins)
+    return wall(code, width=pitch - 2 * radius, size=radius, least=least)
 
 
-def _wall_holes(design: CrankDesign) -> Check:
-    return _between("wall_holes", design, design.hole_radius, design.min_wall)
+def _wall_holes(design: Design, results: Results) -> Check:
+    return _between(
+        "wall_holes", design, design.contact.pair.hole_radius, design.requirements.min_wall
+    )
 
 
-def _pins_apart(design: CrankDesign) -> Check:
-    return _between("pins_apart", design, design.pin_radius)
+def _pins_apart(design: Design, results: Results) -> Check:
+    return _between("pins_apart", design, design.contact.pair.pin_radius)
 
 
-def _holes_off_centre(design: CrankDesign) -> Check:
-    assert design.hole_radius is not None and design.pin_circle_radius is not None
-    width = design.pin_circle_radius - design.hole_radius
-    return wall("holes_off_centre", width=width, size=design.hole_radius)
+def _holes_off_centre(design: Design, results: Results) -> Check:
+    size = design.contact.pair.hole_radius
+    return wall("holes_off_centre", width=design.load.pin_circle_radius - size, size=size)
 
 
-def _wall_rim(design: CrankDesign) -> Check:
+def _wall_rim(design: Design, results: Results) -> Check:
     if math.isinf(design.roots[1]):
-        return Check(code="wall_rim", status="not_asked", missing=("outer_radius",))
-    return within_roots(design=design, code="wall_rim", least=design.min_wall)
+        return Check(code="wall_rim", status="not_asked", missing=("satellite_body.outer_radius",))
+    return within_roots(design=design, code="wall_rim", least=design.requirements.min_wall)
 
 
-def _wall_bore(design: CrankDesign) -> Check:
-    if design.bore_radius is None:
-        return Check(code="wall_bore", status="not_asked", missing=("bore_radius",))
-    assert design.hole_radius is not None and design.pin_circle_radius is not None
-    width = design.pin_circle_radius - design.hole_radius - design.bore_radius
-    return wall("wall_bore", width=width, size=design.hole_radius, least=design.min_wall)
+def _wall_bore(design: Design, results: Results) -> Check:
+    bore, size = design.satellite_body.bore_radius, design.contact.pair.hole_radius
+    if bore is None:
+        missing = ("satellite_body.bore_radius",)
+        return Check(code="wall_bore", status="not_asked", missing=missing)
+    width = design.load.pin_circle_radius - size - bore
+    return wall("wall_bore", width=width, size=size, least=design.requirements.min_wall)
 
 
-def _outer_diameter(design: CrankDesign) -> Check:
+def _outer_diameter(design: Design, results: Results) -> Check:
     """Of the circle in which a satellite moves."""
-    code, limit = "outer_diameter", design.max_outer_diameter
+    code, limit = "outer_diameter", design.requirements.max_outer_diameter
 
     def circle() -> Measure:
-        if design.outer_radius is None:
+        radius = design.satellite_body.outer_radius if design.satellite_body else None
+        if radius is None:
             raise NotKnown("size_missing", "satellite_body.outer_radius")
-        return Measure(2 * (design.outer_radius + design.known_eccentricity))
+        return Measure(2 * (radius + design.known_eccentricity))
 
     return asked(code, limit, circle, name="max_outer_diameter")
 
 
-Table = dict[str, Callable[[CrankDesign], Check]]
+Table = dict[str, Judge]
 
 MECHANISM: Table = {
     "dead_centre": _dead_centre,
@@ -175,42 +180,51 @@ _ALL = (
 )  # fmt: skip
 
 
-def _attempted(design: CrankDesign, code: str) -> Check:
-    return attempt(code, partial(_ALL[code], design))
+def crank_check(code: str, results: Results) -> Check:
+    """One check of a crank-planetary reducer; it says why where it could not be made.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    Check
+    """
+    return attempt(code, partial(_ALL[code], results.design, results))
 
 
-CRANK: Table = {code: partial(_attempted, code=code) for code in _ALL}
-"""Checks of a crank-planetary reducer, by code; each says why where it could not be made."""
-
-
-def crank_tables(design: CrankDesign) -> Table:
+def crank_codes(design: Design) -> tuple[str, ...]:
     """The checks that the sections of a design allow.
 
     Parameters
     ----------
-    design : CrankDesign
+    design : Design
         The design.
 
     Returns
     -------
-    dict
-        Functions of the design, by code.
+    tuple of str
+        Their codes.
     """
     tables = dict(MECHANISM)
     if design.touching:
         tables |= FIT
-    if design.max_outer_diameter is not None:
+    if design.requirements.max_outer_diameter is not None:
         tables |= SPACE
-    if design.touching and design.loaded:
+    if design.touching and design.load:
         tables |= CONTACT | PLAY | PLACE
         for section, table in SECTIONS.items():
             if getattr(design, section):
                 tables |= table
-    return {code: CRANK[code] for code in tables}
+    return tuple(tables)
 
 
 SECTIONS: dict[str, Table] = {
-    "has_body": SATELLITE,
+    "satellite_body": SATELLITE,
     "pin": PINS,
     "fatigue": PIN_FATIGUE,
     "friction": FRICTION,
@@ -221,33 +235,33 @@ SECTIONS: dict[str, Table] = {
 """What is checked where a section of a design is there, besides mechanism, load and contact."""
 
 
-def crank_checks(design: CrankDesign) -> Verdict:
+def crank_checks(results: Results) -> Verdict:
     """All checks of a crank-planetary reducer.
 
     Parameters
     ----------
-    design : CrankDesign
-        The design.
+    results : Results
+        Results of a design.
 
     Returns
     -------
     Verdict
     """
-    tables = crank_tables(design)
-    pressed = design.loaded and design.touching
-    forces = if_known(lambda: design.judged_forces) if pressed else None
-    fit = if_known(lambda: design.fit)
+    design = results.design
+    pressed = bool(design.load) and design.touching
+    forces = if_known(lambda: results.judged_forces) if pressed else None
+    fit = if_known(lambda: results.fit)
     solved = isinstance(forces, RealForces) or (fit is not None and fit.impossible)
     absent = {
-        "load": not design.loaded,
+        "load": not design.load,
         "contact": not design.touching,
-        "satellite_body": not design.has_body,
+        "satellite_body": not design.satellite_body,
         "clearance": not solved,
         "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
         "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
-        **{name: getattr(design, name) is None for name in SECTIONS if name != "has_body"},
+        **{name: not getattr(design, name) for name in SECTIONS if name != "satellite_body"},
     }
     return verdict(
-        [check(design) for check in tables.values()],
+        [crank_check(code, results) for code in crank_codes(design)],
         tuple(name for name, so in absent.items() if so),
     )

@@ -1,11 +1,13 @@
 """Checks of the pins' friction: efficiency, sliding speed, pv, wear against what is asked."""
 
 from collections.abc import Callable
-from functools import partial
 
 from core.checks.check import Check, Measure, asked
-from core.checks.crank_design import CrankDesign
+from core.checks.design_check import Judge
 from core.derived import if_known
+from core.design.document import Design
+from core.design.reserves import peak_under, torque_reserve
+from core.design.results import Results
 from core.errors import NotKnown
 from core.output.losses import PinLosses
 
@@ -19,7 +21,8 @@ LIMITS = {
 
 
 def _asked(
-    design: CrankDesign,
+    design: Design,
+    results: Results,
     code: str,
     of: Callable[[PinLosses], float],
     *,
@@ -28,51 +31,54 @@ def _asked(
     """A value of the losses against what is asked."""
 
     def measure() -> Measure:
-        found = design.losses
+        found = results.output_efficiency
         if not with_torque:
             return Measure(of(found))
         return Measure(
             of(found),
             error=4 * float(found.accuracy.relative_error),
-            reserve=partial(design.reserve, value=design.moved_peak),
+            reserve=lambda growth: torque_reserve(
+                results=results,
+                growth=growth,
+                value=lambda factors: peak_under(results=results, factors=factors),
+            ),
             rough=design.as_made,
         )
 
-    return asked(code, getattr(design, LIMITS[code]), measure, name=LIMITS[code])
+    return asked(code, getattr(design.requirements, LIMITS[code]), measure, name=LIMITS[code])
 
 
-def _efficiency(design: CrankDesign) -> Check:
-    found = _asked(design, "efficiency", lambda losses: float(losses.efficiency))
+def _efficiency(design: Design, results: Results) -> Check:
+    found = _asked(design, results, "efficiency", lambda losses: float(losses.efficiency))
     if found.value is None or found.limit is None:
         return found
     return found._replace(utilisation=(1 - found.value) / (1 - found.limit))  # by the losses
 
 
-def _sliding_speed(design: CrankDesign) -> Check:
-    return _asked(design, "sliding_speed", lambda losses: float(losses.sliding_speed))
+def _sliding_speed(design: Design, results: Results) -> Check:
+    return _asked(design, results, "sliding_speed", lambda losses: float(losses.sliding_speed))
 
 
-def _pv(design: CrankDesign) -> Check:
+def _pv(design: Design, results: Results) -> Check:
     """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
-    assert design.friction is not None
-    losses = None if design.friction.sleeve else if_known(lambda: design.losses)
+    losses = None if design.friction.sleeve else if_known(lambda: results.output_efficiency)
     if losses is None:
-        return _asked(design, "pv", lambda losses: float(losses.peak_pv), with_torque=True)
-    value, limit = float(losses.peak_pv), design.max_pv
+        return _asked(design, results, "pv", lambda losses: float(losses.peak_pv), with_torque=True)
+    value, limit = float(losses.peak_pv), design.requirements.max_pv
     return Check(code="pv", status="not_applicable", value=value, limit=limit, reason="no_bush")
 
 
-def _wear(design: CrankDesign) -> Check:
+def _wear(design: Design, results: Results) -> Check:
     def depth(losses: PinLosses) -> float:
         depths = [each for each in (losses.pin_wear, losses.hole_wear) if each is not None]
         if not depths:
             raise NotKnown("wear_unknown", "friction.wear_rate")
         return float(max(depths))
 
-    return _asked(design, "wear", depth, with_torque=True)
+    return _asked(design, results, "wear", depth, with_torque=True)
 
 
-FRICTION: dict[str, Callable[[CrankDesign], Check]] = {
+FRICTION: dict[str, Judge] = {
     "efficiency": _efficiency,
     "sliding_speed": _sliding_speed,
     "pv": _pv,

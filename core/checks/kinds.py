@@ -175,10 +175,16 @@ NOT_CONSIDERED = {
 }
 """What a verdict does not consider, in English, by code."""
 
-_FORCE = ("output_torque", "pin_circle_radius", "pins", "satellites", "force_exponent")
-_HOLE = ("pin_radius", "hole_radius", "hole_clearance")
-_FACTORS = ("dynamic_factor", "application_factor")
-_LOADS = ("input_speed", "ratio", "requirements.life")
+_FORCE = (
+    "load.output_torque",
+    "load.pin_circle_radius",
+    "mechanism.pins",
+    "mechanism.satellites",
+    "load.force_exponent",
+)
+_HOLE = ("contact.pin_radius", "contact.hole_radius", "contact.hole_clearance")
+_FACTORS = ("contact.dynamic_factor", "load.application_factor")
+_LOADS = ("load.input_speed", "mechanism.ratio", "requirements.life")
 _BEAM = (
     "pin.diameter",
     "pin.satellite_positions",
@@ -189,11 +195,11 @@ _BEAM = (
 )
 """Of pins, by whose bending satellites share the load and contacts press on their edges."""
 _SHARING = (
-    "contact_length",
+    "contact.contact_length",
     *_HOLE,
-    "eccentricity",
-    "pin_material",
-    "hole_material",
+    "contact.eccentricity",
+    "contact.pin_material",
+    "contact.hole_material",
     *_BEAM,
     "contact_law",
     "deviations",
@@ -202,7 +208,7 @@ _SHARING = (
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 _FORCES = (*_FORCE, *_FACTORS, *_SHARING)
-_CONTACT = (*_FORCES, "distribution_factor")
+_CONTACT = (*_FORCES, "contact.distribution_factor")
 _PIN = _FORCES
 _FATIGUE = (
     "fatigue.surface",
@@ -214,7 +220,7 @@ _FATIGUE = (
     "fatigue.endurance_limit",
     "fatigue.criterion",
 )
-_TURNING = ("input_speed", "ratio", "eccentricity")
+_TURNING = ("load.input_speed", "mechanism.ratio", "contact.eccentricity")
 _RING = (
     "gear.kind",
     "gear.module",
@@ -224,28 +230,34 @@ _RING = (
     "gear.radial_force_ratio",
 )
 _ROOTS = (
-    "outer_radius",
-    "root_radius",
+    "satellite_body.outer_radius",
+    "satellite_body.root_radius",
     "gear.kind",
     "gear.module",
     "gear.teeth_difference",
     "gear.ring_pin_circle_radius",
     "gear.ring_pin_radius",
-    "ratio",
-    "eccentricity",
+    "mechanism.ratio",
+    "contact.eccentricity",
 )
 """Of where the roots of a satellite's teeth are."""
-_BEARING = (*_FORCES, "ratio", *_RING, "bearing.kind")
-_LIFE = ("input_speed", "requirements.life")
+_BEARING = (*_FORCES, "mechanism.ratio", *_RING, "bearing.kind")
+_LIFE = ("load.input_speed", "requirements.life")
 _BALANCE = (
-    "input_speed",
-    "eccentricity",
+    "load.input_speed",
+    "contact.eccentricity",
     "crankshaft.satellite_mass",
     "crankshaft.satellite_positions",
-    "crank_spacing",
-    "crank_angles",
+    "mechanism.crank_spacing",
+    "mechanism.crank_angles",
 )
-_PLAY = ("pins", "satellites", "pin_circle_radius", *_HOLE, "eccentricity")
+_PLAY = (
+    "mechanism.pins",
+    "mechanism.satellites",
+    "load.pin_circle_radius",
+    *_HOLE,
+    "contact.eccentricity",
+)
 _ROLLER = (
     "output_torque",
     "hole_circle_radius",
@@ -266,7 +278,7 @@ def _contact_kinds(body: str) -> dict[str, Kind]:
         f"contact_pressure_{body}": Kind(
             f"Contact pressure of the {body}", "contact", "MPa", "p ≤ p_all·Z_NT/S",
             f"Above it the surface of the {body} pits within the life.",
-            (*inputs, *_LOADS, "pitting_safety"), "yanchevsky_2018",
+            (*inputs, *_LOADS, "requirements.pitting_safety"), "yanchevsky_2018",
         ),
         f"contact_shakedown_{body}": Kind(
             f"Shakedown of the {body}", "contact", "MPa", "p ≤ 2.31·R_e",
@@ -285,17 +297,17 @@ CHECKS = {
     "dead_centre": Kind(
         "Dead centres", "mechanism", "", "Δθ < 180°",
         "There no pair drives, and no torque is transmitted.",
-        ("pins", "satellites", "crank_spacing", "crank_angles"), "yanchevskiy_2021",
+        ("mechanism.pins", "mechanism.satellites", "mechanism.crank_spacing", "mechanism.crank_angles"), "yanchevskiy_2021",
     ),
     "crank_balance": Kind(
         "Static balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
         "Otherwise the satellites shake the reducer with every turn of the crank.",
-        ("satellites", "crank_spacing", "crank_angles"),
+        ("mechanism.satellites", "mechanism.crank_spacing", "mechanism.crank_angles"),
     ),
     "assembly": Kind(
         "Satellites that differ", "mechanism", "", "ψ_j = 0",
         "Otherwise they are different parts that can be exchanged by mistake.",
-        ("satellite_teeth", "ring_teeth", "pins", "crank_spacing", "crank_angles"),
+        ("mechanism.satellite_teeth", "mechanism.ring_teeth", "mechanism.pins", "mechanism.crank_spacing", "mechanism.crank_angles"),
         "yanchevskiy_2021",
     ),
     **_contact_kinds("pin"),
@@ -308,101 +320,101 @@ CHECKS = {
     "interference": Kind(
         "Room of the pins in their holes", "geometry", "mm", "min(C − |P·exp(−iθ) − H|) ≥ 0",
         "Otherwise the parts cannot be put together, jam, or press without load.",
-        (*_HOLE, "eccentricity", "deviations"), "geometry", keep="above",
+        (*_HOLE, "contact.eccentricity", "deviations"), "geometry", keep="above",
     ),
     "clearance": Kind(
         "Clearance over eccentricity", "geometry", "", "(r_out − r_in − e)/e ≤ 0.75",
         "Otherwise the play is a large part of what the mechanism moves by.",
-        (*_HOLE, "eccentricity"), "yanchevskiy_2021",
+        (*_HOLE, "contact.eccentricity"), "yanchevskiy_2021",
     ),
     "backlash": Kind(
         "Backlash of the output mechanism", "play", "arcmin", "max(θ₊ − θ₋) ≤ Δφ",
         "Otherwise the unloaded output turns by more than is asked.",
-        (*_PLAY, "deviations", "crank_support", "max_backlash"), "load_sharing",
+        (*_PLAY, "deviations", "crank_support", "requirements.max_backlash"), "load_sharing",
     ),
     "lost_motion": Kind(
         "Lost motion of the output mechanism", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
         "Otherwise the output gives way by more than is asked when the torque turns.",
-        ("output_torque", "pin_circle_radius", "pins", "satellites", *_SHARING,
-         "max_lost_motion"), "load_sharing",
+        ("load.output_torque", "load.pin_circle_radius", "mechanism.pins", "mechanism.satellites", *_SHARING,
+         "requirements.max_lost_motion"), "load_sharing",
     ),
     "wall_holes": Kind(
         "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",
         "Otherwise the holes overlap, or the satellite is weak between them.",
-        ("pins", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
+        ("mechanism.pins", "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
     ),
     "pins_apart": Kind(
         "Space between pins", "geometry", "mm", "2·R·sin(π/N) − 2·r_in > 0",
-        "Otherwise the pins overlap.", ("pins", "pin_circle_radius", "pin_radius"), keep="above",
+        "Otherwise the pins overlap.", ("mechanism.pins", "load.pin_circle_radius", "contact.pin_radius"), keep="above",
     ),
     "holes_off_centre": Kind(
         "Holes beside the centre", "geometry", "mm", "R − r_out > 0",
-        "Otherwise the holes reach the axis.", ("pin_circle_radius", "hole_radius"), keep="above",
+        "Otherwise the holes reach the axis.", ("load.pin_circle_radius", "contact.hole_radius"), keep="above",
     ),
     "wall_rim": Kind(
         "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
         "Otherwise the holes break through the rim of the satellite.",
-        (*_ROOTS, "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
+        (*_ROOTS, "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
     ),
     "wall_bore": Kind(
         "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
         "Otherwise the holes break into the bore of the satellite.",
-        ("bore_radius", "pin_circle_radius", "hole_radius", "min_wall"), "wang_2016", keep="above",
+        ("satellite_body.bore_radius", "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
     ),
     "outer_diameter": Kind(
         "Diameter of the space of the satellites", "body", "mm", "2·(r_o + e) ≤ D_max",
         "Otherwise the satellites do not fit into the space that is asked.",
-        ("outer_radius", "eccentricity", "max_outer_diameter"),
+        ("satellite_body.outer_radius", "contact.eccentricity", "requirements.max_outer_diameter"),
     ),
     "pin_static": Kind(
         "Static strength of the pins", "pin", "MPa", "σ_v ≤ R_e/S_F",
         "Above it the pins bend for good.",
-        (*_PIN, "peak_torque", "bending_safety"), "pin_beam",
+        (*_PIN, "load.peak_torque", "requirements.bending_safety"), "pin_beam",
     ),
     "pin_fatigue": Kind(
         "Fatigue of the pins", "pin", "", "n ≥ S_D",
         "Below it the pins break after some time where they bend most.",
-        (*_PIN, *_FATIGUE, *_LOADS, "fatigue_safety"), "shigley", keep="above",
+        (*_PIN, *_FATIGUE, *_LOADS, "requirements.fatigue_safety"), "shigley", keep="above",
     ),
     "pin_deflection": Kind(
         "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",
-        "Above it the satellites share the load unevenly.", (*_PIN, "max_deflection"), "beam",
+        "Above it the satellites share the load unevenly.", (*_PIN, "requirements.max_deflection"), "beam",
     ),
     "pin_slope": Kind(
         "Slope of the pins in the satellites", "pin", "mrad", "θ ≤ θ_max",
-        "Above it the contacts carry on their edges.", (*_PIN, "max_slope"), "beam",
+        "Above it the contacts carry on their edges.", (*_PIN, "requirements.max_slope"), "beam",
     ),
     "efficiency": Kind(
         "Efficiency of the output mechanism", "friction", "", "η ≥ η_min",
         "Below it more is lost than is asked.",
-        (*_FORCE, *_SHARING, "ratio", "friction.coefficient", "friction.sleeve",
-         "min_efficiency"), "user", keep="above",
+        (*_FORCE, *_SHARING, "mechanism.ratio", "friction.coefficient", "friction.sleeve",
+         "requirements.min_efficiency"), "user", keep="above",
     ),
     "sliding_speed": Kind(
         "Sliding speed", "friction", "m_per_s", "v ≤ v_max",
         "Above it the surfaces get hot.",
-        (*_TURNING, "friction.sleeve", "pin.diameter", "pin_radius", "max_sliding_speed"), "user",
+        (*_TURNING, "friction.sleeve", "pin.diameter", "contact.pin_radius", "requirements.max_sliding_speed"), "user",
     ),
     "pv": Kind(
         "Pressure times sliding speed", "friction", "MPa_m_per_s", "p·v ≤ (pv)_all",
         "Above it the surfaces get hot and wear fast.",
-        (*_FORCES, "input_speed", "ratio", "friction.sleeve", "max_pv"), "user",
+        (*_FORCES, "load.input_speed", "mechanism.ratio", "friction.sleeve", "requirements.max_pv"), "user",
     ),
     "wear": Kind(
         "Wear of pins and holes", "friction", "mm", "h ≤ h_max",
         "Above it the output has more play than is asked before the end of its life.",
-        (*_FORCES, *_LIFE, "ratio", "friction.wear_rate", "friction.life", "max_wear"),
+        (*_FORCES, *_LIFE, "mechanism.ratio", "friction.wear_rate", "friction.life", "requirements.max_wear"),
         "archard_1953",
     ),
     "pressure_angle": Kind(
         "Operating pressure angle", "gear", "deg", "α_w ≤ 55°",
         "Above it the ring loads the bearings far more than the torque needs.",
-        (*_RING, "eccentricity"), "steep",
+        (*_RING, "contact.eccentricity"), "steep",
     ),
     "gear_room": Kind(
         "Holes within the teeth", "gear", "mm", "r_f − R − r_out > 0",
         "Otherwise the holes lie in the teeth of the satellite, or beyond.",
-        (*_ROOTS, "pin_circle_radius", "hole_radius"), keep="above",
+        (*_ROOTS, "load.pin_circle_radius", "contact.hole_radius"), keep="above",
     ),
     "bearing_life": Kind(
         "Life of the satellites' bearings", "bearing", "h", "L_nh ≥ L",
@@ -414,7 +426,7 @@ CHECKS = {
     "bearing_static": Kind(
         "Static load of the satellites' bearings", "bearing", "", "C₀/Q_max ≥ S_0",
         "Otherwise rolling elements dent their tracks.",
-        (*_BEARING, "peak_torque", "bearing.static_rating", "static_safety"), "iso_76_rating",
+        (*_BEARING, "load.peak_torque", "bearing.static_rating", "requirements.static_safety"), "iso_76_rating",
         keep="above",
     ),
     "system_life": Kind(
@@ -427,20 +439,20 @@ CHECKS = {
     "crank_bearing_life": Kind(
         "Life of the crankshaft's bearings", "crankshaft", "h", "L_10h ≥ L",
         "Otherwise a bearing of the crankshaft fails before the life that is asked.",
-        (*_FORCES, *_LIFE, "ratio", *_RING, "crankshaft.bearings",
+        (*_FORCES, *_LIFE, "mechanism.ratio", *_RING, "crankshaft.bearings",
          "crankshaft.satellite_positions", "crankshaft.bearing_positions",
-         "crank_spacing", "crank_angles"),
+         "mechanism.crank_spacing", "mechanism.crank_angles"),
         "iso_281_life", keep="above",
     ),
     "unbalance_force": Kind(
         "Unbalanced force of the satellites", "crankshaft", "N", "|Σ m·e·ω²| ≤ F_U",
         "Above it the satellites shake the reducer more than is asked.",
-        (*_BALANCE, "max_unbalance"), "balance",
+        (*_BALANCE, "requirements.max_unbalance"), "balance",
     ),
     "unbalance_couple": Kind(
         "Unbalanced couple of the satellites", "crankshaft", "Nm", "|Σ m·e·z·ω²| ≤ M_U",
         "Above it the satellites shake the reducer more than is asked.",
-        (*_BALANCE, "max_unbalance_couple"), "balance",
+        (*_BALANCE, "requirements.max_unbalance_couple"), "balance",
     ),
     "roller_stress": Kind(
         "Bending stress of the rollers", "rollers", "MPa", "σ ≤ R_e/S",

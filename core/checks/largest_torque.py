@@ -5,11 +5,11 @@ pairs. A reserve of pins, bearings or wear by the forces at one torque is an est
 """
 
 import math
-from dataclasses import replace
 
 from core.checks.check import MARGIN, Check, Verdict, verdict
-from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
+from core.design.document import Design, changed
+from core.design.results import Results
 from core.output.satellite_support import Shares
 
 LOOKS, SETTLED = 8, 1e-5
@@ -19,12 +19,12 @@ STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
 
-def exact_torque(*, design: CrankDesign, found: Verdict) -> Verdict:
+def exact_torque(*, design: Design, found: Verdict) -> Verdict:
     """The verdict of a design with its torque reserve found by its checks at that torque.
 
     Parameters
     ----------
-    design : CrankDesign
+    design : Design
         The design.
     found : Verdict
         Its verdict.
@@ -47,7 +47,7 @@ def exact_torque(*, design: CrankDesign, found: Verdict) -> Verdict:
     x0, y0 = 0.0, math.log(reserve)
     x, safe = y0, 0.0
     for _ in range(LOOKS):
-        there = crank_checks(_under(design, math.exp(x)))
+        there = crank_checks(Results(_under(design, math.exp(x))))
         unknown = there.counts["not_checked"] > found.counts["not_checked"]
         if unknown or not there.torque_reserve:
             break
@@ -63,13 +63,11 @@ def exact_torque(*, design: CrankDesign, found: Verdict) -> Verdict:
     return _settled(found, safe, _first(found), rough=True) if safe else found
 
 
-def _under(design: CrankDesign, factor: float) -> CrankDesign:
+def _under(design: Design, factor: float) -> Design:
     """The design under so many times its torques."""
-    torque, peak = design.output_torque, design.peak_torque
-    assert torque is not None
-    return replace(
-        design, output_torque=torque * factor, peak_torque=None if peak is None else peak * factor
-    )
+    torque, peak = design.load.output_torque * factor, design.load.peak_torque
+    more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
+    return changed(design, more)
 
 
 def _first(found: Verdict) -> str:

@@ -1,38 +1,32 @@
 """Checks of the contact of pin and hole: pressure, shakedown, first yield, width."""
 
-from collections.abc import Callable
 from functools import partial
 from typing import Any
 
 from core.checks.check import Check, judged, not_checked
-from core.checks.crank_design import CrankDesign
-from core.checks.design.contact import force_factor
-from core.checks.design.given import Body
+from core.checks.design_check import Judge
 from core.derived import UNKNOWN, if_known
+from core.design.contact import force_factor
+from core.design.document import Body, Design
+from core.design.results import Results
 from core.errors import NotKnown
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
-from core.materials import ElasticMaterial
 from core.output.limit_torque import limit_torque
 from core.output.sampled_turn import WAYS
 
 
-def _material(design: CrankDesign, body: Body) -> ElasticMaterial:
-    material = design.lasting[body]
-    assert material is not None
-    return material
-
-
-def _missing(design: CrankDesign, body: Body, value: str) -> tuple[str, ...]:
+def _missing(design: Design, body: Body, value: str) -> tuple[str, ...]:
     """What would have to be given: a value of an own material, or another material."""
     name = f"{body}_material"
-    return (f"{name}.{value}",) if name in design.own_limits else (name,)
+    own = name in design.contact.own_limits
+    return (f"contact.{name}.{value}",) if own else (f"contact.{name}",)
 
 
-def _against(design: CrankDesign, code: str, warning: str = "", **more: Any) -> Check:
+def _against(design: Design, results: Results, code: str, warning: str = "", **more: Any) -> Check:
     """The governing pressure against its limit."""
-    limit = design.pressure_limits[code]
+    limit = results.pressure_limits[code]
     try:
-        contact = design.contact
+        contact = results.hertz
     except UNKNOWN as why:
         return not_checked(code, why, limit=limit, **more)
     pressure = contact.governing_pressure
@@ -42,23 +36,23 @@ def _against(design: CrankDesign, code: str, warning: str = "", **more: Any) -> 
         code,
         pressure,
         limit,
-        reserve=design.contact_reserves[code],
+        reserve=results.contact_reserves[code],
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
-        at=design.peak,
-        rough=design.as_made and design.edge is not None,
+        at=results.peak,
+        rough=design.as_made and results.edge is not None,
         **more,
     )
 
 
-def real_reserve(*, design: CrankDesign, limit: float) -> float:
+def real_reserve(*, results: Results, limit: float) -> float:
     """Factor on the torque at which the pressure of the mechanism as it is made is at a limit,
     without its forces under the torque.
 
     Parameters
     ----------
-    design : CrankDesign
-        A design whose `real` is known.
+    results : Results
+        Results of a design whose `real` is known.
     limit : float
         The limit, Pa.
 
@@ -66,8 +60,7 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
     -------
     float
     """
-    real, torque = design.real, design.output_torque
-    assert torque is not None
+    real, design = results.real, results.design
 
     def contact(force: float) -> HertzContact:
         found = real.contact(0, force)
@@ -80,30 +73,31 @@ def real_reserve(*, design: CrankDesign, limit: float) -> float:
     )
     torques = [
         limit_torque(real=real, direction=way, pair=0, force=force)
-        for way in WAYS[design.torque_direction]
+        for way in WAYS[design.load.torque_direction]
     ]
-    return min(torques) / (torque * design.dynamic_factor)
+    return min(torques) / (design.load.output_torque * design.load_factor)
 
 
-def _pressure(design: CrankDesign, body: Body) -> Check:
-    code, limit = f"contact_pressure_{body}", _material(design, body).limit
+def _pressure(design: Design, results: Results, body: Body) -> Check:
+    code, limit = f"contact_pressure_{body}", design.lasting[body].limit
     if limit is None:
-        contact = if_known(lambda: design.contact)
+        contact = if_known(lambda: results.hertz)
         return Check(
             code=code,
             status="not_checked",
             value=contact and contact.governing_pressure,
             reason="limit_unknown",
-            at=if_known(lambda: design.peak) or {},
+            at=if_known(lambda: results.peak) or {},
             missing=_missing(design, body, "allowable_pressure"),
         )
     reason, missing = "life_of_teeth", tuple[str, ...]()
     if limit.curve is None:
         reason = "no_life_curve"
     elif limit.loads is None:
-        reason, missing = "life_without_speed", ("input_speed",)
+        reason, missing = "life_without_speed", ("load.input_speed",)
     found = _against(
         design,
+        results,
         code,
         limit_source=limit.source,
         criterion=limit.criterion,
@@ -113,46 +107,46 @@ def _pressure(design: CrankDesign, body: Body) -> Check:
     return found if found.reason else found._replace(reason=reason, missing=missing)
 
 
-def _plastic(design: CrankDesign, code: str, body: Body, warning: str = "") -> Check:
+def _plastic(design: Design, results: Results, code: str, body: Body, warning: str = "") -> Check:
     """The pressure against one by the yield strength, where that governs."""
-    material = _material(design, body)
+    material = design.lasting[body]
     if not material.yield_governs:
         return Check(code=code, status="not_applicable", reason="tested_limit")
     if material.yield_strength is None:
-        own = f"{body}_material" in design.own_limits
+        own = f"{body}_material" in design.contact.own_limits
         return Check(
             code=code,
             status="not_asked" if own else "not_checked",
             reason="yield_unknown",
             missing=_missing(design, body, "yield_strength"),
         )
-    return _against(design, code, warning=warning)
+    return _against(design, results, code, warning=warning)
 
 
-def _shakedown(design: CrankDesign, body: Body) -> Check:
-    return _plastic(design, f"contact_shakedown_{body}", body)
+def _shakedown(design: Design, results: Results, body: Body) -> Check:
+    return _plastic(design, results, f"contact_shakedown_{body}", body)
 
 
-def _yield(design: CrankDesign, body: Body) -> Check:
-    return _plastic(design, f"contact_yield_{body}", body, "plastic_first")
+def _yield(design: Design, results: Results, body: Body) -> Check:
+    return _plastic(design, results, f"contact_yield_{body}", body, "plastic_first")
 
 
-def _conformity(design: CrankDesign) -> Check:
-    contact, code = design.contact, "contact_conformity"
+def _conformity(design: Design, results: Results) -> Check:
+    contact, code = results.hertz, "contact_conformity"
     ratio, limit = float(contact.half_width_ratio), HALF_WIDTH_RATIO_LIMIT
     if contact.conformal_pressure is not None:
         why = "conformal_solution"
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
-    reserve = design.contact_reserves[code]
+    reserve = results.contact_reserves[code]
     return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
 
 
-def life_considered(*, design: CrankDesign, body: Body) -> bool:
+def life_considered(*, design: Design, body: Body) -> bool:
     """Whether the limit of the pressure of a body, if one is known, is that over the life.
 
     Parameters
     ----------
-    design : CrankDesign
+    design : Design
         The design.
     body : {"pin", "hole"}
         Whose surface.
@@ -161,11 +155,11 @@ def life_considered(*, design: CrankDesign, body: Body) -> bool:
     -------
     bool
     """
-    limit = _material(design, body).limit
+    limit = design.lasting[body].limit
     return limit is None or limit.life_factor is not None
 
 
-CONTACT: dict[str, Callable[[CrankDesign], Check]] = {
+CONTACT: dict[str, Judge] = {
     "contact_pressure_pin": partial(_pressure, body="pin"),
     "contact_pressure_hole": partial(_pressure, body="hole"),
     "contact_shakedown_pin": partial(_shakedown, body="pin"),

@@ -5,11 +5,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks, crank_tables
+from core.checks.crank_planetary import crank_check, crank_checks, crank_codes
 from core.checks.pin_contact import CONTACT, real_reserve
 from core.checks.play import PLAY
 from core.derived import if_known
+from core.design.document import Design, changed
+from core.design.results import Results
 from core.errors import CalculationError
 from core.exploration.solve import Solution
 from core.fixes.changes import count_may_change, value_of, vary
@@ -20,30 +21,27 @@ SEARCHED = 8
 """Most steps of that search, and of the one for a clearance."""
 
 
-def crank_fixes(
-    *, design: CrankDesign, codes: Iterable[str], current: Verdict | None = None
-) -> list[Fix]:
+def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> list[Fix]:
     """Fixes of checks of a crank-planetary reducer, the best first.
 
     Parameters
     ----------
-    design : CrankDesign
-        The design.
+    results : Results
+        Results of the design.
     codes : iterable of str
         The checks to be cured.
-    current : Verdict, optional
-        Its checks, where they were made already.
+    current : Verdict
+        Its checks.
 
     Returns
     -------
     list of Fix
     """
-    current = current or crank_checks(design)
     fixes = []
     for code in codes:
         for variable in VARIED.get(code, ()):
             try:
-                fix = _fix(design, code, variable, current)
+                fix = _fix(results, code, variable, current)
             except CalculationError:  # a size that would cure it makes no design
                 continue
             if fix is not None:
@@ -51,23 +49,24 @@ def crank_fixes(
     return in_order(fixes)
 
 
-def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fix of a check by one input."""
+    design = results.design
     if code in ("interference", "clearance", "crank_balance"):
-        return _closed(design, code, variable, current)
+        return _closed(results, code, variable, current)
     if code in PLAY:
-        return _less_clearance(design, code, current)
+        return _less_clearance(results, code, current)
     cure = _cure(design, code, variable, current)
-    if cure is None or (variable == "satellites" and not count_may_change(design)):
+    if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
         return None
 
     def change(value: float) -> Check:
-        return CRANK[code](vary(design=design, variable=variable, value=value))
+        return _check(code, vary(design=design, variable=variable, value=value))
 
-    strength = code in POWERS or (code in CONTACT and design.pin is not None)
+    strength = code in POWERS or (code in CONTACT and bool(design.pin))
     if strength and variable not in WHOLE:
         powers = GROWTH if code in CONTACT else USUAL | POWERS[code]
-        if variable == "pin_radius" and design.sleeved and code in PINS:
+        if variable == "contact.pin_radius" and design.sleeved and code in PINS:
             return None
         return _by_power(cure, powers.get(variable), lambda value: _met(change(value)))
     if design.as_made and code in CONTACT:
@@ -77,23 +76,27 @@ def _fix(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix
     return fix_of(cure=cure, change=change)
 
 
-def _cure(design: CrankDesign, code: str, variable: str, current: Verdict) -> Cure | None:
+def _check(code: str, design: Design) -> Check:
+    return crank_check(code, Results(design))
+
+
+def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure | None:
     """An input and what it does to all checks; None where it is not given, or nothing."""
     before = value_of(design=design, variable=variable)
     if not before:
         return None
 
     def whole_list(value: float) -> Verdict:
-        return crank_checks(vary(design=design, variable=variable, value=value))
+        return crank_checks(Results(vary(design=design, variable=variable, value=value)))
 
     return Cure(code, variable, float(before), whole_list, current, _standard(design, variable))
 
 
-def _standard(design: CrankDesign, variable: str) -> tuple[float, ...]:
+def _standard(design: Design, variable: str) -> tuple[float, ...]:
     """Standard sizes of an input, m: those of pins; a sleeve has none."""
     if variable == "pin.diameter":
         return tuple(size / 1000 for size in PIN_SIZES)
-    if variable == "pin_radius" and not design.sleeved:
+    if variable == "contact.pin_radius" and not design.sleeved:
         return tuple(size / 2000 for size in PIN_SIZES)
     return ()
 
@@ -111,7 +114,7 @@ def _by_power(cure: Cure, growth: float | None, met: Callable[[float], float]) -
     return None if exact is None else _checked(cure, exact)
 
 
-def _as_made(design: CrankDesign, cure: Cure) -> Fix | None:
+def _as_made(design: Design, cure: Cure) -> Fix | None:
     """Fix of a pressure of the mechanism as it is made: the torque that brings it to its limit is
     known without the forces under the torque, and a power of most inputs.
     """
@@ -121,8 +124,8 @@ def _as_made(design: CrankDesign, cure: Cure) -> Fix | None:
         return None
 
     def met(value: float) -> float:
-        changed = vary(design=design, variable=cure.variable, value=value)
-        return real_reserve(design=changed, limit=limit) / aim(check)
+        there = vary(design=design, variable=cure.variable, value=value)
+        return real_reserve(results=Results(there), limit=limit) / aim(check)
 
     return _by_power(cure, GROWTH.get(cure.variable), met)
 
@@ -152,12 +155,13 @@ def _secant(met: Callable[[float], float], before: float, growth: float) -> floa
     return value
 
 
-def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | None:
+def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None:
     """Fix of backlash or lost motion, which grow with the clearance almost straight."""
-    check, clearance, hole = current[code], design.clearance, design.hole_radius
+    design, check = results.design, current[code]
+    clearance, hole = design.contact.clearance, design.contact.hole_radius
     if check.value is None or check.limit is None or hole is None or not clearance:
         return None
-    backlash = CRANK["backlash"](design).value
+    backlash = crank_check("backlash", results).value
     if not backlash:
         return None
     value, slope = check.value, backlash / clearance
@@ -169,12 +173,14 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
         place = math.floor((place - (value - check.limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
         if place < 0:
             return None
-        smaller = vary(design=design, variable="hole_radius", value=hole + place - clearance)
-        found = CRANK[code](smaller)
+        smaller = vary(
+            design=design, variable="contact.hole_radius", value=hole + place - clearance
+        )
+        found = _check(code, smaller)
         if found.value is None or found.value >= former:
             return None
         value, slope = found.value, (former - found.value) / (before - place)
-    cure = _cure(design, code, "hole_radius", current)
+    cure = _cure(design, code, "contact.hole_radius", current)
     assert cure is not None
     return _checked(cure, hole + place - clearance)
 
@@ -182,7 +188,7 @@ def _less_clearance(design: CrankDesign, code: str, current: Verdict) -> Fix | N
 def _checked(cure: Cure, exact: float) -> Fix:
     """A fix that was found, with all checks made again."""
     ends = (exact, exact * RANGE) if exact >= cure.before else (exact / RANGE, exact)
-    if cure.variable == "hole_radius":
+    if cure.variable == "contact.hole_radius":
         ends = (exact, exact)
     verdicts: list[Verdict] = []
 
@@ -197,22 +203,25 @@ def _checked(cure: Cure, exact: float) -> Fix:
     return made
 
 
-def _closed(design: CrankDesign, code: str, variable: str, current: Verdict) -> Fix | None:
+def _closed(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fixes that are no search: the hole that fits, the even spacing."""
+    design = results.design
     if code == "crank_balance":
-        if design.crank_spacing is None or design.satellites < 2:
+        spacing, satellites = design.mechanism.crank_spacing, design.mechanism.satellites
+        if spacing is None or satellites < 2:
             return None
-        before, after = design.crank_spacing, 2 * math.pi / design.satellites
+        before, after = spacing, 2 * math.pi / satellites
     else:
-        if design.eccentricity is None or design.pin_radius is None or design.hole_radius is None:
+        contact = design.contact
+        if contact.eccentricity is None or contact.pin_radius is None:
             return None
-        before, after = design.hole_radius, design.pin_radius + design.eccentricity
-        fit = if_known(lambda: design.fit)
+        before, after = contact.pair.hole_radius, contact.pin_radius + contact.eccentricity
+        fit = if_known(lambda: results.fit)
         if fit is not None:
             after = fit.needed_hole_radius
     exact = Solution("solved", after, None, ((after, after),), None, True, 1)
-    changed = replace(design, **{variable: after})  # type: ignore[arg-type]
-    if code not in crank_tables(changed) or not before:
+    there = changed(design, {variable: after})
+    if code not in crank_codes(there) or not before:
         return None
-    cure = Cure(code, variable, before, lambda _: crank_checks(changed), current)
+    cure = Cure(code, variable, before, lambda _: crank_checks(Results(there)), current)
     return replace(cure.by(after, exact, "solved"), after=after, standard=False)

@@ -18,7 +18,7 @@ PIN_SIZES = (
 )
 """Diameters of parallel pins in mm that ISO 2338 (DIN 7) has; up to 20 mm ISO 8734 too."""
 
-UNITS = {"input_speed": 2 * math.pi / 60}
+UNITS = {"load.input_speed": 2 * math.pi / 60}
 """Units in which inputs are rounded, in SI units, where people do not count in decimals of these: a
 turn a minute."""
 
@@ -61,7 +61,7 @@ class Fix:
     code : str
         The check.
     variable : str
-        The input's core name.
+        The input's path.
     before, after : float
         The input without and with the fix, SI.
     exact : float
@@ -144,7 +144,7 @@ class Cure:
     code : str
         The check.
     variable : str
-        The input's core name.
+        The input's path.
     before : float
         Its value, SI, > 0.
     whole_list : callable

@@ -11,17 +11,18 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
 from core.checks.kinds import CHECKS
-from core.checks.sections import FatigueBasis, Ring, RollingBearing
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import FatigueBasis, Ring, RollingBearing
 from core.errors import CalculationError
 from core.materials import MATERIALS
-from tests.oracles.checks import WHOLE
+from tests.oracles.checks import WHOLE, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material
-ALL = replace(
+ALL = having(
     WHOLE,
     outer_radius=0.08,
     root_radius=0.072,
@@ -54,9 +55,9 @@ ALL = replace(
 TIRED = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
 DESIGNS = {
     "ideal": ALL,
-    "clearance": replace(ALL, hole_radius=0.01002),
-    "peak torque, uneven cranks": replace(ALL, peak_torque=700.0, crank_spacing=2.0),
-    "few loads": replace(
+    "clearance": having(ALL, hole_radius=0.01002),
+    "peak torque, uneven cranks": having(ALL, peak_torque=700.0, crank_spacing=2.0),
+    "few loads": having(
         ALL,
         fatigue=TIRED,
         output_torque=1500.0,
@@ -65,22 +66,22 @@ DESIGNS = {
         hole_material=STEEL,
         friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
     ),
-    "roots by the module": replace(ALL, root_radius=None, outer_radius=None),
-    "rim within the roots": replace(ALL, root_radius=None, outer_radius=0.02),
-    "cycloid": replace(
+    "roots by the module": having(ALL, root_radius=None, outer_radius=None),
+    "rim within the roots": having(ALL, root_radius=None, outer_radius=0.02),
+    "cycloid": having(
         ALL,
         gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
         root_radius=None,
     ),
 }
 
-INPUTS = {"life": "requirements.life", "pin.tensile_strength": "pin.material"}
-"""Inputs by the attributes of a design that have other names."""
+INPUTS = {"pin.tensile_strength": "pin.material"}
+"""Inputs by the paths of a design that have other names."""
 
-MATERIALS_OF = ("pin_material", "hole_material", "pin.material")
+MATERIALS_OF = ("contact.pin_material", "contact.hole_material", "pin.material")
 """Inputs that are materials, each with values of its own."""
 
-JUMPS = {("dead_centre", "pins"), ("dead_centre", "crank_spacing")}
+JUMPS = {("dead_centre", "mechanism.pins"), ("dead_centre", "mechanism.crank_spacing")}
 """What moves in steps that these designs do not show."""
 
 SAME = 1e-6
@@ -114,10 +115,10 @@ def differ(one: float | None, two: float | None) -> bool:
     return abs(one - two) > SAME * abs(one)
 
 
-def by_code(design: CrankDesign) -> dict[str, Check]:
+def by_code(design: Design) -> dict[str, Check]:
     return {
         check.code: check
-        for check in crank_checks(design).checks
+        for check in crank_checks(Results(design)).checks
         if check.status in ("pass", "marginal", "fail")
     }
 

@@ -1,28 +1,29 @@
 """Checks of designs: invariants that hold for any, by hypothesis, and the reserve of the torque."""
 
 import math
-from dataclasses import replace
 
 import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from core.checks.check import MARGIN, Check, judged, verdict
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks
-from core.checks.design.contact import SHAKEDOWN
+from core.checks.crank_planetary import crank_checks
 from core.checks.kinds import CHECKS
 from core.checks.rollers import roller_checks
+from core.design.contact import SHAKEDOWN
+from core.design.document import Design, value_at
+from core.design.results import Results
 from core.fixes.changes import vary
-from core.fixes.crank import crank_fixes
 from core.fixes.fix import PIN_SIZES
 from core.fixes.inputs import VARIED
+from core.fixes.inputs import WHOLE as WHOLE_NUMBERS
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
+from tests.oracles.checks import check_of, design_of, fixes_of, having
 
 STEEL = MATERIALS["steel_bearing"].material
 TEMPERED = MATERIALS["steel_through_hardened"].material
-REF = CrankDesign(
+REF = design_of(
     pins=6,
     satellites=2,
     ratio=20.0,
@@ -37,7 +38,7 @@ REF = CrankDesign(
 )
 
 designs = st.builds(
-    lambda pins, satellites, torque, radius, pin, gap, hole: replace(
+    lambda pins, satellites, torque, radius, pin, gap, hole: having(
         REF,
         pins=pins,
         satellites=satellites,
@@ -58,7 +59,7 @@ designs = st.builds(
 )
 
 
-AT_THE_JUMP = replace(
+AT_THE_JUMP = having(
     REF,
     pins=3,
     satellites=4,
@@ -74,31 +75,31 @@ AT_THE_JUMP = replace(
 
 @example(AT_THE_JUMP)
 @given(designs)
-def test_the_torque_reserve_puts_each_check_at_its_limit(design: CrankDesign) -> None:
-    for check in crank_checks(design).checks:
+def test_the_torque_reserve_puts_each_check_at_its_limit(design: Design) -> None:
+    for check in crank_checks(Results(design)).checks:
         if check.torque_reserve is None:
             continue
-        assert design.output_torque is not None
-        there = replace(design, output_torque=design.output_torque * check.torque_reserve)
-        found = CRANK[check.code](there)
+        assert design.load.output_torque is not None
+        there = having(design, output_torque=design.load.output_torque * check.torque_reserve)
+        found = check_of(check.code, there)
         if found.utilisation is None or found.value is None:
             continue
         if found.status == "not_applicable":  # Persson's pressure takes over before
             continue
         # where the conformal pressure takes over, the pressure jumps by up to its per cent, and
         # the limit may lie within; where Hertz ends there is no pressure beyond
-        beyond = replace(design, output_torque=there.output_torque * (1 + 1e-9))  # type: ignore[operator]
-        after = CRANK[check.code](beyond)
+        beyond = having(design, output_torque=there.load.output_torque * (1 + 1e-9))  # type: ignore[operator]
+        after = check_of(check.code, beyond)
         assert found.utilisation <= 1 + 1e-9
         ended = after.value is None or after.value > found.value * 1.009
-        wide = design.contact is not None and there.contact is not None
-        ended = ended or (wide and float(there.contact.half_width_ratio) > 0.999)  # type: ignore[union-attr]
+        wide = Results(there).hertz is not None
+        ended = ended or (wide and float(Results(there).hertz.half_width_ratio) > 0.999)  # type: ignore[union-attr]
         assert found.utilisation == pytest.approx(1, rel=1e-9) or ended
 
 
 @given(designs)
-def test_nothing_passes_by_absence(design: CrankDesign) -> None:
-    found = crank_checks(design)
+def test_nothing_passes_by_absence(design: Design) -> None:
+    found = crank_checks(Results(design))
     assert {each.code for each in found.checks} <= set(CHECKS)
     assert sum(found.counts.values()) == len(found.checks)
     for check in found.checks:
@@ -113,15 +114,15 @@ def test_nothing_passes_by_absence(design: CrankDesign) -> None:
         assert all(each.status != "not_checked" for each in found.checks)
         assert found.torque_reserve is None or found.torque_reserve >= MARGIN
     for body in ("pin", "hole"):
-        limit = getattr(design, f"{body}_material").limit
+        limit = getattr(design.contact, f"{body}_material").limit
         assert (found[f"contact_pressure_{body}"].limit is None) == (limit is None)
 
 
 @given(designs, st.floats(1.01, 10.0))
-def test_more_torque_is_never_better(design: CrankDesign, times: float) -> None:
-    assert design.output_torque is not None
-    one = crank_checks(design)
-    more = crank_checks(replace(design, output_torque=design.output_torque * times))
+def test_more_torque_is_never_better(design: Design, times: float) -> None:
+    assert design.load.output_torque is not None
+    one = crank_checks(Results(design))
+    more = crank_checks(Results(having(design, output_torque=design.load.output_torque * times)))
     if one.verdict == "fail":
         assert more.verdict == "fail" or more.counts["not_checked"] > one.counts["not_checked"]
     for check in one.checks:
@@ -253,31 +254,33 @@ def test_every_check_has_its_fixes_or_says_that_there_are_none() -> None:
 
 @given(st.floats(600.0, 20000.0))
 def test_fixes_cure_and_are_not_larger_than_needed(torque: float) -> None:
-    design = replace(REF, output_torque=torque)
-    current = crank_checks(design)
+    design = having(REF, output_torque=torque)
+    current = crank_checks(Results(design))
     assume(current.governing == "contact_pressure_hole" and current.verdict == "fail")
-    for fix in crank_fixes(design=design, codes=["contact_pressure_hole"], current=current):
+    for fix in fixes_of(design, ["contact_pressure_hole"]):
         if fix.status != "solved":
             continue
-        fixed = CRANK[fix.code](vary(design=design, variable=fix.variable, value=fix.after))
+        fixed = check_of(fix.code, vary(design=design, variable=fix.variable, value=fix.after))
         assert fixed.status == "pass", fix
         assert fixed.torque_reserve is not None and fixed.torque_reserve >= MARGIN * (1 - 1e-12)
         short = fix.exact + (design_value(design, fix.variable) - fix.exact) * 1e-6
-        if fix.variable not in ("pins", "satellites"):
-            nearly = CRANK[fix.code](vary(design=design, variable=fix.variable, value=short))
+        if fix.variable not in WHOLE_NUMBERS:
+            nearly = check_of(fix.code, vary(design=design, variable=fix.variable, value=short))
             assert nearly.torque_reserve is not None and nearly.torque_reserve < MARGIN
         if fix.standard:
             assert round(2000 * fix.after, 9) in PIN_SIZES
 
 
 def test_fixes_are_rounded_to_the_safe_side_and_say_what_else_changes() -> None:
-    design = replace(REF, output_torque=1500.0)
-    current = crank_checks(design)
-    fixes = crank_fixes(design=design, codes=["contact_pressure_hole"], current=current)
-    assert {"pin_radius", "contact_length", "output_torque"} <= {fix.variable for fix in fixes}
+    design = having(REF, output_torque=1500.0)
+    current = crank_checks(Results(design))
+    fixes = fixes_of(design, ["contact_pressure_hole"])
+    assert {"contact.pin_radius", "contact.contact_length", "load.output_torque"} <= {
+        fix.variable for fix in fixes
+    }
     for fix in fixes:
-        after = crank_checks(vary(design=design, variable=fix.variable, value=fix.after))
-        if fix.status == "solved" and fix.variable not in ("pins", "satellites"):
+        after = crank_checks(Results(vary(design=design, variable=fix.variable, value=fix.after)))
+        if fix.status == "solved" and fix.variable not in WHOLE_NUMBERS:
             up = fix.exact > fix.before
             assert fix.after >= fix.exact if up else fix.after <= fix.exact
             assert fix.standard or abs(fix.after / fix.exact - 1) <= 0.01
@@ -293,12 +296,12 @@ def test_fixes_are_rounded_to_the_safe_side_and_say_what_else_changes() -> None:
         assert expected
 
 
-def design_value(design: CrankDesign, name: str) -> float:
-    return float(getattr(design, name))
+def design_value(design: Design, name: str) -> float:
+    return float(value_at(design, name))
 
 
 def test_required_safety_is_in_the_limit() -> None:
     own = ElasticMaterial(210e9, 0.3, ContactLimit("given", 900e6))
     for safety in (1.0, 1.2, 2.0):
-        design = replace(REF, hole_material=own, pitting_safety=safety)
-        assert CRANK["contact_pressure_hole"](design).limit == pytest.approx(900e6 / safety)
+        design = having(REF, hole_material=own, pitting_safety=safety)
+        assert check_of("contact_pressure_hole", design).limit == pytest.approx(900e6 / safety)

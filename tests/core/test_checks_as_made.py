@@ -12,23 +12,32 @@ import numpy as np
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks
-from core.checks.design.forces import MOST_REAL_PAIRS
+from core.checks.crank_planetary import crank_checks
 from core.checks.pin_contact import real_reserve
-from core.checks.real_forces import RealForces
-from core.checks.sections import DesignPin, Friction
+from core.design.document import Design
+from core.design.real_forces import RealForces
+from core.design.results import MOST_REAL_PAIRS, Results
+from core.design.sections import DesignPin, Friction
 from core.fixes.changes import vary
-from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.contact_law import LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import HOLE, MODULUS, PIN, REF, says
+from tests.oracles.checks import (
+    HOLE,
+    MODULUS,
+    PIN,
+    REF,
+    check_of,
+    design_of,
+    fixes_of,
+    having,
+    says,
+)
 
-A = CrankDesign(
+A = design_of(
     pins=8,
     satellites=1,
     ratio=18.0,
@@ -40,7 +49,7 @@ A = CrankDesign(
     eccentricity=0.0015,
     pin_material=PIN,
     hole_material=HOLE,
-    law=LinearLaw(stiffness=5e7),
+    contact_law=LinearLaw(stiffness=5e7),
 )
 PEAK, BACKLASH = 943.4911197529, math.radians(7.431963784 / 60)
 PRESSURE = math.sqrt(PEAK / 0.01 * MODULUS / math.pi * (1 / 0.003 - 1 / 0.00452))
@@ -48,19 +57,19 @@ UNEVEN = Deviations(pin_radial=(1e-5, 0, 0, 0, -1e-5, 0, 0, 0), pin_radius=(2e-6
 ONE_SIDED = Deviations(pin_tangential=(-1e-5, *[0.0] * 7))
 
 
-def limited(design: CrankDesign, limit: float) -> CrankDesign:
+def limited(design: Design, limit: float) -> Design:
     """With another allowable pressure of the hole."""
-    return replace(design, hole_material=replace(HOLE, limit=ContactLimit("given", limit)))
+    return having(design, hole_material=replace(HOLE, limit=ContactLimit("given", limit)))
 
 
 @pytest.mark.parametrize(("part", "status"), [(2.0, "pass"), (1.01, "marginal"), (0.999, "fail")])
 def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None:
-    found = CRANK["contact_pressure_hole"](limited(A, 1.2 * part * PRESSURE))
+    found = check_of("contact_pressure_hole", limited(A, 1.2 * part * PRESSURE))
     assert found.value == pytest.approx(PRESSURE, rel=1e-10)
     assert (found.status, found.limit) == (status, pytest.approx(part * PRESSURE))
     assert {*found.at} == {"satellite", "pin", "crank_angle"}
-    ideal = replace(A, hole_radius=0.0045, law=None)
-    assert CRANK["contact_pressure_hole"](ideal).value < 0.9 * PRESSURE  # type: ignore[operator]
+    ideal = having(A, hole_radius=0.0045, contact_law=None)
+    assert check_of("contact_pressure_hole", ideal).value < 0.9 * PRESSURE  # type: ignore[operator]
 
 
 @pytest.mark.parametrize(
@@ -68,23 +77,23 @@ def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None
     [
         (A, 400e6),
         (A, 2400e6),
-        (replace(A, torque_direction="reverse"), 400e6),
-        (replace(A, deviations=UNEVEN), 2400e6),
-        (replace(A, deviations=ONE_SIDED, torque_direction="alternating"), 2400e6),
-        (replace(A, law=None, dynamic_factor=1.25), 400e6),
-        (replace(A, hole_radius=0.0045, law=LinearLaw(stiffness=5e7)), 400e6),
+        (having(A, torque_direction="reverse"), 400e6),
+        (having(A, deviations=UNEVEN), 2400e6),
+        (having(A, deviations=ONE_SIDED, torque_direction="alternating"), 2400e6),
+        (having(A, contact_law=None, dynamic_factor=1.25), 400e6),
+        (having(A, hole_radius=0.0045, contact_law=LinearLaw(stiffness=5e7)), 400e6),
     ],
     ids=["less", "more", "reverse", "errors", "alternating", "dynamic", "no clearance"],
 )
 def test_under_the_torque_of_the_reserve_the_pressure_is_at_its_limit(
-    design: CrankDesign, limit: float
+    design: Design, limit: float
 ) -> None:
     design = limited(design, limit)
-    found = CRANK["contact_pressure_hole"](design)
-    assert found.torque_reserve is not None and design.output_torque is not None
-    there = replace(design, output_torque=design.output_torque * found.torque_reserve)
-    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-8)
-    alone = real_reserve(design=design, limit=limit / 1.2)
+    found = check_of("contact_pressure_hole", design)
+    assert found.torque_reserve is not None and design.load.output_torque is not None
+    there = having(design, output_torque=design.load.output_torque * found.torque_reserve)
+    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=1e-8)
+    alone = real_reserve(results=Results(design), limit=limit / 1.2)
     assert alone == pytest.approx(found.torque_reserve, rel=1e-9)
 
 
@@ -92,51 +101,53 @@ def test_under_the_torque_of_the_reserve_the_pressure_is_at_its_limit(
 def test_bending_pins_make_the_reserve_less_exact(limit: float, near: float) -> None:
     """Their slope is taken to grow with the largest force."""
     pin = DesignPin("cantilever", 0.006, (0.01,), PIN)
-    design = limited(replace(A, pin=pin, law=None), limit)
-    found = CRANK["contact_pressure_hole"](design)
+    design = limited(having(A, pin=pin, contact_law=None), limit)
+    found = check_of("contact_pressure_hole", design)
     assert found.torque_reserve is not None
-    there = replace(design, output_torque=30.0 * found.torque_reserve)
-    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=near)
+    there = having(design, output_torque=30.0 * found.torque_reserve)
+    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=near)
 
 
 def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -> None:
     """With clearance these are not in the ratio of the torques: more pairs carry."""
     pin = DesignPin("cantilever", 0.006, (0.01,), replace(PIN, yield_strength=800e6))
-    design = replace(A, pin=pin, peak_torque=90.0)
-    found = CRANK["pin_static"](design).value
-    there = CRANK["pin_static"](replace(design, output_torque=90.0)).value
-    plain = CRANK["pin_static"](replace(design, peak_torque=None)).value
+    design = having(A, pin=pin, peak_torque=90.0)
+    found = check_of("pin_static", design).value
+    there = check_of("pin_static", having(design, output_torque=90.0)).value
+    plain = check_of("pin_static", having(design, peak_torque=None)).value
     assert found is not None and there is not None and plain is not None
     assert found == pytest.approx(there, rel=1e-12)
     assert found < 0.95 * 3 * plain
-    strength = design.pin_strength
+    strength = Results(design).pin_strength
     assert isinstance(strength, PinStrength)
     assert strength.static_safety_factor == pytest.approx(800e6 / found, rel=1e-14)
 
 
 def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
     """With more torque more pairs carry."""
-    found = CRANK["contact_pressure_hole"](limited(A, 3.0 * 1.2 * PRESSURE))
+    found = check_of("contact_pressure_hole", limited(A, 3.0 * 1.2 * PRESSURE))
     assert found.torque_reserve is not None and found.torque_reserve > 9.2
 
 
 def test_the_reserve_ends_where_the_output_has_gone_on_by_the_eccentricity() -> None:
     """Of a limit that no contact comes to."""
-    found = CRANK["contact_pressure_hole"](limited(A, 1e12))
+    found = check_of("contact_pressure_hole", limited(A, 1e12))
     assert found.torque_reserve is not None
-    there = replace(A, output_torque=30.0 * found.torque_reserve)
-    assert there.real is not None and there.eccentricity is not None
+    there = having(A, output_torque=30.0 * found.torque_reserve)
+    assert Results(there).real is not None and there.contact.eccentricity is not None
     lags = [
-        loaded_position(real=there.real, crank_angle=angle, output_torque=there.output_torque)
+        loaded_position(
+            real=Results(there).real, crank_angle=angle, output_torque=there.load.output_torque
+        )
         for angle in np.linspace(0, 2 * math.pi, 41)
     ]
     gone = [abs(each.rotation) - each.play[1] for each in lags]
-    assert min(gone) < there.eccentricity / 0.020 * 1.05 < 1.1 * max(gone)
+    assert min(gone) < there.contact.eccentricity / 0.020 * 1.05 < 1.1 * max(gone)
 
 
 def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
     """It need not be in the direction whose losses are larger."""
-    worn = replace(
+    worn = having(
         A,
         input_speed=100.0,
         friction=Friction(coefficient=0.08, sleeve=True, wear_rate=1e-17),
@@ -145,17 +156,17 @@ def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
     )
     larger = []
     for made in (ONE_SIDED, Deviations(pin_tangential=(1e-5, *[0.0] * 7)), UNEVEN):
-        design = replace(worn, deviations=made)
+        design = having(worn, deviations=made)
         for code in ("wear", "pv"):
             one, other, both = (
-                CRANK[code](replace(design, torque_direction=way)).value
+                check_of(code, having(design, torque_direction=way)).value
                 for way in ("driving", "reverse", "alternating")
             )
             assert one is not None and other is not None
             assert both == pytest.approx(max(one, other), rel=1e-12)
             larger.append(one > other)
         losses = [
-            replace(design, torque_direction=way).losses.mean_loss  # type: ignore[union-attr]
+            Results(having(design, torque_direction=way)).output_efficiency.mean_loss
             for way in ("driving", "reverse", "alternating")
         ]
         assert losses[2] == max(losses)
@@ -164,8 +175,8 @@ def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
 
 def test_of_both_directions_the_worse_is_judged() -> None:
     pressures = {
-        way: CRANK["contact_pressure_hole"](
-            replace(A, deviations=ONE_SIDED, torque_direction=way)
+        way: check_of(
+            "contact_pressure_hole", having(A, deviations=ONE_SIDED, torque_direction=way)
         ).value
         for way in ("driving", "reverse", "alternating")
     }
@@ -175,9 +186,9 @@ def test_of_both_directions_the_worse_is_judged() -> None:
 
 
 def test_without_deviations_both_directions_are_alike() -> None:
-    for design in (A, replace(A, hole_radius=0.0045, law=None)):
+    for design in (A, having(A, hole_radius=0.0045, contact_law=None)):
         one, other = (
-            CRANK["contact_pressure_hole"](replace(design, torque_direction=way))
+            check_of("contact_pressure_hole", having(design, torque_direction=way))
             for way in ("driving", "reverse")
         )
         assert one.value == pytest.approx(other.value, rel=1e-9)
@@ -187,7 +198,7 @@ def test_without_deviations_both_directions_are_alike() -> None:
 def test_backlash(part: float, status: str) -> None:
     limit = part * BACKLASH
     says(
-        replaced(CRANK["backlash"](replace(A, max_backlash=limit))),
+        replaced(check_of("backlash", having(A, max_backlash=limit))),
         status=status, value=BACKLASH, limit=limit, utilisation=1 / part,
     )  # fmt: skip
 
@@ -200,48 +211,48 @@ def replaced(check: Check) -> Check:
 
 
 def test_lost_motion_is_backlash_and_what_gives() -> None:
-    lost = CRANK["lost_motion"](A).value
+    lost = check_of("lost_motion", A).value
     assert lost is not None
     # 0.9 N*m on 5e7 N/m at 20 mm, of one pair at least, of four at most
     assert 2 * 0.9 / (4 * 5e7 * 4e-4) < lost - BACKLASH < 2 * 0.9 / (5e7 * 4e-4) * 1.1
     for part, status in ((1.001, "pass"), (0.999, "fail")):
-        check = CRANK["lost_motion"](replace(A, max_lost_motion=part * lost))
+        check = check_of("lost_motion", having(A, max_lost_motion=part * lost))
         assert (check.status, check.utilisation) == (status, pytest.approx(1 / part))
     # it is that at the torque itself, not at the dynamic one
-    dynamic = replace(A, dynamic_factor=1.5)
-    assert CRANK["lost_motion"](dynamic).value is None
-    asked = CRANK["lost_motion"](replace(dynamic, max_lost_motion=1.0))
+    dynamic = having(A, dynamic_factor=1.5)
+    assert check_of("lost_motion", dynamic).value is None
+    asked = check_of("lost_motion", having(dynamic, max_lost_motion=1.0))
     assert asked.value == pytest.approx(lost, rel=1e-12)
 
 
 def test_play_that_nobody_asks_for() -> None:
     for code in ("backlash", "lost_motion"):
-        found = CRANK[code](A)
+        found = check_of(code, A)
         assert (found.status, found.reason) == ("not_asked", "no_limit")
-        assert found.missing == (f"max_{code}",) and found.value is not None
-        assert CRANK[code](replace(A, eccentricity=None)).status == "not_asked"
-        assert CRANK[code](REF).value == (0.0 if code == "backlash" else None)
+        assert found.missing == (f"requirements.max_{code}",) and found.value is not None
+        assert check_of(code, having(A, eccentricity=None)).status == "not_asked"
+        assert check_of(code, REF).value == (0.0 if code == "backlash" else None)
 
 
 def test_play_without_clearance() -> None:
-    asked = replace(REF, max_backlash=1e-6, max_lost_motion=1e-3)
-    says(CRANK["backlash"](asked), status="pass", value=0.0, limit=1e-6, utilisation=0.0)
-    lost = CRANK["lost_motion"](asked)
+    asked = having(REF, max_backlash=1e-6, max_lost_motion=1e-3)
+    says(check_of("backlash", asked), status="pass", value=0.0, limit=1e-6, utilisation=0.0)
+    lost = check_of("lost_motion", asked)
     assert lost.status == "pass" and lost.value is not None and 0 < lost.value < 1e-4
-    tight = replace(asked, hole_radius=0.00999)
-    assert CRANK["backlash"](tight).value == 0.0
+    tight = having(asked, hole_radius=0.00999)
+    assert check_of("backlash", tight).value == 0.0
     for code, limit in (("backlash", 1e-6), ("lost_motion", 1e-3)):
-        unknown = CRANK[code](replace(asked, eccentricity=None))
+        unknown = check_of(code, having(asked, eccentricity=None))
         says(
             unknown, status="not_checked", value=None, limit=limit, reason="eccentricity_missing",
-            missing=("eccentricity",),
+            missing=("contact.eccentricity",),
         )  # fmt: skip
 
 
 UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
     "too many pairs": ({"pins": MOST_REAL_PAIRS + 1}, "too_many_pairs"),
-    "too soft": ({"law": LinearLaw(stiffness=1e3)}, "no_balance"),
-    "too wide": ({"law": None, "output_torque": 1e5}, "no_pressure"),
+    "too soft": ({"contact_law": LinearLaw(stiffness=1e3)}, "no_balance"),
+    "too wide": ({"contact_law": None, "output_torque": 1e5}, "no_pressure"),
     "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "no_balance"),
 }
 
@@ -249,8 +260,8 @@ UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
 @pytest.mark.parametrize("name", UNSOLVED)
 def test_where_the_forces_are_not_known_nothing_passes(name: str) -> None:
     changes, reason = UNSOLVED[name]
-    design = replace(A, **changes, max_backlash=1.0, max_lost_motion=1.0)
-    found = crank_checks(design)
+    design = having(A, **changes, max_backlash=1.0, max_lost_motion=1.0)
+    found = crank_checks(Results(design))
     for code in ("contact_pressure_pin", "contact_yield_hole", "contact_conformity", "backlash"):
         check = found[code]
         assert (check.status, check.reason, check.value) == ("not_checked", reason, None), code
@@ -263,62 +274,64 @@ def test_where_the_forces_are_not_known_nothing_passes(name: str) -> None:
 
 def test_deviations_that_press_are_interference() -> None:
     large = Deviations(pin_radial=(2.2e-5, 0, 0, 0, 2.2e-5, 0, 0, 0))
-    found = crank_checks(replace(A, deviations=large))
+    found = crank_checks(Results(having(A, deviations=large)))
     fit = found["interference"]
     assert (fit.status, fit.reason, fit.impossible) == ("fail", "pressed_without_load", False)
     assert found.verdict == "fail"
-    assert CRANK["interference"](replace(A, deviations=UNEVEN)).status == "pass"
-    worse = replace(A, deviations=replace(large, pin_radial=(1e-3, *[0.0] * 7)))
-    jams = CRANK["interference"](worse)
+    assert check_of("interference", having(A, deviations=UNEVEN)).status == "pass"
+    worse = having(A, deviations=replace(large, pin_radial=(1e-3, *[0.0] * 7)))
+    jams = check_of("interference", worse)
     assert (jams.status, jams.reason, jams.impossible) == ("fail", "jams", True)
-    assert jams.value == pytest.approx(worse.clearance - 1e-3, rel=1e-12)
-    assert CRANK["contact_pressure_hole"](worse).reason == "cannot_assemble"
+    assert jams.value == pytest.approx(worse.contact.clearance - 1e-3, rel=1e-12)
+    assert check_of("contact_pressure_hole", worse).reason == "cannot_assemble"
 
 
 def test_which_forces_are_judged() -> None:
-    ideal = replace(A, hole_radius=0.0045, law=None)
+    ideal = having(A, hole_radius=0.0045, contact_law=None)
     for design, kind in (
         (ideal, ContactForce),
-        (replace(ideal, hole_radius=0.0045 + 4e-12), ContactForce),  # rounding
-        (replace(ideal, hole_radius=0.0044), ContactForce),  # fails as interference
-        (replace(ideal, eccentricity=None), ContactForce),
-        (replace(ideal, hole_radius=0.0045 + 1e-11), RealForces),
-        (replace(ideal, law=A.law), RealForces),
-        (replace(ideal, deviations=Deviations()), RealForces),
+        (having(ideal, hole_radius=0.0045 + 4e-12), ContactForce),  # rounding
+        (having(ideal, hole_radius=0.0044), ContactForce),  # fails as interference
+        (having(ideal, eccentricity=None), ContactForce),
+        (having(ideal, hole_radius=0.0045 + 1e-11), RealForces),
+        (having(ideal, contact_law=A.contact_law), RealForces),
+        (having(ideal, deviations=Deviations()), RealForces),
     ):
-        assert isinstance(design.judged_forces, kind)
-        found = crank_checks(design)
+        assert isinstance(Results(design).judged_forces, kind)
+        found = crank_checks(Results(design))
         impossible = found["interference"].impossible
         assert ("clearance" in found.not_considered) == (kind is ContactForce and not impossible)
 
 
 def test_fixes_cure() -> None:
     design = limited(A, PRESSURE)
-    design = replace(design, max_backlash=0.5 * BACKLASH, max_lost_motion=0.6 * BACKLASH)
-    current = crank_checks(design)
-    fixes = crank_fixes(
-        design=design, codes=["contact_pressure_hole", "backlash", "lost_motion"], current=current
-    )
+    design = having(design, max_backlash=0.5 * BACKLASH, max_lost_motion=0.6 * BACKLASH)
+    fixes = fixes_of(design, ["contact_pressure_hole", "backlash", "lost_motion"])
     assert {(each.code, each.variable) for each in fixes} == {
-        ("backlash", "hole_radius"),
-        ("lost_motion", "hole_radius"),
+        ("backlash", "contact.hole_radius"),
+        ("lost_motion", "contact.hole_radius"),
         *(
             ("contact_pressure_hole", name)
-            for name in ("contact_length", "pin_radius", "pin_circle_radius", "output_torque")
+            for name in (
+                "contact.contact_length",
+                "contact.pin_radius",
+                "load.pin_circle_radius",
+                "load.output_torque",
+            )
         ),
     }
     for fix in fixes:
         assert fix.status == "solved"
-        cured = CRANK[fix.code](vary(design=design, variable=fix.variable, value=fix.after))
+        cured = check_of(fix.code, vary(design=design, variable=fix.variable, value=fix.after))
         assert cured.status == "pass", fix
-        step = 1.1e-7 if fix.variable == "hole_radius" else (fix.before - fix.exact) * 1e-3
+        step = 1.1e-7 if fix.variable == "contact.hole_radius" else (fix.before - fix.exact) * 1e-3
         short = fix.exact + step  # of the hole a tenth of a micrometre, as it is rounded
-        nearly = CRANK[fix.code](vary(design=design, variable=fix.variable, value=short))
+        nearly = check_of(fix.code, vary(design=design, variable=fix.variable, value=short))
         assert nearly.status != "pass", fix
 
 
 def test_a_larger_pin_without_sleeve_is_stiffer() -> None:
-    bent = replace(A, pin=DesignPin("cantilever", 0.006, (0.01,), PIN))
-    assert vary(design=bent, variable="pin_radius", value=0.004).pin.diameter == 0.008  # type: ignore[union-attr]
-    sleeve = replace(bent, pin=DesignPin("cantilever", 0.004, (0.01,), PIN))
-    assert vary(design=sleeve, variable="pin_radius", value=0.004).pin == sleeve.pin
+    bent = having(A, pin=DesignPin("cantilever", 0.006, (0.01,), PIN))
+    assert vary(design=bent, variable="contact.pin_radius", value=0.004).pin.diameter == 0.008  # type: ignore[union-attr]
+    sleeve = having(bent, pin=DesignPin("cantilever", 0.004, (0.01,), PIN))
+    assert vary(design=sleeve, variable="contact.pin_radius", value=0.004).pin == sleeve.pin

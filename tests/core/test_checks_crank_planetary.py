@@ -1,65 +1,58 @@
 """Checks of cranks, fit and walls by hand, at, below and above their limits."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from core.checks.check import wall
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import (
-    CRANK,
-    SATELLITE,
-    SECTIONS,
-    crank_checks,
-    crank_tables,
-)
-from core.checks.real_forces import RealForces
-from core.checks.sections import Ring
+from core.checks.crank_planetary import SATELLITE, SECTIONS, crank_checks, crank_codes
+from core.design.real_forces import RealForces
+from core.design.results import Results
+from core.design.sections import Ring
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import REF, WHOLE, says
+from tests.oracles.checks import REF, WHOLE, check_of, having, says
 
 
 @pytest.mark.parametrize("clearance", [-3e-5, -2e-11, -5e-12, 0.0, 5e-12, 2e-11, 3e-5])
 def test_fit(clearance: float) -> None:
-    design = replace(REF, hole_radius=0.010 + clearance)
+    design = having(REF, hole_radius=0.010 + clearance)
     # rounding of a decimal of that size is none
     real = clearance if abs(clearance) > 1e-11 else 0.0
-    fit = CRANK["interference"](design)
+    fit = check_of("interference", design)
     assert fit.status == ("fail" if real < 0 else "pass")
     assert fit.value == pytest.approx(real, rel=1e-3) and fit.limit == 0
     assert fit.utilisation is None and fit.torque_reserve is None
     # 20 pm are taken elastically, 0.03 mm are not
     assert fit.reason == {-3e-5: "cannot_assemble", -2e-11: "pressed_without_load"}.get(real, "")
     assert fit.impossible == (fit.reason == "cannot_assemble")
-    loose = CRANK["clearance"](design)
+    loose = check_of("clearance", design)
     assert loose.status == "pass"
     assert loose.value == pytest.approx(max(real, 0.0) / 0.002, rel=1e-3)
-    found = CRANK["contact_pressure_pin"](design)
+    found = check_of("contact_pressure_pin", design)
     assert found.status == "pass"
-    assert isinstance(design.judged_forces, RealForces if real > 0 else ContactForce)
+    assert isinstance(Results(design).judged_forces, RealForces if real > 0 else ContactForce)
 
 
 @pytest.mark.parametrize("code", ["interference", "clearance"])
 def test_no_fit_without_the_eccentricity(code: str) -> None:
     unknown = {"status": "not_checked", "value": None, "reason": "eccentricity_missing"}
-    found = CRANK[code](replace(REF, eccentricity=None))
-    says(found, missing=("eccentricity",), **unknown)
-    assert CRANK["contact_pressure_pin"](replace(REF, eccentricity=None)).status == "pass"
+    found = check_of(code, having(REF, eccentricity=None))
+    says(found, missing=("contact.eccentricity",), **unknown)
+    assert check_of("contact_pressure_pin", having(REF, eccentricity=None)).status == "pass"
 
 
 def test_no_fit_of_deviations_without_a_load() -> None:
     """The circle of the pins stands in the load."""
     made = Deviations(pin_tangential=(1e-4, -1e-4) * 3)
     for clearance in (0.0, 1e-5):
-        design = replace(REF, deviations=made, hole_radius=0.010 + clearance)
-        still = replace(design, output_torque=None, pin_circle_radius=None)
+        design = having(REF, deviations=made, hole_radius=0.010 + clearance)
+        still = having(design, load=None)
         missing = {"reason": "section_missing", "missing": ("load",)}
-        says(CRANK["interference"](still), status="not_checked", value=None, **missing)
-    assert CRANK["interference"](replace(REF, deviations=made)).status == "fail"
+        says(check_of("interference", still), status="not_checked", value=None, **missing)
+    assert check_of("interference", having(REF, deviations=made)).status == "fail"
 
 
 WALLS: dict[str, tuple[dict[str, Any], str, float, bool]] = {
@@ -78,13 +71,13 @@ WALLS: dict[str, tuple[dict[str, Any], str, float, bool]] = {
 @pytest.mark.parametrize("name", WALLS)
 def test_walls(name: str) -> None:
     changes, code, width, asked = WALLS[name]
-    design = replace(REF, **changes)
-    found = CRANK[code](design)
+    design = having(REF, **changes)
+    found = check_of(code, design)
     assert found.value == pytest.approx(width, rel=1e-12)
     says(found, status="pass", value=found.value, limit=0.0, utilisation=0.0)
     assert found.margin == found.value
     for part in (0.99, 1.01):
-        least = CRANK[code](replace(design, min_wall=width * part))
+        least = check_of(code, having(design, min_wall=width * part))
         says(
             least,
             status="fail" if asked and part > 1 else "pass",
@@ -104,36 +97,36 @@ def test_walls_that_are_not_there() -> None:
         ({"root_radius": 0.060}, "wall_rim"),
         ({"bore_radius": 0.041}, "wall_bore"),
     ):
-        found = CRANK[code](replace(REF, **changes))  # type: ignore[arg-type]
+        found = check_of(code, having(REF, **changes))  # type: ignore[arg-type]
         assert (found.status, found.impossible) == ("fail", True), code
         assert found.value is not None and found.value <= 0
-    assert CRANK["wall_rim"](REF).missing == ("outer_radius",)
-    assert CRANK["wall_bore"](REF).missing == ("bore_radius",)
+    assert check_of("wall_rim", REF).missing == ("satellite_body.outer_radius",)
+    assert check_of("wall_bore", REF).missing == ("satellite_body.bore_radius",)
     for code in ("wall_rim", "wall_bore"):
-        assert CRANK[code](REF).status == "not_asked"
+        assert check_of(code, REF).status == "not_asked"
     for code in ("wall_holes", "pins_apart"):
-        one = CRANK[code](replace(REF, pins=1))
+        one = check_of(code, having(REF, pins=1))
         says(one, status="not_applicable", value=None, reason="one_only")
-        assert CRANK[code](replace(REF, pins=2)).status == "pass"
+        assert check_of(code, having(REF, pins=2)).status == "pass"
 
 
 def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
     """R + r_out = 60 mm: holes beyond the tips cut the rim, those within them may cut the teeth."""
-    tips = replace(REF, outer_radius=0.065)
-    assert CRANK["wall_rim"](replace(tips, outer_radius=0.0599)).status == "fail"
+    tips = having(REF, outer_radius=0.065)
+    assert check_of("wall_rim", having(tips, outer_radius=0.0599)).status == "fail"
     unknown = {"value": None, "reason": "roots_unknown", "missing": ("satellite_body.root_radius",)}
-    says(CRANK["wall_rim"](tips), status="not_checked", limit=0.0, **unknown)
-    thin = replace(tips, min_wall=0.0051)
-    says(CRANK["wall_rim"](thin), status="fail", value=0.005, limit=0.0051, utilisation=1.02)
-    thick = replace(tips, min_wall=0.0049)
-    says(CRANK["wall_rim"](thick), status="not_checked", limit=0.0049, **unknown)
+    says(check_of("wall_rim", tips), status="not_checked", limit=0.0, **unknown)
+    thin = having(tips, min_wall=0.0051)
+    says(check_of("wall_rim", thin), status="fail", value=0.005, limit=0.0051, utilisation=1.02)
+    thick = having(tips, min_wall=0.0049)
+    says(check_of("wall_rim", thick), status="not_checked", limit=0.0049, **unknown)
     # or as the ring leaves them: 42 teeth of 3 mm, 63 - 3.75 mm, and a cycloid disc's
     involute = Ring(kind="involute", module=3e-3, teeth_difference=2)
     for ratio, status in ((21.0, "not_checked"), (22.0, "pass"), (20.0, "fail")):
-        found = CRANK["wall_rim"](replace(tips, gear=involute, ratio=ratio, outer_radius=None))
+        found = check_of("wall_rim", having(tips, gear=involute, ratio=ratio, outer_radius=None))
         assert found.status == status
     pins = Ring(kind="cycloid", ring_pin_circle_radius=0.070, ring_pin_radius=0.004)
-    found = CRANK["wall_rim"](replace(tips, gear=pins, min_wall=0.0041))
+    found = check_of("wall_rim", having(tips, gear=pins, min_wall=0.0041))
     assert (found.status, found.limit_source) == ("fail", "roots")
     assert found.value == pytest.approx(0.064 - 0.060, rel=1e-12)
 
@@ -146,23 +139,23 @@ def test_a_wall_of_the_size_of_rounding_is_none() -> None:
 
 
 def test_dead_centres() -> None:
-    says(CRANK["dead_centre"](REF), status="pass", value=0.0, limit=0.0)
-    stuck = replace(REF, pins=2, satellites=1)
-    found = CRANK["dead_centre"](stuck)
+    says(check_of("dead_centre", REF), status="pass", value=0.0, limit=0.0)
+    stuck = having(REF, pins=2, satellites=1)
+    found = check_of("dead_centre", stuck)
     says(found, status="fail", value=2.0, limit=0.0, impossible=True)
     # phases 0 and 180: sin(psi) and -sin(psi) are 0 together at psi = 0; phi = psi/(1 + 1/u)
     place = found.at["crank_angle"] * 1.05
     assert math.sin(place) == pytest.approx(0, abs=1e-9)
     assert 0 <= place < 2 * math.pi + 1e-9
     for code in ("contact_pressure_pin", "contact_shakedown_hole", "contact_conformity"):
-        unknown = CRANK[code](stuck)
+        unknown = check_of(code, stuck)
         assert (unknown.status, unknown.reason, unknown.value) == (
             "not_checked",
             "dead_centre",
             None,
         )
     # the first dead centre, wherever it is
-    turned = CRANK["dead_centre"](replace(stuck, initial_crank_angle=1.0))
+    turned = check_of("dead_centre", having(stuck, initial_crank_angle=1.0))
     assert math.sin(turned.at["crank_angle"] * 1.05 + 1.0) == pytest.approx(0, abs=1e-9)
 
 
@@ -179,62 +172,71 @@ def test_dead_centres() -> None:
     ],
 )
 def test_balance_of_cranks(changes: dict[str, Any], off: float) -> None:
-    found = CRANK["crank_balance"](replace(REF, **changes))
+    found = check_of("crank_balance", having(REF, **changes))
     assert found.value == pytest.approx(off, rel=1e-9)
     status, reason = ("marginal", "unbalanced") if off else ("pass", "")
     says(found, status=status, value=found.value, limit=0.0, warning=True, reason=reason)
 
 
 def test_satellites_that_differ() -> None:
-    says(CRANK["assembly"](REF), status="not_asked", value=None, missing=("satellite_teeth",))
+    says(
+        check_of("assembly", REF),
+        status="not_asked",
+        value=None,
+        missing=("mechanism.satellite_teeth",),
+    )
     # u = 20: 180/20 degrees = 9 = one pitch of 40 teeth; of 29 teeth it is none
     for teeth, different in ((40, 0.0), (29, 1.0)):
-        found = CRANK["assembly"](replace(REF, satellite_teeth=teeth))
+        found = check_of("assembly", having(REF, satellite_teeth=teeth))
         status, reason = ("marginal", "different_parts") if different else ("pass", "")
         says(found, status=status, value=different, limit=0.0, warning=True, reason=reason)
-    three = replace(REF, satellites=3, satellite_teeth=29)
-    assert CRANK["assembly"](three).value == 2.0
+    three = having(REF, satellites=3, satellite_teeth=29)
+    assert check_of("assembly", three).value == 2.0
 
 
 def test_what_is_checked_hangs_on_the_sections() -> None:
     mechanism = {"dead_centre", "crank_balance", "assembly"}
     fit = {"interference", "clearance"}
-    no_body = replace(REF, has_body=False)
-    no_load = replace(REF, output_torque=None)
-    no_contact = replace(REF, pin_radius=None)
-    assert {*crank_tables(WHOLE)} == {*CRANK}
+    no_body = having(REF, satellite_body=None)
+    no_load = having(REF, load=None)
+    no_contact = having(REF, contact=None)
+    every = {*crank_codes(WHOLE)}
     for section, table in SECTIONS.items():
-        without = replace(WHOLE, **{section: None})  # type: ignore[arg-type]
-        assert {*crank_tables(without)} == {*CRANK} - {*table}
-        name = "satellite_body" if section == "has_body" else section
-        assert crank_checks(replace(without, has_body=section != "has_body")).not_considered == (
-            *(["satellite_body"] if section == "has_body" else []),
+        without = having(WHOLE, **{section: None})
+        assert {*crank_codes(without)} == every - {*table}
+        first = ("satellite_body",) if section == "satellite_body" else ()
+        assert crank_checks(Results(without)).not_considered == (
+            *first,
             "clearance",
             "contact_life_pin",
             "contact_life_hole",
-            *([] if section == "has_body" else [name]),
+            *(() if first else (section,)),
         )
-    no_sections = {*CRANK}.difference(*SECTIONS.values())
-    assert {*crank_tables(REF)} == no_sections | {*SATELLITE}
-    assert {*crank_tables(no_body)} == no_sections
-    assert {*crank_tables(no_load)} == mechanism | fit
-    assert {*crank_tables(no_contact)} == mechanism
+    no_sections = every.difference(*SECTIONS.values())
+    assert {*crank_codes(REF)} == no_sections | {*SATELLITE}
+    assert {*crank_codes(no_body)} == no_sections
+    assert {*crank_codes(no_load)} == mechanism | fit
+    assert {*crank_codes(no_contact)} == mechanism
     later = ("clearance", "pin", "fatigue", "friction", "gear", "bearing", "crankshaft")
     loaded = ("clearance", "contact_life_pin", "contact_life_hole", *later[1:])
-    assert crank_checks(REF).not_considered == loaded
-    assert crank_checks(no_body).not_considered == ("satellite_body", *loaded)
-    assert crank_checks(no_load).not_considered == ("load", *later)
-    bare = replace(no_contact, output_torque=None, has_body=False)
+    assert crank_checks(Results(REF)).not_considered == loaded
+    assert crank_checks(Results(no_body)).not_considered == ("satellite_body", *loaded)
+    assert crank_checks(Results(no_load)).not_considered == ("load", *later)
+    bare = having(no_contact, load=None, satellite_body=None)
     for result in (
-        "force",
-        "contact",
+        "contact_force",
+        "hertz",
         "real_forces",
         "pin_strength",
-        "losses",
-        "bearings",
-        "shaft",
+        "output_efficiency",
+        "satellite_bearing",
+        "crankshaft",
     ):
         with pytest.raises(NotKnown, match="section_missing"):
-            getattr(no_load, result)
-    assert not CrankDesign(pins=3, satellites=1, ratio=20.0).has_body
-    assert crank_checks(bare).not_considered == ("load", "contact", "satellite_body", *later)
+            getattr(Results(no_load), result)
+    assert crank_checks(Results(bare)).not_considered == (
+        "load",
+        "contact",
+        "satellite_body",
+        *later,
+    )

@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks
+from core.checks.crank_planetary import crank_checks
+from core.design.document import Design
+from core.design.results import Results
 from core.fixes.changes import vary
-from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit, ElasticMaterial
-from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, says
+from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, check_of, fixes_of, having, says
 
 SOFT = ElasticMaterial(3e9, 0.35, ContactLimit("given", 60e6), yield_strength=60e6)
 
@@ -31,19 +31,19 @@ def contact(limit: float, **more: Any) -> dict[str, Any]:
 
 @pytest.mark.parametrize("safety", [0.5, 1.2, 1.5, 2.0])
 def test_pressure(safety: float) -> None:
-    design = replace(REF, pitting_safety=safety)
+    design = having(REF, pitting_safety=safety)
     for body, limit in (("pin", 900e6), ("hole", 600e6)):
-        found = CRANK[f"contact_pressure_{body}"](design)
+        found = check_of(f"contact_pressure_{body}", design)
         given = {"criterion": "given", "verified": "", "limit_source": "", "life_factor": None}
         says(found, **contact(limit / safety, reason="no_life_curve", **given))
-        assert design.force is not None
-        assert found.at == design.peak
+        assert Results(design).contact_force is not None
+        assert found.at == Results(design).peak
         assert {*found.at} == {"satellite", "pin", "crank_angle"}
 
 
 def test_pressure_says_where_its_limit_is_from() -> None:
     limit = ContactLimit("endurance", 600e6, "iso_281")
-    found = CRANK["contact_pressure_hole"](replace(REF, hole_material=replace(HOLE, limit=limit)))
+    found = check_of("contact_pressure_hole", having(REF, hole_material=replace(HOLE, limit=limit)))
     assert (found.limit_source, found.criterion) == ("iso_281", "endurance")
     assert found.verified == limit.verified != ""
 
@@ -64,12 +64,12 @@ LIVES: dict[str, tuple[float, float, float]] = {
 }
 
 
-def life_left_out(design: CrankDesign) -> set[str]:
+def life_left_out(design: Design) -> set[str]:
     """Bodies whose life under the contact pressure is not considered."""
     return {
         body
         for body in ("pin", "hole")
-        if f"contact_life_{body}" in crank_checks(design).not_considered
+        if f"contact_life_{body}" in crank_checks(Results(design)).not_considered
     }
 
 
@@ -78,26 +78,26 @@ def life_left_out(design: CrankDesign) -> set[str]:
 def test_the_limit_is_that_over_the_life(name: str, loose: float) -> None:
     """The limit, the reserve and what governs; of ideal forces and of those as made."""
     speed, hours, factor = LIVES[name]
-    design = replace(
+    design = having(
         REF,
         hole_material=replace(HOLE, limit=LASTING),
         hole_radius=0.010 + loose,
         input_speed=speed,
         life=hours * 3600,
     )
-    found = CRANK["contact_pressure_hole"](design)
+    found = check_of("contact_pressure_hole", design)
     assert found.life_factor == pytest.approx(factor, rel=1e-7)
     assert found.limit == pytest.approx(600e6 * factor / 1.2, rel=1e-7)
     assert found.reason == "life_of_teeth" and found.missing == ()
     assert found.torque_reserve is not None
-    there = replace(design, output_torque=500.0 * found.torque_reserve)
-    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-9)
-    assert design.contact is not None
-    assert design.contact.safety[1].safety_factor == pytest.approx(
-        600e6 * factor / design.contact.governing_pressure, rel=1e-7
+    there = having(design, output_torque=500.0 * found.torque_reserve)
+    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=1e-9)
+    assert Results(design).hertz is not None
+    assert Results(design).hertz.safety[1].safety_factor == pytest.approx(
+        600e6 * factor / Results(design).hertz.governing_pressure, rel=1e-7
     )
     # of the other body it is not known
-    pin = CRANK["contact_pressure_pin"](design)
+    pin = check_of("contact_pressure_pin", design)
     assert (pin.life_factor, pin.limit, pin.reason) == (None, 900e6 / 1.2, "no_life_curve")
     assert life_left_out(design) == {"pin"}
 
@@ -105,30 +105,30 @@ def test_the_limit_is_that_over_the_life(name: str, loose: float) -> None:
 def test_what_is_not_known_of_the_life_is_said() -> None:
     bodies = {"pin_material": PIN, "hole_material": HOLE}
     both = {name: replace(each, limit=LASTING) for name, each in bodies.items()}
-    still = replace(REF, **both)  # type: ignore[arg-type]
-    found = CRANK["contact_pressure_hole"](still)
+    still = having(REF, **both)  # type: ignore[arg-type]
+    found = check_of("contact_pressure_hole", still)
     assert (found.life_factor, found.limit) == (None, 600e6 / 1.2)
-    assert (found.reason, found.missing) == ("life_without_speed", ("input_speed",))
+    assert (found.reason, found.missing) == ("life_without_speed", ("load.input_speed",))
     assert life_left_out(still) == {"pin", "hole"}
-    turning = replace(still, input_speed=SPEED)
+    turning = having(still, input_speed=SPEED)
     assert life_left_out(turning) == set()
-    unknown = replace(turning, pin_material=replace(PIN, limit=None))
+    unknown = having(turning, pin_material=replace(PIN, limit=None))
     assert life_left_out(unknown) == set()  # it is not checked at all
-    assert life_left_out(replace(REF, pin_radius=None)) == set()
+    assert life_left_out(having(REF, pin_radius=None)) == set()
 
 
 def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
     """Green by 3 % of the limit as it stands; not after 5000 h."""
-    assert REF.contact is not None and REF.contact.governing_pressure is not None
-    pressure = float(REF.contact.governing_pressure)
+    assert Results(REF).hertz is not None and Results(REF).hertz.governing_pressure is not None
+    pressure = float(Results(REF).hertz.governing_pressure)
     limit = replace(LASTING, pressure=1.2 * 1.06 * pressure)
-    design = replace(REF, hole_material=replace(HOLE, limit=limit))
-    assert CRANK["contact_pressure_hole"](design).status == "pass"
-    lasting = replace(design, input_speed=SPEED)
-    assert CRANK["contact_pressure_hole"](lasting).status == "fail"
-    for fix in crank_fixes(design=lasting, codes=["contact_pressure_hole"]):
+    design = having(REF, hole_material=replace(HOLE, limit=limit))
+    assert check_of("contact_pressure_hole", design).status == "pass"
+    lasting = having(design, input_speed=SPEED)
+    assert check_of("contact_pressure_hole", lasting).status == "fail"
+    for fix in fixes_of(lasting, ["contact_pressure_hole"]):
         cured = vary(design=lasting, variable=fix.variable, value=fix.after)
-        check = CRANK["contact_pressure_hole"](cured)
+        check = check_of("contact_pressure_hole", cured)
         assert check.status == "pass" and check.torque_reserve >= 1.1  # type: ignore[operator]
         assert check.life_factor == pytest.approx(FACTOR, rel=1e-7)
 
@@ -137,27 +137,27 @@ def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
 def test_a_limit_that_is_not_known(own: bool) -> None:
     names = ("pin_material", "hole_material") if own else ()
     unknown = ElasticMaterial(210e9, 0.3)
-    design = replace(REF, hole_material=unknown, own_limits=names)
+    design = having(REF, hole_material=unknown, own_limits=names)
     says(
-        CRANK["contact_pressure_hole"](design),
+        check_of("contact_pressure_hole", design),
         status="not_checked",
         value=PRESSURE,
         reason="limit_unknown",
-        missing=("hole_material.allowable_pressure" if own else "hole_material",),
-        at=design.peak,
+        missing=("contact.hole_material.allowable_pressure" if own else "contact.hole_material",),
+        at=Results(design).peak,
     )
     for code in ("contact_shakedown_hole", "contact_yield_hole"):
         says(
-            CRANK[code](design),
+            check_of(code, design),
             status="not_asked" if own else "not_checked",
             value=None,
             reason="yield_unknown",
-            missing=("hole_material.yield_strength" if own else "hole_material",),
+            missing=("contact.hole_material.yield_strength" if own else "contact.hole_material",),
         )
-    assert CRANK["contact_pressure_hole"](replace(design, pins=2, satellites=1)).value is None
-    tested = replace(REF, hole_material=replace(HOLE, yield_governs=False))
+    assert check_of("contact_pressure_hole", having(design, pins=2, satellites=1)).value is None
+    tested = having(REF, hole_material=replace(HOLE, yield_governs=False))
     for code in ("contact_shakedown_hole", "contact_yield_hole"):
-        says(CRANK[code](tested), status="not_applicable", value=None, reason="tested_limit")
+        says(check_of(code, tested), status="not_applicable", value=None, reason="tested_limit")
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.0, 2.0])
@@ -165,51 +165,52 @@ def test_shakedown_and_first_yield(factor: float) -> None:
     for body, strength in (("pin", 300e6), ("hole", 200e6)):
         bodies = {"pin": PIN, "hole": HOLE}
         material = replace(bodies[body], yield_strength=strength * factor)
-        design = replace(REF, **{f"{body}_material": material})
+        design = having(REF, **{f"{body}_material": material})
         says(
-            CRANK[f"contact_shakedown_{body}"](design),
-            **contact(4 / math.sqrt(3) * strength * factor, at=design.peak),
+            check_of(f"contact_shakedown_{body}", design),
+            **contact(4 / math.sqrt(3) * strength * factor, at=Results(design).peak),
         )
         first = contact(1.79 * strength * factor, warning=True)
         if first["status"] == "fail":
             first |= {"status": "marginal", "reason": "plastic_first"}
         elif first["status"] == "marginal":
             first |= {"status": "pass"}
-        says(CRANK[f"contact_yield_{body}"](design), **first)
+        says(check_of(f"contact_yield_{body}", design), **first)
 
 
 def test_width_of_the_contact() -> None:
-    found = CRANK["contact_conformity"](REF)
+    found = check_of("contact_conformity", REF)
     reserve = (0.159 / RATIO) ** 2
     expected = {"value": RATIO, "limit": 0.159, "utilisation": RATIO / 0.159, "warning": True}
     says(found, status="pass", torque_reserve=reserve, **expected)
     # too different for Persson, too wide for Hertz: a rough guide
-    soft = replace(REF, pin_material=SOFT, output_torque=5e3)
-    wide = CRANK["contact_conformity"](soft)
+    soft = having(REF, pin_material=SOFT, output_torque=5e3)
+    wide = check_of("contact_conformity", soft)
     assert (wide.status, wide.reason, wide.warning) == ("marginal", "rough_guide", True)
     assert wide.torque_reserve is not None and wide.torque_reserve < 1
     # Persson's holds
-    tight = CRANK["contact_conformity"](replace(REF, hole_radius=0.00802, eccentricity=2e-5))
+    tight = check_of("contact_conformity", having(REF, hole_radius=0.00802, eccentricity=2e-5))
     assert (tight.status, tight.reason) == ("not_applicable", "conformal_solution")
     assert tight.limit == 0.159 and tight.value is not None and tight.value > 0.159
     # no theory holds
-    none = replace(soft, output_torque=1e7)
+    none = having(soft, output_torque=1e7)
     for code in ("contact_pressure_pin", "contact_shakedown_hole"):
-        unknown = CRANK[code](none)
+        unknown = check_of(code, none)
         assert (unknown.status, unknown.reason) == ("not_checked", "no_pressure")
         assert unknown.limit is not None and unknown.value is None
     # the pressure of Hertz, up to a limit within his reach
     for limit in (60e6, 20e6):
-        hertz = replace(soft, pin_material=replace(SOFT, limit=ContactLimit("given", limit)))
-        reserve = CRANK["contact_pressure_pin"](hertz).torque_reserve
-        assert soft.contact is not None and soft.contact.half_width_ratio > 0.2
-        expected = (limit / 1.2 / float(soft.contact.max_pressure)) ** 2
+        hertz = having(soft, pin_material=replace(SOFT, limit=ContactLimit("given", limit)))
+        reserve = check_of("contact_pressure_pin", hertz).torque_reserve
+        assert Results(soft).hertz.half_width_ratio > 0.2
+        expected = (limit / 1.2 / float(Results(soft).hertz.max_pressure)) ** 2
         assert reserve == pytest.approx(expected, rel=1e-12) and expected < 2
     # of steel it may end before the pressure reaches a limit: there the width is the pin's radius
     strong = replace(SOFT, limit=ContactLimit("given", 1e12))
-    ended = CRANK["contact_pressure_pin"](replace(soft, pin_material=strong))
-    assert soft.contact is not None
-    assert ended.torque_reserve == pytest.approx(soft.contact.half_width_ratio**-2, rel=1e-12)
+    ended = check_of("contact_pressure_pin", having(soft, pin_material=strong))
+    assert ended.torque_reserve == pytest.approx(
+        Results(soft).hertz.half_width_ratio ** -2, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("limit", [30e6, 60e6, 600e6, 2400e6])
@@ -217,31 +218,37 @@ def test_the_reserve_of_a_conformal_contact_is_where_its_pressure_reaches_the_li
     limit: float,
 ) -> None:
     material = replace(HOLE, limit=ContactLimit("given", limit))
-    design = replace(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=material)
-    reserve = CRANK["contact_pressure_hole"](design).torque_reserve
+    design = having(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=material)
+    reserve = check_of("contact_pressure_hole", design).torque_reserve
     assert reserve is not None
-    assert CRANK["contact_conformity"](design).status == "not_applicable"
-    there = replace(design, output_torque=500.0 * reserve)
-    assert CRANK["contact_pressure_hole"](there).utilisation == pytest.approx(1, rel=1e-12)
+    assert check_of("contact_conformity", design).status == "not_applicable"
+    there = having(design, output_torque=500.0 * reserve)
+    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=1e-12)
 
 
 def test_a_pressure_within_rounding_of_its_limit_is_marginal() -> None:
-    assert REF.contact is not None
-    pressure, error = float(REF.contact.max_pressure), REF.contact.accuracy.relative_error
+    assert Results(REF).hertz is not None
+    pressure, error = (
+        float(Results(REF).hertz.max_pressure),
+        Results(REF).hertz.accuracy.relative_error,
+    )
     for part, status in ((7.5, "marginal"), (8.5, "fail")):
         limit = ContactLimit("given", 1.2 * pressure * (1 - part * float(error)))
-        design = replace(REF, hole_material=replace(HOLE, limit=limit))
-        assert CRANK["contact_pressure_hole"](design).status == status
+        design = having(REF, hole_material=replace(HOLE, limit=limit))
+        assert check_of("contact_pressure_hole", design).status == status
 
 
 def test_within_the_error_of_different_materials_the_pressure_is_marginal() -> None:
     bronze = ElasticMaterial(88.3e9, 0.35, ContactLimit("given", 1e9))
-    tight = replace(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=bronze)
-    assert tight.contact is not None and tight.contact.governing_pressure is not None
-    pressure, error = float(tight.contact.governing_pressure), tight.contact.conformal_error
+    tight = having(REF, hole_radius=0.00802, eccentricity=2e-5, hole_material=bronze)
+    assert Results(tight).hertz.governing_pressure is not None
+    pressure, error = (
+        float(Results(tight).hertz.governing_pressure),
+        Results(tight).hertz.conformal_error,
+    )
     assert error is not None and 0.01 < error < 0.05
     for part, status in ((0.9, "marginal"), (-0.9, "marginal"), (-1.1, "fail")):
         limit = ContactLimit("given", 1.2 * pressure * (1 + part * float(error)))
-        design = replace(tight, hole_material=replace(bronze, limit=limit))
-        found = CRANK["contact_pressure_hole"](design)
+        design = having(tight, hole_material=replace(bronze, limit=limit))
+        found = check_of("contact_pressure_hole", design)
         assert (found.status, found.reason == "pressure_error") == (status, status == "marginal")

@@ -6,9 +6,10 @@ import pytest
 
 from core.checks.crank_planetary import crank_checks
 from core.derived import derived, if_known
+from core.design.results import Results
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.real_mechanism import RealMechanism
-from tests.oracles.checks import REF
+from tests.oracles.checks import REF, having
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def test_a_turn_that_cannot_be_solved_is_not_solved_for_each_check(
         turns.append(output_torque)
         raise ImpossibleMechanism("not_stable")
 
-    monkeypatch.setattr("core.checks.real_forces.over_turn", over_turn)
-    found = crank_checks(replace(REF, hole_radius=0.01002))
-    assert turns == [REF.output_torque]
+    monkeypatch.setattr("core.design.real_forces.over_turn", over_turn)
+    found = crank_checks(Results(having(REF, hole_radius=0.01002)))
+    assert turns == [REF.load.output_torque]
     assert sum(check.reason == "no_balance" for check in found.checks) >= 4

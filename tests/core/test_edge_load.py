@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from core.checks.crank_planetary import CRANK
+from core.design.results import Results
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
     ContactLaw,
@@ -25,7 +25,7 @@ from core.output.edge_load import SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.output.real_turn import made
-from tests.oracles.checks import PRESSURE, WHOLE, compliance
+from tests.oracles.checks import PRESSURE, WHOLE, check_of, compliance, having
 from tests.oracles.pin import bend
 from tests.oracles.real_mechanisms import UNLIKE
 
@@ -183,14 +183,14 @@ def test_the_pressure_of_the_reference_design() -> None:
     where the near one has at most its larger share by stiffness, 1.77 times as much.
     """
     far = math.sqrt(2 * 3.4185221273e-3 * LENGTH / (PEAK * compliance(PEAK)))
-    assert WHOLE.line_load_factor == pytest.approx(far, rel=1e-9)
-    found = CRANK["contact_pressure_hole"](WHOLE)
+    assert Results(WHOLE).line_load_factor == pytest.approx(far, rel=1e-9)
+    found = check_of("contact_pressure_hole", WHOLE)
     assert found.value == pytest.approx(PRESSURE * math.sqrt(far), rel=1e-9)
     assert found.at == {"satellite": 2}
-    more = replace(WHOLE, dynamic_factor=1.25)
+    more = having(WHOLE, dynamic_factor=1.25)
     steep = math.sqrt(2 * 3.4185221273e-3 * LENGTH / (PEAK * compliance(1.25 * PEAK)))
-    assert more.line_load_factor == pytest.approx(steep, rel=1e-9)
-    assert CRANK["contact_pressure_hole"](more).value == pytest.approx(
+    assert Results(more).line_load_factor == pytest.approx(steep, rel=1e-9)
+    assert check_of("contact_pressure_hole", more).value == pytest.approx(
         PRESSURE * math.sqrt(1.25 * steep), rel=1e-9
     )
 
@@ -200,13 +200,13 @@ def test_the_place_of_the_pressure_of_pins_made_unlike() -> None:
     between = replace(
         WHOLE.pin, satellite_positions=(0.05, 0.015), diameter=0.03, support="supported", span=0.1
     )  # type: ignore[type-var]
-    design = replace(
-        WHOLE, pins=4, deviations=UNLIKE.deviations, law=UNLIKE.law, pin_radius=0.015,
+    design = having(
+        WHOLE, pins=4, deviations=UNLIKE.deviations, contact_law=UNLIKE.law, pin_radius=0.015,
         hole_radius=0.01701, pin=between, crankshaft=None,
     )  # fmt: skip
-    largest = design.judged_forces.place  # type: ignore[union-attr]
+    largest = Results(design).judged_forces.place  # type: ignore[union-attr]
     assert (largest["satellite"], largest["pin"]) == (1, 4) and "crank_angle" in largest
-    assert design.peak == {"satellite": 2, "pin": 1}
-    near = replace(design, pin=replace(between, satellite_positions=(0.015, 0.05)))  # type: ignore[type-var]
-    largest = near.judged_forces.place  # type: ignore[union-attr]
-    assert near.peak == largest and "crank_angle" in largest
+    assert Results(design).peak == {"satellite": 2, "pin": 1}
+    near = having(design, pin=replace(between, satellite_positions=(0.015, 0.05)))  # type: ignore[type-var]
+    largest = Results(near).judged_forces.place  # type: ignore[union-attr]
+    assert Results(near).peak == largest and "crank_angle" in largest

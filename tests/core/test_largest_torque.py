@@ -1,19 +1,20 @@
 """The largest torque of a design as it is made: at that torque its first check is at its limit."""
 
-from dataclasses import replace
 from itertools import pairwise
 
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.crank_design import CrankDesign
 from core.checks.crank_planetary import crank_checks
 from core.checks.largest_torque import exact_torque
-from core.checks.sections import DesignPin, FatigueBasis
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import DesignPin, FatigueBasis
 from core.materials import MATERIALS
 from core.output.contact_law import LinearLaw
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
+from tests.oracles.checks import design_of, having
 
 PIN = DesignPin(
     "cantilever",
@@ -23,31 +24,31 @@ PIN = DesignPin(
     tensile_strength=1.9e9,
     steel=True,
 )
-IDEAL = CrankDesign(
+IDEAL = design_of(
     pins=4, satellites=1, ratio=20.0, output_torque=300.0, pin_circle_radius=0.05,
     contact_length=0.02, pin_radius=0.008, hole_radius=0.010, eccentricity=0.002,
     pin_material=MATERIALS["steel_bearing"].material,
     hole_material=MATERIALS["steel_bearing"].material,
     pin=PIN, fatigue=FatigueBasis(surface="ground", fatigue_notch_factor=1.5), max_deflection=3e-5,
 )  # fmt: skip
-MADE = replace(
+MADE = having(
     IDEAL,
     hole_radius=0.01002,
-    law=LinearLaw(3e7),
+    contact_law=LinearLaw(3e7),
     deviations=Deviations(pin_radial=(8e-6, 0.0, -5e-6, 0.0)),
 )
 
 
-def under(design: CrankDesign, factor: float) -> Verdict:
-    assert design.output_torque is not None
-    return crank_checks(replace(design, output_torque=design.output_torque * factor))
+def under(design: Design, factor: float) -> Verdict:
+    assert design.load.output_torque is not None
+    return crank_checks(Results(having(design, output_torque=design.load.output_torque * factor)))
 
 
 @pytest.mark.parametrize("times", [0.2, 1.0, 8.0])
 def test_at_the_largest_torque_the_first_check_is_at_its_limit(times: float) -> None:
-    assert MADE.output_torque is not None
-    design = replace(MADE, output_torque=MADE.output_torque * times)
-    rough = crank_checks(design)
+    assert MADE.load.output_torque is not None
+    design = having(MADE, output_torque=MADE.load.output_torque * times)
+    rough = crank_checks(Results(design))
     found = exact_torque(design=design, found=rough)
     assert rough.largest_torque_estimated and not found.largest_torque_estimated
     assert rough.torque_reserve is not None and found.torque_reserve is not None
@@ -65,23 +66,23 @@ def test_at_the_largest_torque_the_first_check_is_at_its_limit(times: float) -> 
 
 
 def test_under_the_largest_torque_nothing_breaks() -> None:
-    design = replace(MADE, output_torque=3000.0)
-    found = exact_torque(design=design, found=crank_checks(design))
+    design = having(MADE, output_torque=3000.0)
+    found = exact_torque(design=design, found=crank_checks(Results(design)))
     assert found.verdict == "fail" and found.torque_reserve is not None
     assert not under(design, 0.9999 * found.torque_reserve).counts["fail"]
     assert under(design, 1.0001 * found.torque_reserve).counts["fail"]
 
 
 def test_ideal_forces_are_not_solved_again() -> None:
-    found = crank_checks(IDEAL)
+    found = crank_checks(Results(IDEAL))
     assert exact_torque(design=IDEAL, found=found) is found
 
 
 def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    design = replace(MADE, output_torque=2400.0)
-    rough = crank_checks(design)
+    design = having(MADE, output_torque=2400.0)
+    rough = crank_checks(Results(design))
     monkeypatch.setattr("core.checks.largest_torque.SETTLED", 0.0)
     found = exact_torque(design=design, found=rough)
     assert found.largest_torque_estimated and found.torque_reserve is not None
@@ -92,7 +93,7 @@ def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
 
 def test_given_shares_keep_their_estimate() -> None:
     """They are solved without compiled loops: eight times more would take the service too long."""
-    design = replace(MADE, support=Shares((1.0,)))
-    found = crank_checks(design)
+    design = having(MADE, satellite_coupling=Shares((1.0,)))
+    found = crank_checks(Results(design))
     assert found.largest_torque_estimated
     assert exact_torque(design=design, found=found) is found

@@ -10,21 +10,22 @@ import numpy as np
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_design import CrankDesign
-from core.checks.crank_planetary import CRANK, crank_checks
-from core.checks.sections import DesignPin, FatigueBasis, Friction, RollingBearing, Shaft
+from core.checks.crank_planetary import crank_checks
 from core.derived import if_known
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import DesignPin, FatigueBasis, Friction, RollingBearing, Shaft
 from core.output.mechanism import Mechanism
 from core.output.moving_sharing import MovingSharing, SharedPinTurn, torque_factors
 from core.output.pin_turn import PinTurn, SatelliteTurn
-from tests.oracles.checks import WHOLE
+from tests.oracles.checks import WHOLE, check_of, having
 from tests.oracles.seeds import seeds
 
 CLOSE = 1e-6
 SUPPORTS = ("cantilever", "supported", "fixed")
 
 
-def drawn(support: str, seed: int) -> CrankDesign:
+def drawn(support: str, seed: int) -> Design:
     """A design with all sections and limits, of some size, under some torque."""
     draw = random.Random(f"{support} {seed}")
 
@@ -38,7 +39,7 @@ def drawn(support: str, seed: int) -> CrankDesign:
     size = radius * spread(0.6, 0.95) if draw.random() < 0.3 else radius
     assert WHOLE.pin is not None and WHOLE.gear is not None
     kinds = (draw.choice(("ball", "roller")), draw.choice(("ball", "roller")))
-    return replace(
+    return having(
         WHOLE,
         pins=draw.randint(2, 8),
         satellites=satellites,
@@ -86,26 +87,28 @@ def drawn(support: str, seed: int) -> CrankDesign:
     )
 
 
-def under(design: CrankDesign, factor: float) -> CrankDesign:
-    torque, peak = design.output_torque, design.peak_torque
+def under(design: Design, factor: float) -> Design:
+    torque, peak = design.load.output_torque, design.load.peak_torque
     assert torque is not None
-    return replace(design, output_torque=torque * factor, peak_torque=peak and peak * factor)
+    return having(design, output_torque=torque * factor, peak_torque=peak and peak * factor)
 
 
-def meets(design: CrankDesign, check: Check) -> bool:
+def meets(design: Design, check: Check) -> bool:
     """Whether a check is at its limit under its reserve, or would jump over it beyond."""
     reserve = check.torque_reserve
     assert reserve is not None
-    there = CRANK[check.code](under(design, reserve)).utilisation
+    there = check_of(check.code, under(design, reserve)).utilisation
     if there is None or abs(there - 1) <= CLOSE:  # no ratio of widths where Persson's holds
         return True
-    beyond = CRANK[check.code](under(design, reserve * (1 + CLOSE))).utilisation
+    beyond = check_of(check.code, under(design, reserve * (1 + CLOSE))).utilisation
     return there < 1 and (beyond is None or beyond > 1)
 
 
-def judged(design: CrankDesign) -> list[Check]:
+def judged(design: Design) -> list[Check]:
     return [
-        each for each in crank_checks(design).checks if 0.05 < (each.torque_reserve or 0.0) < 100
+        each
+        for each in crank_checks(Results(design)).checks
+        if 0.05 < (each.torque_reserve or 0.0) < 100
     ]
 
 
@@ -126,12 +129,14 @@ def test_under_its_reserve_each_check_is_at_its_limit(support: str) -> None:
 
 def test_where_the_conformal_pressure_governs_on_a_sloping_pin() -> None:
     """The limit is reached by the line load at the edge, 8.7 times the mean one."""
-    design = replace(WHOLE, hole_radius=0.00805, eccentricity=5e-5, output_torque=1000.0)
-    check = CRANK["contact_pressure_hole"](design)
-    assert design.contact is not None and design.contact.conformal_pressure is not None
-    assert design.line_load_factor > 8
+    design = having(WHOLE, hole_radius=0.00805, eccentricity=5e-5, output_torque=1000.0)
+    check = check_of("contact_pressure_hole", design)
+    assert (
+        Results(design).hertz is not None and Results(design).hertz.conformal_pressure is not None
+    )
+    assert Results(design).line_load_factor > 8
     assert check.torque_reserve is not None and abs(check.torque_reserve - 1) > 0.1
-    there = CRANK["contact_pressure_hole"](under(design, check.torque_reserve))
+    there = check_of("contact_pressure_hole", under(design, check.torque_reserve))
     assert there.utilisation == pytest.approx(1, abs=CLOSE)
 
 
@@ -139,11 +144,11 @@ def test_where_the_conformal_pressure_governs_on_a_sloping_pin() -> None:
 def test_static_strength_is_that_of_a_design_under_the_peak_torque(support: str) -> None:
     """The satellites share the peak torque as they would if it were there all the time."""
     moved = set()
-    for design in (replace(drawn(support, seed), peak_torque=None) for seed in range(8)):
-        assert design.output_torque is not None
-        peak = replace(design, peak_torque=10 * design.output_torque)
+    for design in (having(drawn(support, seed), peak_torque=None) for seed in range(8)):
+        assert design.load.output_torque is not None
+        peak = having(design, peak_torque=10 * design.load.output_torque)
         for code, power in (("pin_static", 1), ("bearing_static", -1)):
-            values = [CRANK[code](each).value for each in (design, peak, under(design, 10.0))]
+            values = [check_of(code, each).value for each in (design, peak, under(design, 10.0))]
             plain, found, there = (each or 0.0 for each in values)
             assert found == pytest.approx(there, rel=1e-12)
             if plain and abs(found / (10**power * plain) - 1) > 1e-3:  # there is no dead centre
@@ -160,7 +165,10 @@ def test_under_the_reserves_of_many_designs(support: str) -> None:
 def test_these_designs_have_what_moves() -> None:
     designs = [drawn(support, seed) for support in SUPPORTS for seed in range(24)]
     assert (
-        sum(if_known(lambda each=design: each.pair_stiffness) is not None for design in designs)
+        sum(
+            if_known(lambda each=design: Results(each).pair_stiffness) is not None
+            for design in designs
+        )
         > 48
     )
     found = {check.code for design in designs[:12] for check in judged(design)}

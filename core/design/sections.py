@@ -1,14 +1,15 @@
-"""Sections of a design besides mechanism, load and contact: pin, fatigue, friction, ring, bearings,
-crankshaft; SI units.
+"""Sections of the design document in SI units: mechanism, load, contact, pin, fatigue, friction,
+ring, bearings, crankshaft, body of the satellite, requirements.
 """
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from functools import cached_property, lru_cache
+from typing import Literal, NamedTuple
 
 from core.crank.bearing_life import Bearing
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -23,8 +24,12 @@ from core.fatigue import (
     size_factor,
     surface_factor,
 )
+from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
+from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_geometry import felt
+from core.output.sampled_turn import Direction
 from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
@@ -32,6 +37,173 @@ RingKind = Literal["involute", "cycloid", "none"]
 DEDENDUM = 1.25
 """Depth of the roots of involute teeth within their reference circle without a profile shift, over
 the module: that of the basic rack of ISO 53, types A and B."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MechanismSection:
+    """Pins, satellites and cranks.
+
+    Attributes
+    ----------
+    crank_angles : tuple of float or None
+        Angle of each crank, rad, instead of a spacing.
+    """
+
+    pins: int
+    satellites: int
+    ratio: float  # u
+    crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
+    crank_angles: tuple[float, ...] | None = None
+    initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
+    satellite_teeth: int | None = None  # z2
+
+    @property
+    def pairs(self) -> int:
+        """Number of pairs of pin and hole."""
+        return self.pins * self.satellites
+
+    @property
+    def built(self) -> Mechanism:
+        """The mechanism of these, the same one for the same numbers."""
+        return _built(self)
+
+
+@lru_cache(maxsize=1024)
+def _built(given: MechanismSection) -> Mechanism:
+    if given.crank_angles is not None:
+        return Mechanism(
+            pins=given.pins,
+            crank_angles=given.crank_angles,
+            ratio=given.ratio,
+            initial_crank_angle=given.initial_crank_angle,
+        )
+    return Mechanism.evenly_spaced(
+        pins=given.pins,
+        satellites=given.satellites,
+        ratio=given.ratio,
+        crank_spacing=given.crank_spacing,
+        initial_crank_angle=given.initial_crank_angle,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Load:
+    """Torque, its direction, its lever, and the speed.
+
+    Attributes
+    ----------
+    torque_direction : {"driving", "reverse", "alternating"}
+        Direction of the torque; of both the worse is judged.
+    application_factor : float or None
+        Factor on the torque for stresses; that of the contact where not given.
+    peak_torque : float or None
+        Largest torque, for static strength, N*m, at least the torque times its factor; that where
+        not given.
+    """
+
+    output_torque: float  # T, N*m
+    pin_circle_radius: float  # R, m
+    force_exponent: float = 1.0  # v, of the force over the approach
+    torque_direction: Direction = "driving"
+    input_speed: float | None = None  # of the crank, rad/s
+    application_factor: float | None = None
+    peak_torque: float | None = None
+
+
+class PairSizes(NamedTuple):
+    """Sizes of a pair of pin and hole that touch, m."""
+
+    contact_length: float
+    pin_radius: float
+    hole_radius: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """Pin and hole, the crank between them, and their materials; of the crank alone no pins.
+
+    Attributes
+    ----------
+    own_limits : tuple of str
+        Which materials (`pin_material`, `hole_material`) are given by values.
+    """
+
+    contact_length: float | None = None  # b, m
+    pin_radius: float | None = None  # r_in, m
+    hole_radius: float | None = None  # r_out, m
+    eccentricity: float | None = None  # e, m
+    pin_material: ElasticMaterial | None = None
+    hole_material: ElasticMaterial | None = None
+    dynamic_factor: float = 1.0
+    distribution_factor: float = 1.0
+    own_limits: tuple[str, ...] = ()
+
+    @cached_property
+    def pair(self) -> PairSizes:
+        """Sizes of a pair, where there are pins."""
+        length, pin, hole = self.contact_length, self.pin_radius, self.hole_radius
+        if length is None or pin is None or hole is None:
+            raise NotKnown("section_missing", "contact")
+        return PairSizes(length, pin, hole)
+
+    @cached_property
+    def clearance(self) -> float | None:
+        """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
+        `core.output.pin_geometry.FIT_TOLERANCE`; None where they are not all given.
+        """
+        if self.pin_radius is None or self.hole_radius is None or self.eccentricity is None:
+            return None
+        clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
+        return felt(clearance=clearance, hole_radius=self.hole_radius)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SatelliteBody:
+    """The body of a satellite, as far as it is given: radii, m."""
+
+    outer_radius: float | None = None
+    root_radius: float | None = None  # of its teeth
+    bore_radius: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Requirements:
+    """What a design has to keep; what is None is not asked.
+
+    Attributes
+    ----------
+    pitting_safety : float
+        Required safety against pitting, of the pressure.
+    bending_safety, fatigue_safety : float
+        Required safety of the pins against yield, and in fatigue.
+    static_safety : float or None
+        Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
+        not given.
+    life : float
+        Required life, s; infinite where none is asked.
+    min_efficiency : float or None
+        Least efficiency of the output mechanism.
+    max_unbalance, max_unbalance_couple : float or None
+        Largest force, N, and couple, N*m, of the satellites' masses.
+    """
+
+    pitting_safety: float = 1.2
+    bending_safety: float = 1.5
+    fatigue_safety: float = 1.5
+    static_safety: float | None = None
+    life: float = 5000 * 3600.0
+    min_wall: float | None = None  # m
+    max_backlash: float | None = None  # rad
+    max_lost_motion: float | None = None  # rad
+    max_deflection: float | None = None  # of the pins, m
+    max_slope: float | None = None  # of the pins, rad
+    min_efficiency: float | None = None
+    max_wear: float | None = None  # depth, m
+    max_pv: float | None = None  # pressure times speed, Pa*m/s
+    max_sliding_speed: float | None = None  # m/s
+    max_outer_diameter: float | None = None  # of the reducer, m
+    max_unbalance: float | None = None
+    max_unbalance_couple: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,17 @@
+"""The design of a crank-planetary reducer and what follows from it.
+
+The document is plain data, nested as its JSON is; its results stand beside it, each worked out when
+it is asked for, once, or why it is not known.
+
+Modules, in reading order (each may use those above it)
+-------------------------------------------------------
+sections            mechanism, load, contact, pin, ..., requirements: each as far as it is given
+document            the design of these, paths in it, and the design with other values
+refusals            refusals of calculations with the section of the field
+real_forces         forces with clearance, deviations and elasticity, in each direction
+contact             the force at which a contact is at a limit
+losses              losses by the forces of the mechanism as it is made
+results             what follows from a design: one property for each result
+curves              results over crank angles
+reserves            results under other torques
+"""

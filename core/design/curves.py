@@ -1,0 +1,141 @@
+"""Results of a design over crank angles."""
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.crank.crankshaft import ReactionCurves, reaction_curves
+from core.crank.satellite_bearing import BearingCurves, bearing_curves, made_parts
+from core.design.results import Results
+from core.output.losses import LossCurves, PinLosses, loss_curves
+from core.output.sampled_turn import WAYS
+
+MISSED_OF_PEAK = 0.01
+"""Part of a peak that samples of a curve may miss."""
+
+
+def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
+    """Loss and efficiency at crank angles.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    losses : PinLosses
+        Its losses.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    LossCurves
+    """
+    turn, design = results.lossy_turn, results.design
+    if turn is None:
+        return loss_curves(
+            losses=losses,
+            mechanism=design.driven,
+            force_exponent=design.load.force_exponent,
+            crank_angle=crank_angle,
+        )
+    wave = design.mechanism.built.wave_angle(crank_angle)
+    total = turn.at(wave=wave, values=turn.total[None])[0]
+    loss = losses.mean_loss * total / turn.mean(turn.total)
+    return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
+
+
+def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurves]:
+    """Load of the satellites' bearings at crank angles in each direction of the torque and, of
+    ideal forces, in each way in which the satellites may share them.
+    """
+    design, load, made = results.design, results.design.load, results.made
+    eccentricity, rho = design.known_eccentricity, float(results.ring_mesh.radial_force_ratio)
+    ways = WAYS[load.torque_direction]
+    if made is None:
+        return [
+            bearing_curves(
+                mechanism=design.mechanism.built,
+                force_exponent=load.force_exponent,
+                output_torque=load.output_torque,
+                pin_circle_radius=load.pin_circle_radius,
+                eccentricity=eccentricity,
+                radial_force_ratio=rho,
+                crank_angle=crank_angle,
+                torque_direction="driving" if way > 0 else "reverse",
+                pair_stiffness=stiffness,
+            )
+            for stiffness in dict.fromkeys((None, results.pair_stiffness))
+            for way in ways
+        ]
+    arm = eccentricity * design.mechanism.ratio
+    wave = design.mechanism.built.wave_angle(crank_angle)
+    curves = []
+    for way in ways:
+        turn = made(way * load.output_torque)
+        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
+        loads = turn.at(wave=wave, values=parts.load).T
+        curves.append(BearingCurves(crank_angle, loads.imag, loads.real, np.abs(loads)))
+    return curves
+
+
+def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurves:
+    """Load of the satellites' bearings at crank angles: of each as its result judges it, in the
+    worst direction and sharing.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    BearingCurves
+    """
+    cases = _load_curves(results, crank_angle)
+    worst = _worst([each.load for each in cases])
+    across, along, load = (
+        np.choose(worst, [getattr(each, name) for each in cases])
+        for name in ("across", "along", "load")
+    )
+    return BearingCurves(crank_angle, across, along, load)
+
+
+def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCurves:
+    """Reactions of the crankshaft's bearings to the same, each in its worst case.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    crank_angle : array, shape (n,)
+        Crank angles, rad.
+
+    Returns
+    -------
+    ReactionCurves
+    """
+    shaft, load = results.design.crankshaft, results.design.load
+    cranks = results.design.mechanism.built.crank_angles
+    if results.made is not None:
+        cranks = results.made(WAYS[load.torque_direction][0] * load.output_torque).crank_angles
+    cases = [
+        reaction_curves(
+            loads=each,
+            crank_angles=cranks,
+            satellite_positions=shaft.satellite_positions,
+            bearing_positions=shaft.bearing_positions,
+        ).reaction
+        for each in _load_curves(results, crank_angle)
+    ]
+    worst = _worst([np.abs(each) for each in cases])
+    return ReactionCurves(crank_angle, np.choose(worst, cases))
+
+
+def _worst(sizes: list[FloatArray]) -> IntArray:
+    """The case in which each column is largest; the first of those that differ by less than
+    samples of a curve may miss of its peak.
+    """
+    peaks = np.max(sizes, axis=1)
+    worst: IntArray = np.argmax(peaks >= (1 - MISSED_OF_PEAK) * peaks.max(axis=0), axis=0)
+    return worst

@@ -1,0 +1,355 @@
+"""The design document of a crank-planetary reducer in SI units, nested as its JSON is: a path in it
+is the JSON pointer less the unit (`contact.pin_radius`).
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Literal, TypeVar, cast
+
+from core.design.sections import (
+    Contact,
+    DesignPin,
+    FatigueBasis,
+    Friction,
+    Load,
+    MechanismSection,
+    Requirements,
+    Ring,
+    RollingBearing,
+    SatelliteBody,
+    Shaft,
+)
+from core.errors import InvalidInput, NotKnown
+from core.materials import ElasticMaterial
+from core.output.contact_law import ContactLaw
+from core.output.mechanism import Mechanism
+from core.output.pin_beam import check_apart
+from core.output.real_mechanism import Deviations
+from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
+
+Body = Literal["pin", "hole"]
+
+DRAWN = 1e-3
+"""Part of a distance that is lost where it is rounded on a drawing."""
+
+SAME = 1e-12
+"""Difference of diameters that is rounding, as a part of them."""
+
+TYPED = 1e-9
+"""Part of a torque that is lost where its limit is written down."""
+
+
+class NotGiven:
+    """A section that is not given: it is false, and what is read of it is not known.
+
+    Parameters
+    ----------
+    section : str
+        Its path.
+    """
+
+    def __init__(self, section: str) -> None:
+        self.section = section
+
+    def __bool__(self) -> bool:
+        return False
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        raise NotKnown("section_missing", self.section)
+
+
+def _optional(section: str) -> Any:
+    """Default of a section that need not be given."""
+    return NotGiven(section)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Design:
+    """A crank-planetary reducer, as far as it is given. A section that is not given is false; what
+    reads it raises `NotKnown`.
+
+    Attributes
+    ----------
+    contact_law : ContactLaw or None
+        How a pair gives; by Hertz where that is not stated.
+    deviations : Deviations or None
+        Of this piece, where they are stated.
+    crank_support, satellite_coupling : SatelliteSupport or None
+        What the satellites give, where that is stated, in one way: the geometry is of first order
+        then.
+
+    Raises
+    ------
+    InvalidInput
+        If the peak torque is below the working one, satellites reach into each other, their places
+        on pins and crankshaft differ, a pin is thicker than what touches the hole, or pins of the
+        ring overlap.
+    """
+
+    mechanism: MechanismSection
+    load: Load = _optional("load")
+    contact: Contact = _optional("contact")
+    contact_law: ContactLaw | None = None
+    deviations: Deviations | None = None
+    crank_support: CrankSupport | None = None
+    satellite_coupling: ElasticMesh | Shares | None = None
+    pin: DesignPin = _optional("pin")
+    fatigue: FatigueBasis = _optional("fatigue")
+    friction: Friction = _optional("friction")
+    gear: Ring = _optional("gear")
+    bearing: RollingBearing = _optional("bearing")
+    crankshaft: Shaft = _optional("crankshaft")
+    satellite_body: SatelliteBody = _optional("satellite_body")
+    requirements: Requirements = Requirements()
+
+    def __post_init__(self) -> None:
+        self._check_peak()
+        self._check_places()
+        self._check_thickness()
+        if self.gear:
+            self.gear.check_pins_apart(self.mechanism.ratio)
+
+    def _check_places(self) -> None:
+        """Satellites do not reach into each other, and are as far apart on the pins as on the
+        crankshaft, whose axis may point the other way.
+        """
+        on_pins = self.pin.satellite_positions if self.pin else ()
+        on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
+        width = self.contact.contact_length if self.contact else None
+        if self.pin and self.pin.contact_length is not None:
+            width = self.pin.contact_length
+        if width is not None:
+            for section, places in (("pin", on_pins), ("crankshaft", on_shaft)):
+                name = f"{section}.satellite_positions"
+                check_apart(name=name, positions=places, width=width)
+        if not on_pins or len(on_pins) != len(on_shaft):
+            return
+        away = [place - on_shaft[0] for place in on_shaft]
+        wanted = [place - on_pins[0] for place in on_pins]
+        way = math.copysign(1.0, away[-1] * wanted[-1])
+        for index, (here, there) in enumerate(zip(away, wanted, strict=True)):
+            if abs(here - way * there) > DRAWN * abs(there):
+                name = f"crankshaft.satellite_positions[{index}]"
+                raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
+
+    def _check_thickness(self) -> None:
+        """No pin is thicker than what touches the hole."""
+        if not (self.pin and self.touching):
+            return
+        radius, diameter = self.contact.pair.pin_radius, self.pin.diameter
+        if diameter > 2 * radius * (1 + SAME):
+            most = {"field": "pin_radius", "limit": 2 * radius}
+            raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
+
+    def _check_peak(self) -> None:
+        peak = self.load.peak_torque if self.load else None
+        if peak is None:
+            return
+        working = self.load.output_torque * self.load_factor
+        if peak < working * (1 - TYPED):
+            raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
+
+    @property
+    def support(self) -> SatelliteSupport | None:
+        """What the satellites give; None where they are rigid."""
+        return self.crank_support or self.satellite_coupling
+
+    @property
+    def touching(self) -> bool:
+        """Whether pins and holes are given."""
+        return bool(self.contact) and self.contact.pin_radius is not None
+
+    @property
+    def as_made(self) -> bool:
+        """Whether clearance, deviations, a law of contact or satellites that give are stated: the
+        forces that are judged are those of the mechanism as it is made. Bending pins alone leave
+        the ideal forces.
+        """
+        stated = (self.contact_law, self.deviations, self.support)
+        clearance = self.contact.clearance if self.contact else None
+        return (clearance or 0.0) > 0 or any(each is not None for each in stated)
+
+    @property
+    def load_factor(self) -> float:
+        """Factor on the torque for stresses and pressures."""
+        factor = self.load.application_factor if self.load else None
+        if factor is None:
+            factor = self.contact.dynamic_factor if self.contact else 1.0
+        return factor
+
+    @property
+    def known_eccentricity(self) -> float:
+        """The eccentricity, which has to be given, m."""
+        eccentricity = self.contact.eccentricity if self.contact else None
+        if eccentricity is None:
+            raise NotKnown("eccentricity_missing", "contact.eccentricity")
+        return eccentricity
+
+    @property
+    def known_clearance(self) -> float:
+        """The clearance, which needs the eccentricity, m."""
+        clearance = self.contact.clearance
+        if clearance is None:
+            raise NotKnown("eccentricity_missing", "contact.eccentricity")
+        return clearance
+
+    @property
+    def known_speed(self) -> float:
+        """The speed of the crank, which has to be given, rad/s."""
+        speed = self.load.input_speed if self.load else None
+        if speed is None:
+            raise NotKnown("speed_missing", "load.input_speed")
+        return speed
+
+    def too_many(self, most: int, code: str = "too_large") -> NotKnown:
+        """What is not calculated of so many pairs.
+
+        Parameters
+        ----------
+        most : int
+            Most pairs of which it is.
+        code : str
+            The reason.
+
+        Returns
+        -------
+        NotKnown
+        """
+        given = self.mechanism
+        limit = {"limit": most // given.satellites, "satellites": given.satellites}
+        refusal = InvalidInput("mechanism.pins", given.pins, "too_many_pairs", **limit)
+        return NotKnown(code, refusal=refusal)
+
+    @cached_property
+    def driven(self) -> Mechanism:
+        """The ideal mechanism whose pairs drive where those of this one carry: in reverse they do
+        where they would brake.
+        """
+        built = self.mechanism.built
+        if not (self.load and self.load.torque_direction == "reverse"):
+            return built
+        return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
+
+    def loads_over(self, life: float) -> float | None:
+        """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
+        against its crank; None without a speed, or without an end.
+        """
+        speed = self.load.input_speed if self.load else None
+        if speed is None or math.isinf(life):
+            return None
+        return speed * life / self.mechanism.built.crank_angle_per_wave
+
+    @cached_property
+    def lasting(self) -> dict[Body, ElasticMaterial]:
+        """Materials of pin and hole, their limits wanted for the loads over the life, as far as
+        they are given.
+        """
+        loads = self.loads_over(self.requirements.life)
+        given: dict[Body, ElasticMaterial | None] = {
+            "pin": self.contact.pin_material,
+            "hole": self.contact.hole_material,
+        }
+        return {body: each.lasting(loads) for body, each in given.items() if each is not None}
+
+    @cached_property
+    def roots(self) -> tuple[float, float]:
+        """Least and largest radius of the roots of the satellite's teeth, m: the one that is given,
+        or those that its ring leaves; within its outer radius. 0 and infinite where nothing is
+        known.
+        """
+        body = self.satellite_body or SatelliteBody()
+        low, high = 0.0, math.inf
+        if body.root_radius is not None:
+            low = high = body.root_radius
+        elif self.gear:
+            eccentricity = self.contact.eccentricity if self.contact else None
+            low, high = self.gear.roots(ratio=self.mechanism.ratio, eccentricity=eccentricity)
+        outer = math.inf if body.outer_radius is None else body.outer_radius
+        return min(low, outer), min(high, outer)
+
+    @property
+    def pin_length(self) -> float:
+        """Length of the contact along the pin, m."""
+        length = self.pin.contact_length
+        return self.contact.pair.contact_length if length is None else length
+
+    @property
+    def sleeved(self) -> bool:
+        """Whether what touches the hole is not the pin, but a sleeve of it."""
+        if not (self.pin and self.touching):
+            return False
+        touching = 2 * self.contact.pair.pin_radius
+        return not math.isclose(self.pin.diameter, touching, rel_tol=SAME)
+
+    @property
+    def static_torque(self) -> float:
+        """Torque of static strength, N*m."""
+        peak = self.load.peak_torque
+        return self.load.output_torque * self.load_factor if peak is None else peak
+
+    @property
+    def static_share(self) -> float:
+        """That torque over the one with the factor."""
+        return self.static_torque / (self.load.output_torque * self.load_factor)
+
+
+Document = TypeVar("Document")
+
+
+def changed(document: Document, values: Mapping[str, Any]) -> Document:
+    """A document with other values.
+
+    Parameters
+    ----------
+    document : Design, or a section of it
+        The document.
+    values : mapping
+        Other values, by their paths (`contact.pin_radius`); one of sections in a list is of all.
+
+    Returns
+    -------
+    Design or section
+
+    Examples
+    --------
+    >>> changed(Requirements(), {"max_wear": 1e-4}).max_wear
+    0.0001
+    """
+    direct: dict[str, Any] = {}
+    within: dict[str, dict[str, Any]] = {}
+    for path, value in values.items():
+        name, _, rest = path.partition(".")
+        if rest:
+            within.setdefault(name, {})[rest] = value
+        else:
+            direct[name] = value
+    for name, inner in within.items():
+        held = getattr(document, name)
+        several = isinstance(held, tuple)
+        made = [changed(each, inner) for each in (held if several else (held,))]
+        direct[name] = tuple(made) if several else made[0]
+    return replace(cast(Any, document), **direct)  # type: ignore[no-any-return]
+
+
+def value_at(document: Any, path: str) -> Any:
+    """A value of a document.
+
+    Parameters
+    ----------
+    document : Design
+        The document.
+    path : str
+        Its path.
+
+    Returns
+    -------
+    object
+        None where it is not given.
+    """
+    for name in path.split("."):
+        document = getattr(document, name, None) if document else None
+    return None if isinstance(document, NotGiven) else document

@@ -1,0 +1,586 @@
+"""What follows from a design: each result worked out when it is asked for, once, or why it is not
+known.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from core.arrays import Number
+from core.crank.crankshaft import Crankshaft, crankshaft
+from core.crank.ring_mesh import RingMesh
+from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
+from core.derived import derived
+from core.design.contact import SHAKEDOWN, force_factor
+from core.design.document import Design
+from core.design.losses import made_losses, peaking
+from core.design.real_forces import RealForces
+from core.design.refusals import named
+from core.errors import InvalidInput, NotKnown
+from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
+from core.materials import FIRST_YIELD
+from core.output.contact_force import ContactForce, contact_force
+from core.output.contact_law import HertzLaw, contact_compliance
+from core.output.edge_load import EdgeLoad, SlopingContacts
+from core.output.fit import Fit
+from core.output.losses import PinLosses, pin_losses
+from core.output.moving_sharing import MovingSharing, torque_factors
+from core.output.pin_beam import PinBeam
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_turn import made
+from core.output.sampled_turn import WAYS, Made, SampledTurn
+from core.results import ROUNDING, Notice
+
+MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
+"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
+whose satellites give."""
+
+MOST_PIN_PAIRS = 500
+"""Most pairs of which the locus of a pin's moment is looked at."""
+
+MOST_BEARING_PAIRS = 2000
+"""Most pairs of which the forces on the satellites are integrated over the turn."""
+
+ALIKE = 64 * ROUNDING
+"""Difference of stiffnesses that only rounding makes, as a part of them."""
+
+
+class Results:
+    """What follows from a design; SI units. What is not known raises `NotKnown`, and what cannot be
+    `ImpossibleMechanism`, each time that it is asked for.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    """
+
+    def __init__(self, design: Design) -> None:
+        self.design = design
+
+    @derived
+    def contact_force(self) -> ContactForce:
+        """The ideal contact force."""
+        load = self.design.load
+        return contact_force(
+            output_torque=load.output_torque,
+            pin_circle_radius=load.pin_circle_radius,
+            force_exponent=load.force_exponent,
+            mechanism=self.design.driven,
+        )
+
+    @derived
+    def real(self) -> RealMechanism:
+        """The mechanism as it is made, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
+        design = self.design
+        radius, pair = design.load.pin_circle_radius, design.contact.pair
+        most = MOST_REAL_PAIRS if design.support is None else MOST_GIVING_PAIRS
+        if design.mechanism.pairs > most:
+            raise design.too_many(most, "too_many_pairs")
+        eccentricity = design.contact.eccentricity
+        if eccentricity is None:
+            eccentricity = pair.hole_radius - pair.pin_radius
+        if eccentricity >= radius:  # holes around the centre
+            than = {"field": "pin_circle_radius", "limit": radius}
+            refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
+            raise NotKnown("no_balance", refusal=refusal)
+        bends = design.pin and design.pin.satellite_positions
+        return RealMechanism(
+            mechanism=design.mechanism.built,
+            pin_circle_radius=radius,
+            pin_radius=pair.pin_radius,
+            eccentricity=eccentricity,
+            contact_length=pair.contact_length,
+            law=design.contact_law or HertzLaw(),
+            clearance=design.contact.clearance or 0.0,
+            pin_material=design.lasting["pin"],
+            hole_material=design.lasting["hole"],
+            pin=design.pin if bends else None,
+            deviations=design.deviations or Deviations(),
+            exact=design.support is None,
+            support=design.support,
+        )
+
+    @derived
+    def fit(self) -> Fit:
+        """How pins and holes fit."""
+        return Fit(self.real)
+
+    def real_forces_at(self, factor: float) -> RealForces:
+        """Forces of the mechanism as it is made under so many times the torque.
+
+        Parameters
+        ----------
+        factor : float
+            Factor on the torque, > 0.
+
+        Returns
+        -------
+        RealForces
+
+        Raises
+        ------
+        ImpossibleMechanism
+            See `core.output.real_mechanism.RealMechanism.solved`.
+        """
+        if self.fit.impossible:
+            raise self.fit.refusal()
+        load = self.design.load
+        return RealForces.solved(
+            real=self.real,
+            torque=load.output_torque * factor,
+            direction=load.torque_direction,
+        )
+
+    @derived
+    def real_forces(self) -> RealForces:
+        """Those forces under the torque."""
+        return self.real_forces_at(1.0)
+
+    @derived
+    def loading(self) -> RealForces:
+        """The same under the dynamic load: the forces that are judged."""
+        factor = self.design.load_factor
+        return self.real_forces if factor == 1 else self.real_forces_at(factor)
+
+    @derived
+    def judged_forces(self) -> RealForces | ContactForce:
+        """The forces that are judged."""
+        return self.loading if self.design.as_made else self.contact_force
+
+    @derived
+    def made(self) -> Made | None:
+        """The forces of the mechanism as it is made under any torque; None where the ideal ones are
+        judged.
+        """
+        return made(self.real) if self.design.as_made else None
+
+    @cached_property
+    def compliance(self) -> Callable[[Number], Number]:
+        """Approach of a contact over its force, m/N, of forces, N."""
+        contact = self.design.contact
+        length, pin_radius, hole_radius = contact.pair
+        if not hole_radius > pin_radius:
+            than = {"field": "pin_radius", "limit": pin_radius}
+            raise InvalidInput("contact.hole_radius", hole_radius, "larger_than", **than)
+        return contact_compliance(
+            law=self.design.contact_law or HertzLaw(),
+            contact_length=length,
+            pin_radius=pin_radius,
+            hole_radius=hole_radius,
+            pin=contact.pin_material,
+            hole=contact.hole_material,
+        )
+
+    @derived
+    def pair_stiffness(self) -> tuple[float, ...] | None:
+        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
+        where all are alike.
+        """
+        return self._stiffness(self.design.load_factor)
+
+    @derived
+    def static_stiffness(self) -> tuple[float, ...] | None:
+        """The same under the torque of static strength."""
+        if self.pair_stiffness is None or self.design.static_share == 1:
+            return self.pair_stiffness
+        return self._stiffness(self.design.load_factor * self.design.static_share)
+
+    def _stiffness(self, factor: float) -> tuple[float, ...] | None:
+        """The same under so many times the torque."""
+        design, pin = self.design, self.design.pin
+        if not pin or not design.touching or design.as_made:
+            return None
+        length, satellites = design.pin_length, design.mechanism.satellites
+        far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
+        held = all(length / 2 <= z <= far - length / 2 for z in pin.satellite_positions)
+        if not held or len(pin.satellite_positions) != satellites or satellites == 1:
+            return None
+        beam = PinBeam.round(
+            support=pin.support,
+            diameter=pin.diameter,
+            contact_length=length,
+            youngs_modulus=pin.material.youngs_modulus,
+            poissons_ratio=pin.material.poissons_ratio,
+            span=pin.span,
+        )
+        found = beam.pair_stiffness(
+            positions=pin.satellite_positions,
+            contact_compliance=float(self.compliance(self.contact_force.peak_force * factor)),
+        )
+        return None if max(found) - min(found) <= ALIKE * max(found) else found
+
+    @derived
+    def sharing(self) -> MovingSharing | None:
+        """How bending pins share an ideal load under other torques; None where that stays."""
+        if self.pair_stiffness is None:
+            return None
+        return MovingSharing(
+            stiffness=self.pair_stiffness,
+            compliance=self.compliance,
+            force=self.contact_force.peak_force * self.design.load_factor,
+            mechanism=self.design.mechanism.built,
+            force_exponent=self.design.load.force_exponent,
+        )
+
+    @property
+    def _forced(self) -> dict[str, Any]:
+        """What the forces follow from, as arguments."""
+        load = self.design.load
+        return {
+            "mechanism": self.design.mechanism.built,
+            "force_exponent": load.force_exponent,
+            "output_torque": load.output_torque,
+            "pin_circle_radius": load.pin_circle_radius,
+            "torque_direction": load.torque_direction,
+            "pair_stiffness": self.pair_stiffness,
+            "made": self.made,
+        }
+
+    @property
+    def _turning(self) -> dict[str, Any]:
+        """The same, with what turns."""
+        moving = {
+            "eccentricity": self.design.contact.eccentricity,
+            "input_speed": self.design.load.input_speed,
+        }
+        return self._forced | moving
+
+    def _limit_pairs(self, most: int) -> None:
+        """Refuse more pairs than ideal forces are integrated of."""
+        if self.made is None and self.design.mechanism.pairs > most:
+            raise self.design.too_many(most)
+
+    @cached_property
+    def fatigue_strength(self) -> FatigueStrength | Notice | None:
+        """What the fatigue of the pins is judged by; why it is not known; None without it."""
+        design = self.design
+        pin, basis = design.pin, design.fatigue
+        if not (pin and basis):
+            return None
+        if basis.criterion == "soderberg" and pin.material.yield_strength is None:
+            return Notice("fatigue_no_basis")
+        found = named(design, "fatigue", lambda: basis.strength(pin))
+        if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
+            return found
+        life = design.requirements.life if basis.life is None else basis.life
+        return replace(found, cycles=design.loads_over(life))
+
+    @property
+    def loaded_pins(self) -> dict[str, Any]:
+        """The pins and what loads them, as arguments of `pin_stresses`."""
+        pin = self.design.pin
+        return self._forced | {
+            "application_factor": self.design.load_factor,
+            "peak_torque": self.design.static_torque,
+            "static_stiffness": self.static_stiffness,
+            "diameter": pin.diameter,
+            "contact_length": self.design.pin_length,
+            "satellite_positions": pin.satellite_positions,
+            "material": pin.material,
+            "support": pin.support,
+            "span": pin.span,
+        }
+
+    @derived
+    def pin_stresses(self) -> PinStresses:
+        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`."""
+        if not self.design.pin:
+            raise NotKnown("section_missing", "pin")
+        self._limit_pairs(MOST_PIN_PAIRS)
+        return named(self.design, "pin", lambda: pin_stresses(**self.loaded_pins))
+
+    @derived
+    def pin_loads(self) -> PinStrength:
+        """Strength of the pins without their fatigue, with their deflection."""
+        return self.pin_stresses.strength(deflection=True)
+
+    @derived
+    def pin_strength(self) -> PinStrength:
+        """Strength of the pins under the dynamic load, its static safety under the peak torque."""
+        return self.judged_pins()
+
+    def judged_pins(self, *, locus: bool = False) -> PinStrength:
+        """The same, at will with the locus of the moment."""
+        judged, found = self.fatigue_strength, self.pin_loads
+        if locus or isinstance(judged, FatigueStrength):
+            found = self.pin_stresses.strength(
+                rotates=self.design.pin.rotates,
+                fatigue=judged if isinstance(judged, FatigueStrength) else None,
+                input_speed=self.design.load.input_speed,
+                deflection=True,
+                locus=locus,
+            )
+        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
+        return replace(found, notices=notices + self.size_notices + found.notices)
+
+    @property
+    def size_notices(self) -> tuple[Notice, ...]:
+        """Whether the pin is thicker than its material's strengths hold for."""
+        pin = self.design.pin
+        valid = pin.valid_diameter if pin else None
+        if valid is None or pin.diameter <= valid:
+            return ()
+        return (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+
+    @derived
+    def hertz(self) -> HertzContact:
+        """The contact with the largest pressure: at the end of the length where the pin slopes."""
+        return self.contact_at(self.line_load_factor)
+
+    @derived
+    def line_load_factor(self) -> float:
+        """Largest line load of a contact over the mean one of the largest force: where pins bend,
+        by the worse of equal and stiffness sharing, and by their slope at that angle.
+        """
+        judged, edge = self.judged_forces, self.edge
+        if edge is None:
+            return 1.0
+        if isinstance(judged, RealForces):
+            return edge.force / judged.force
+        return edge.force / (self.design.load_factor * judged.peak_force)
+
+    @derived
+    def sloping(self) -> SlopingContacts | None:
+        """The contacts of pins that slope; None without pins."""
+        if not self.design.pin:
+            return None
+        stresses, length = self.pin_stresses, self.design.contact.pair.contact_length
+        return SlopingContacts(stresses.pin, stresses.loads, length, self.compliance)
+
+    @derived
+    def edge(self) -> EdgeLoad | None:
+        """The contact with that line load; None without pins."""
+        return None if self.sloping is None else self.sloping.largest()
+
+    def contact_at(self, factor: float) -> HertzContact:
+        """The contact under so many times its force."""
+        force, contact = self.judged_forces, self.design.contact
+        if isinstance(force, RealForces):
+            return force.contact_at(factor)
+        return hertz(
+            **contact.pair._asdict(),
+            force=force.peak_force * factor,
+            pin_material=self.design.lasting["pin"],
+            hole_material=self.design.lasting["hole"],
+            dynamic_factor=self.design.load_factor,
+            distribution_factor=contact.distribution_factor,
+        )
+
+    @cached_property
+    def pressure_limits(self) -> dict[str, float]:
+        """Limits of the largest pressure, Pa, by the code of their check."""
+        found: dict[str, float] = {}
+        for body, material in self.design.lasting.items():
+            if material.limit is not None:
+                allowed = float(material.limit.allowable)
+                safety = self.design.requirements.pitting_safety
+                found[f"contact_pressure_{body}"] = allowed / safety
+            if material.yield_governs and material.yield_strength is not None:
+                found[f"contact_shakedown_{body}"] = SHAKEDOWN * material.yield_strength
+                found[f"contact_yield_{body}"] = FIRST_YIELD * material.yield_strength
+        return found
+
+    @derived
+    def contact_reserves(self) -> dict[str, float]:
+        """Factors on the torque under which the contact is at its limits, by the code of their
+        check, where its pressure is known.
+        """
+        contact = self.hertz
+        factors = {
+            "contact_conformity": float(HALF_WIDTH_RATIO_LIMIT / contact.half_width_ratio) ** 2
+        }
+        if contact.governing_pressure is not None:
+            largest = self.line_load_factor
+            for code, limit in self.pressure_limits.items():
+                factors[code] = force_factor(
+                    contact=contact,
+                    contact_at=lambda factor: self.contact_at(factor * largest),
+                    limit=limit,
+                )
+        on_forces, forces = self._on_forces(list(factors.values())), self.judged_forces
+        if isinstance(forces, RealForces):
+            on_forces = [forces.torque_factor(factor) for factor in on_forces]
+        return dict(zip(factors, on_forces, strict=True))
+
+    def _on_forces(self, factors: list[float]) -> list[float]:
+        """Factors on the torque, or on all real forces, under which the largest line load is so
+        many times as large.
+        """
+        edge, contacts = self.edge, self.sloping
+        if edge is None or contacts is None:
+            return factors
+        start = [
+            contacts.growth(edge, factor) if 0 < factor < math.inf else factor for factor in factors
+        ]  # where it is largest hardly moves with the forces
+        found: list[float] = torque_factors(
+            targets=np.array(factors),
+            start=np.array(start),
+            value=lambda each: contacts.under(factors=each, sharing=self.sharing),
+        ).tolist()
+        return found
+
+    @derived
+    def peak(self) -> dict[str, float]:
+        """Where the largest pressure is reached."""
+        force = self.judged_forces
+        if edge := self.edge:
+            at: dict[str, float] = {"satellite": edge.satellite}
+            if edge.pin is not None:
+                at["pin"] = edge.pin
+            if isinstance(force, RealForces) and at.items() <= force.place.items():
+                return force.place
+            return at
+        if isinstance(force, RealForces):
+            return force.place
+        return {
+            "satellite": force.peak_pair.satellite,
+            "pin": force.peak_pair.pin,
+            "crank_angle": force.peak_crank_angle,
+        }
+
+    @derived
+    def output_efficiency(self) -> PinLosses:
+        """Friction and wear of the pins under the torque, by the ideal forces or by those of the
+        mechanism as it is made; of bending pins, of so many pairs as of the pins themselves.
+
+        Of bending pins the largest force, and pv and wear by it, are those of the worse of equal
+        and stiffness sharing, as of the pins themselves; the means, loss and efficiency are those
+        of equal sharing.
+        """
+        if not self.design.friction:
+            raise NotKnown("section_missing", "friction")
+        return named(self.design, "pin", self._losses)
+
+    def _losses(self) -> PinLosses:
+        design, friction, load = self.design, self.design.friction, self.design.load
+        eccentricity, speed, turn = design.known_eccentricity, design.known_speed, self.lossy_turn
+        loads = self.pin_loads if self.pair_stiffness else None
+        life = design.requirements.life if friction.life is None else friction.life
+        found = pin_losses(
+            mechanism=design.driven,
+            force_exponent=load.force_exponent,
+            output_torque=load.output_torque,
+            pin_circle_radius=load.pin_circle_radius,
+            input_speed=speed,
+            eccentricity=eccentricity,
+            pin_radius=design.contact.pin_radius,
+            hole_radius=design.contact.hole_radius,
+            contact_length=design.contact.contact_length,
+            friction_coefficient=friction.coefficient,
+            diameter=design.pin.diameter if friction.sleeve and design.pin else None,
+            wear_rate=friction.wear_rate,
+            life=None if friction.wear_rate is None else life,
+        )
+        bare = design.sleeved and not friction.sleeve
+        if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
+            found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
+        if turn is not None:
+            reference = load.output_torque / load.pin_circle_radius
+            largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
+            return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
+        if loads is None:
+            return found
+        peak = loads.peak_force / (design.load_factor * float(found.peak_force))
+        return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
+
+    @derived
+    def _lossy_turns(self) -> list[SampledTurn]:
+        """Forces of the mechanism as it is made, in each direction of the torque; none where the
+        ideal ones are judged.
+        """
+        if self.made is None:
+            return []
+        load = self.design.load
+        return [self.made(way * load.output_torque) for way in WAYS[load.torque_direction]]
+
+    @derived
+    def lossy_turn(self) -> SampledTurn | None:
+        """Of these the ones with the larger losses."""
+        return max(self._lossy_turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
+
+    @derived
+    def ring_mesh(self) -> RingMesh:
+        """The ring's force on a satellite."""
+        gear = self.design.gear
+        if not gear:
+            raise NotKnown("section_missing", "gear")
+        eccentricity, ratio = self.design.known_eccentricity, self.design.mechanism.ratio
+        return named(
+            self.design,
+            "gear",
+            lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio),
+        )
+
+    @derived
+    def satellite_bearing(self) -> SatelliteBearings:
+        """Load and life of the satellites' bearings under the torque, their static safety under the
+        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
+        """
+        bearing = self.design.bearing
+        if not bearing:
+            raise NotKnown("section_missing", "bearing")
+        mesh = self.ring_mesh
+        self._limit_pairs(MOST_BEARING_PAIRS)
+        return named(
+            self.design,
+            "bearing",
+            lambda: satellite_bearings(
+                **self._turning,
+                mesh=mesh,
+                kind=bearing.kind,
+                dynamic_rating=bearing.dynamic_rating,
+                static_rating=bearing.static_rating,
+                reliability_percent=bearing.reliability_percent,
+                ring_factor=bearing.ring_factor,
+                weibull_slope=bearing.weibull_slope,
+                peak_torque=self.design.static_torque,
+                static_stiffness=self.static_stiffness,
+            ),
+        )
+
+    @derived
+    def crankshaft(self) -> Crankshaft:
+        """Reactions and balance of the crankshaft under the torque, of at most
+        `MOST_BEARING_PAIRS`.
+        """
+        own = self.design.crankshaft
+        if not own:
+            raise NotKnown("section_missing", "crankshaft")
+        mesh, speed = self.ring_mesh, self.design.known_speed
+        self._limit_pairs(MOST_BEARING_PAIRS)
+        given = self._turning | {"input_speed": speed}
+        if own.bearings is not None:
+            given |= {
+                "kinds": tuple(each.kind for each in own.bearings),
+                "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
+            }
+        return named(
+            self.design,
+            "crankshaft",
+            lambda: crankshaft(
+                **given,
+                mesh=mesh,
+                satellite_positions=own.satellite_positions,
+                bearing_positions=own.bearing_positions,
+                satellite_mass=own.satellite_mass,
+            ),
+        )
+
+    @property
+    def centrifugal(self) -> float:
+        """Centrifugal force of a satellite, N, which the loads of bearings leave out; 0 where mass
+        or speed is not known.
+        """
+        shaft, speed = self.design.crankshaft, self.design.load.input_speed
+        mass = shaft.satellite_mass if shaft else None
+        eccentricity = self.design.contact.eccentricity
+        if mass is None or speed is None or eccentricity is None:
+            return 0.0
+        return mass * eccentricity * speed**2
