@@ -24,15 +24,9 @@ NO_TORQUE = 1e-9
 
 @dataclass(frozen=True)
 class Fit:
-    """How the pins of a mechanism fit into their holes, over the turn.
+    """How the pins of a mechanism fit into their holes, over the turn."""
 
-    Attributes
-    ----------
-    real : RealMechanism
-        The mechanism; its torque is not asked.
-    """
-
-    real: RealMechanism
+    real: RealMechanism  # its torque is not asked
 
     @cached_property
     def rooms(self) -> Rooms:

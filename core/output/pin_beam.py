@@ -69,27 +69,13 @@ def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
 
 @dataclass(frozen=True, slots=True)
 class PinBeam:
-    """A round pin in its supports.
-
-    Attributes
-    ----------
-    support : {"cantilever", "supported", "fixed"}
-        How it is held.
-    contact_length : float or array
-        Length b of each load, m, > 0.
-    rigidity : float or array
-        E*I, N*m^2, > 0.
-    shear_area : float or array
-        ``k*E*I/(G*A)``, m^2, > 0: what shear adds.
-    span : float, array or None
-        Distance L of the two supports, m; None of a cantilever.
-    """
+    """A round pin in its supports."""
 
     support: Support
-    contact_length: Number
-    rigidity: Number
-    shear_area: Number
-    span: Number = None
+    contact_length: Number  # b of each load, m, > 0
+    rigidity: Number  # E*I, N*m^2, > 0
+    shear_area: Number  # k*E*I/(G*A), m^2, > 0: what shear adds
+    span: Number = None  # L of the two supports, m; None of a cantilever
 
     @classmethod
     def round(

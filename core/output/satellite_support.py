@@ -31,31 +31,17 @@ SUM_ERROR = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class CrankSupport:
-    """Bearing of each satellite on its crank.
+    """Bearing of each satellite on its crank."""
 
-    Attributes
-    ----------
-    stiffness : float
-        Radial stiffness k_b of one bearing, N/m; infinite where not given.
-    radial_clearance : float
-        Radial internal clearance G, m: the inner ring moves by G/2 to either side of its middle.
-    """
-
-    stiffness: float = math.inf
-    radial_clearance: float = 0.0
+    stiffness: float = math.inf  # k_b of one bearing, radial, N/m; infinite where not given
+    radial_clearance: float = 0.0  # G, m: the inner ring moves by G/2 to either side of its middle
 
 
 @dataclass(frozen=True, slots=True)
 class ElasticMesh:
-    """Mesh of each satellite with the ring, which lets the disc turn under its torque.
+    """Mesh of each satellite with the ring, which lets the disc turn under its torque."""
 
-    Attributes
-    ----------
-    stiffness : float
-        Torque over rotation k_D of one disc, N*m/rad.
-    """
-
-    stiffness: float
+    stiffness: float  # torque over rotation k_D of one disc, N*m/rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,14 +49,9 @@ class Shares:
     """Torque that is shared as given, whatever the discs need to turn for it.
 
     Its methods stand for the functions of the same names of `core.output.sharing_kernel`.
-
-    Attributes
-    ----------
-    shares : tuple of float, K
-        Share w_j of each satellite, > 0, of sum 1.
     """
 
-    shares: tuple[float, ...]
+    shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
 
     def solve(self, psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
         """Every satellite under its share of the torque; the lags of the satellites are left in the
