@@ -370,7 +370,7 @@ def quantity(
     )
 
 
-def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any = ...) -> Any:
+def result(meaning: str, *, symbol: str = "", equation: str = "") -> Any:
     """A field of an answer with what it means; its unit follows from its name.
 
     Parameters
@@ -381,12 +381,10 @@ def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any =
         Symbol of the nomenclature.
     equation : str
         Source with the number of its equation.
-    default : None, optional
-        Where it may be absent.
     """
     shown = {"x-symbol": symbol, "x-equation": equation}
     extra = {key: value for key, value in shown.items() if value}
-    return Field(default=default, description=meaning, json_schema_extra=cast(Any, extra))
+    return Field(description=meaning, json_schema_extra=cast(Any, extra))
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:

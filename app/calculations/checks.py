@@ -103,10 +103,10 @@ class ReasonOut(ResponseModel):
 class PlaceOut(ResponseModel):
     """Where a value is reached."""
 
-    satellite: Maybe[int] = result("Satellite.", default=None)
-    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.", default=None)
-    pin: Maybe[int] = result("Pin.", default=None)
-    crank_angle_deg: Maybe[float] = result("Crank angle.", default=None)
+    satellite: Maybe[int] = result("Satellite.")
+    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.")
+    pin: Maybe[int] = result("Pin.")
+    crank_angle_deg: Maybe[float] = result("Crank angle.")
 
 
 class CheckOut(ResponseModel):

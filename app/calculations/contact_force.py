@@ -272,24 +272,16 @@ class ContactForceResponse(AssumingResponse):
     )
     peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
     peak_pair: PairOut = result("The pair that carries the peak.")
-    curves: Maybe[ForceCurvesOut] = result(
-        "Force of every pair over the turn, where asked.", default=None
-    )
+    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, where asked.")
     equal_sharing_peak_N: Maybe[float] = result(
-        "Largest force if all driving pairs carried alike.",
-        default=None,
-        symbol="F_max",
-        equation="Zyl, eq. 1",
+        "Largest force if all driving pairs carried alike.", symbol="F_max", equation="Zyl, eq. 1"
     )
     approximate_peak_N: Maybe[float] = result(
         "Largest force by the approximate formula for 3 to 5 pins.",
-        default=None,
         symbol="F_max",
         equation="2018, eq. 5",
     )
-    approximate_peak_error: Maybe[float] = result(
-        "The approximation over the exact peak, less 1.", default=None
-    )
+    approximate_peak_error: Maybe[float] = result("The approximation over the exact peak, less 1.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

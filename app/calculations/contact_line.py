@@ -101,7 +101,7 @@ class ContactLineOut(ResponseModel):
     )
     length_mm: float = result("Length of the line.", symbol="s_i", equation="2020, eq. 4")
     relative_error: float = Field(description="Bound of the relative error of its length.")
-    points: Maybe[PointsOut] = result("Points of the line, where asked.", default=None)
+    points: Maybe[PointsOut] = result("Points of the line, where asked.")
 
 
 class ContactLineResponse(ResponseModel):

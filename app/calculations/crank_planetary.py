@@ -369,7 +369,6 @@ class LoadSharingOut(OverTurnOut):
     judged_force_N: Maybe[float] = result(
         "Force with the largest pressure under the dynamic load: that of the section hertz and of "
         "the checks.",
-        default=None,
         symbol="F",
     )
     accuracy: AccuracyOut
@@ -389,7 +388,6 @@ class DesignHertzOut(HertzResponse):
     line_load_factor: Maybe[float] = result(
         "Largest line load over the even one of the force, where pins bend: by how they share the "
         "load, and by their slope. All else is said of that line load.",
-        default=None,
         symbol="K_b",
     )
 
@@ -397,41 +395,33 @@ class DesignHertzOut(HertzResponse):
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
-    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.", default=None)
-    contact_force: Maybe[ContactForceResponse] = result(
-        "As `/contact-force` answers.", default=None
-    )
-    load_sharing: Maybe[LoadSharingOut] = result(
-        "As `/load-sharing` answers over the turn.", default=None
-    )
+    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
+    contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
+    load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
     hertz: Maybe[DesignHertzOut] = result(
         "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
         "law of contact of the pair and under the force with the largest pressure; with bending "
-        "pins under the largest line load.",
-        default=None,
+        "pins under the largest line load."
     )
     pin_strength: Maybe[PinStrengthResponse] = result(
         "As `/pin-strength` answers, with the deflection: under the torque times its factor, the "
-        "static safety under the peak torque.",
-        default=None,
+        "static safety under the peak torque."
     )
     output_efficiency: Maybe[OutputEfficiencyResponse] = result(
-        "As `/output-efficiency` answers, under the torque without its factor.", default=None
+        "As `/output-efficiency` answers, under the torque without its factor."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
         "As `/satellite-bearing` answers, under the torque without its factor, the static safety "
-        "under the peak torque.",
-        default=None,
+        "under the peak torque."
     )
     crankshaft: Maybe[CrankshaftResponse] = result(
-        "As `/crankshaft` answers, under the torque without its factor.", default=None
+        "As `/crankshaft` answers, under the torque without its factor."
     )
     fit: Maybe[FitOut] = result(
         "How the pins fit into their holes, whichever sections are asked, where their sizes and "
-        "their circle are given.",
-        default=None,
+        "their circle are given."
     )
-    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
+    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
     warnings: Maybe[list[WarningOut]] = Field(
         default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "

@@ -93,7 +93,6 @@ class ShaftBearingOut(ResponseModel):
     basic_life_h: Maybe[float] = result(
         "Time that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
         symbol="L_10h",
-        default=None,
     )
 
 

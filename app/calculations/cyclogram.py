@@ -127,12 +127,9 @@ class CyclogramResponse(AssumingResponse):
     max_driving: int = result("Most pairs that drive together.")
     mean_driving: float = result("Mean number of driving pairs.")
     dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
-    dead_zones_deg: Maybe[list[Range]] = result(
-        "Ranges of crank angle in which no pair drives.", default=None
-    )
+    dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
     assembly: Maybe[list[AssemblyAngleOut]] = result(
-        "How the satellites' holes stand against their teeth, where the teeth are given.",
-        default=None,
+        "How the satellites' holes stand against their teeth, where the teeth are given."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -218,10 +218,8 @@ class SafetyOut(ResponseModel):
     body: Literal["pin", "hole"] = result("The body that is judged.")
     limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
     criterion: Criterion = result("What the limit is for.")
-    source: Maybe[str] = result(
-        "Where the limit comes from; absent where it was given.", default=None
-    )
-    source_code: Maybe[str] = result("The same by code.", default=None)
+    source: Maybe[str] = result("Where the limit comes from; absent where it was given.")
+    source_code: Maybe[str] = result("The same by code.")
     life: Maybe[LifeOut] = Field(
         default=None,
         description="How the limit falls over the life; absent where speed or curve are not known.",
@@ -280,16 +278,14 @@ class HertzResponse(AssumingResponse):
     )
     conformal_pressure_MPa: Maybe[float] = result(
         "Largest pressure of bodies that fit closely; absent where that theory does not apply.",
-        default=None,
         symbol="p_c",
         equation="Persson 1964",
     )
     conformal_half_angle_deg: Maybe[float] = result(
-        "Half of the angle of their contact.", default=None, symbol="ε", equation="Persson 1964"
+        "Half of the angle of their contact.", symbol="ε", equation="Persson 1964"
     )
     conformal_error: Maybe[float] = result(
         "Bound of the relative error of the conformal pressure by the difference of the materials.",
-        default=None,
         equation="Dundurs 1969",
     )
     governing_pressure_MPa: Maybe[float] = Field(

@@ -145,7 +145,7 @@ class OutputEfficiencyResponse(AssumingResponse):
         "Of the pin in the hole, e·ω; with a sleeve of the pin in it, e·ω·r_p/r_s.",
     )
     sleeve_speed_rpm: Maybe[float] = result(
-        "Speed of the sleeves", "n_s", "Of the sleeves against their pins, n·e/r_s.", default=None
+        "Speed of the sleeves", "n_s", "Of the sleeves against their pins, n·e/r_s."
     )
     output_power_W: float = result("Output power", "P₂", "T·ω₁/u.")
     peak_force_N: float = result("Peak force", "F_max", "Largest contact force over the turn.")
@@ -174,13 +174,11 @@ class OutputEfficiencyResponse(AssumingResponse):
         "Wear of the pin",
         "h_in",
         "Depth where it is deepest, k·F_max·e/(b·r) in each turn of the relative speed.",
-        default=None,
     )
     hole_wear_mm: Maybe[float] = result(
         "Wear of the hole",
         "h_out",
         "The same of the hole, k·F_max·e/(b·r_out); absent with sleeves, which roll in it.",
-        default=None,
     )
     friction_couple: float = result(
         "Couple of the friction",

@@ -110,7 +110,6 @@ class PinFatigueOut(ResponseModel):
         "Direction of the worst point of the section from the tangential one, towards growing "
         "pressure angles; absent where the pin rotates.",
         symbol="χ",
-        default=None,
     )
     position_mm: float = result("Its section, from the carrier's face.", symbol="x")
     max_stress_MPa: float = result("Largest stress there.", symbol="σ_max")
@@ -122,7 +121,6 @@ class PinFatigueOut(ResponseModel):
         "Strength for the cycles of the life that is asked, where they are fewer than a million: "
         "it stands for the endurance limit in the safety.",
         symbol="S_f",
-        default=None,
     )
     factors: Maybe[FactorsOut] = None
     safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
@@ -130,10 +128,9 @@ class PinFatigueOut(ResponseModel):
         "Cycles that it stands, one a turn of the crank against the output; absent within the "
         "endurance limit.",
         symbol="N",
-        default=None,
     )
     life_h: Maybe[float] = result(
-        "The same as time; absent within the endurance limit or without a speed.", default=None
+        "The same as time; absent within the endurance limit or without a speed."
     )
 
 
@@ -173,7 +170,7 @@ class PinStrengthOut(ResponseModel):
         "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
     )
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it at the peak torque, where that is known.", symbol="S", default=None
+        "Yield strength over it at the peak torque, where that is known.", symbol="S"
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
@@ -194,8 +191,7 @@ class PinStrengthResponse(PinStrengthOut, AssumingResponse):
     locus: Maybe[MomentLocusOut] = None
     support_bounds: Maybe[list[SupportBoundOut]] = result(
         "Of pins held at both ends: free to tilt, then built in, whatever their support is; the "
-        "truth of a cage lies between them, and the worse is on the safe side.",
-        default=None,
+        "truth of a cage lies between them, and the worse is on the safe side."
     )
 
     @classmethod

@@ -111,13 +111,11 @@ class SatelliteBearingOut(ResponseModel):
         "Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²).", symbol="F_r"
     )
     basic_life_h: Maybe[float] = result(
-        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.",
-        symbol="L_10h",
-        default=None,
+        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.", symbol="L_10h"
     )
-    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh", default=None)
+    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh")
     static_safety_factor: Maybe[float] = result(
-        "Static rating over the largest load at the peak torque.", symbol="S₀", default=None
+        "Static rating over the largest load at the peak torque.", symbol="S₀"
     )
 
 
@@ -133,14 +131,13 @@ class SatelliteBearingResponse(AssumingResponse):
         symbol="ρ",
     )
     operating_pressure_angle_deg: Maybe[float] = result(
-        "Operating pressure angle of involute teeth.", symbol="α_w", default=None
+        "Operating pressure angle of involute teeth.", symbol="α_w"
     )
     satellites: list[SatelliteBearingOut]
     system_life_h: Maybe[float] = result(
         "Time that such reducers reach at the reliability asked without a failure of any of these "
         "bearings; where the slope of the distribution is given.",
         symbol="L_s",
-        default=None,
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -279,12 +279,10 @@ class ShaftStrengthOut(ResponseModel):
     peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
     peak_stress_position_mm: float = result("Its section, from C towards the clamp.")
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it, where that is given.", symbol="S", default=None
+        "Yield strength over it, where that is given.", symbol="S"
     )
     fatigue: Maybe[CycleOut] = None
-    cycle_position_mm: Maybe[float] = result(
-        "Section of that cycle, from C towards the clamp.", default=None
-    )
+    cycle_position_mm: Maybe[float] = result("Section of that cycle, from C towards the clamp.")
 
 
 class LineContactOut(ResponseModel):
@@ -295,9 +293,9 @@ class LineContactOut(ResponseModel):
     reduced_radius_mm: float = result("Reduced radius of curvature.", symbol="ρ")
     effective_modulus_GPa: float = result("Effective modulus.", symbol="E*")
     roller_safety: Maybe[float] = result(
-        "Limit of the roller's material over the pressure, where it is known.", default=None
+        "Limit of the roller's material over the pressure, where it is known."
     )
-    mating_safety: Maybe[float] = result("The same of the satellite's material.", default=None)
+    mating_safety: Maybe[float] = result("The same of the satellite's material.")
     accuracy: AccuracyOut
 
 
@@ -320,17 +318,16 @@ class ShaftDeflectionResponse(JudgedResponse):
     slope_C_mrad: DeflectionOut = result("Slope at C.", symbol="θ_C", equation="Mohr")
     simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
         "Deflection at B of a shaft of one diameter, where the shaft has steps.",
-        default=None,
         symbol="Δ_B",
         equation="2020, eq. 34, 36",
     )
     simplified_deflection_C_mm: Maybe[DeflectionOut] = result(
-        "The same at C.", default=None, symbol="Δ_C", equation="2020, eq. 33, 35"
+        "The same at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
     )
     simplification_error_B: Maybe[float] = result(
-        "The simplified deflection at B over the exact one, less 1.", default=None
+        "The simplified deflection at B over the exact one, less 1."
     )
-    simplification_error_C: Maybe[float] = result("The same at C.", default=None)
+    simplification_error_C: Maybe[float] = result("The same at C.")
     strength: Maybe[ShaftStrengthOut] = None
     line_contact: Maybe[LineContactOut] = None
     accuracy: AccuracyOut

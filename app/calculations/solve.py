@@ -318,19 +318,16 @@ class SolveResponse(ResponseModel):
         description="`always` where the whole range meets it, `several` where more than one "
         "stretch does, `infeasible` where none."
     )
-    value: Maybe[float] = result("The input that meets the target, as wanted.", default=None)
+    value: Maybe[float] = result("The input that meets the target, as wanted.")
     sets: Maybe[dict[str, float]] = Field(
         default=None, description="All that it sets, by JSON pointer into `input`."
     )
-    bracket: Maybe[tuple[float, float]] = result(
-        "The neighbours that the edge lies between.", default=None
-    )
+    bracket: Maybe[tuple[float, float]] = result("The neighbours that the edge lies between.")
     intervals: list[tuple[float, float]] = result("Stretches that meet the target.")
     best: Maybe[BestOut] = None
     monotone: bool = result("Whether the result only grows or only falls, as sampled.")
     standard_size: Maybe[float] = result(
-        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it.",
-        default=None,
+        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it."
     )
     linked: list[str] = Field(description="JSON pointers to inputs that follow the variable.")
     accuracy: AccuracyOut = Field(
