@@ -71,7 +71,7 @@ class LimitOut(ResponseModel):
         description="Whether it was read in its standard or in two secondary sources."
     )
     life_curve: Maybe[LifeCurve] = Field(
-        default=None, description="How it falls over the life, where that is known."
+        description="How it falls over the life, where that is known."
     )
 
 
@@ -85,22 +85,22 @@ class MaterialOut(ResponseModel):
     youngs_modulus_GPa: float = Field(description="Young's modulus.")
     poissons_ratio: float = Field(description="Poisson's ratio.")
     allowable_pressure_MPa: Maybe[float] = Field(
-        default=None, description="Endurance limit of the contact pressure, where there is one."
+        description="Endurance limit of the contact pressure, where there is one."
     )
     limits: list[LimitOut]
     source: str = Field(description="Where Young's modulus and Poisson's ratio come from.")
-    tensile_strength_MPa: Maybe[float] = Field(default=None, description="Tensile strength.")
+    tensile_strength_MPa: Maybe[float] = Field(description="Tensile strength.")
     yield_strength_MPa: Maybe[float] = Field(
-        default=None, description="Yield strength Re or Rp0.2, or yield stress of a plastic."
+        description="Yield strength Re or Rp0.2, or yield stress of a plastic."
     )
     valid_diameter_mm: Maybe[float] = Field(
-        default=None, description="Largest diameter or wall that the strengths hold for."
+        description="Largest diameter or wall that the strengths hold for."
     )
     strength_source: Maybe[str] = Field(
-        default=None, description="Where they come from: a standard, as in two secondary sources."
+        description="Where they come from: a standard, as in two secondary sources."
     )
-    density_kg_m3: Maybe[float] = Field(default=None, description="Density.")
-    density_source: Maybe[str] = Field(default=None, description="Where it comes from.")
+    density_kg_m3: Maybe[float] = Field(description="Density.")
+    density_source: Maybe[str] = Field(description="Where it comes from.")
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
@@ -178,7 +178,7 @@ class CalculationOut(ResponseModel):
     name: str = Field(description="Its one name: in paths, batches, studies and examples.")
     title: str = Field(description="What it is.")
     path: str = Field(description="Path of its endpoint.")
-    chart: Maybe[str] = Field(default=None, description="Path of its figure.")
+    chart: Maybe[str] = Field(description="Path of its figure.")
     batched: bool = Field(description="Whether batches take it.")
     sources: list[str] = Field(description="Where its formulas come from.")
     model: list[NeglectedOut] = Field(

@@ -636,8 +636,7 @@ class AssumedOut(BaseModel):
     pointer: str = Field(description="JSON pointer to the field.")
     value: float | str | dict[str, Any] = Field(description="What is taken for it.")
     without: Maybe[dict[str, float]] = Field(
-        default=None,
-        description="Of the number of satellites: the peak force of one, by the ideal forces.",
+        description="Of the number of satellites: the peak force of one, by the ideal forces."
     )
 
 
@@ -645,7 +644,7 @@ class AssumingResponse(ResponseModel):
     """An answer that says what it assumes."""
 
     assumed: Maybe[list[AssumedOut]] = Field(
-        default=None, description="What was not given and decides; absent where all was."
+        description="What was not given and decides; absent where all was."
     )
 
 

@@ -145,7 +145,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
     """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
-        default=None,
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
@@ -423,10 +422,9 @@ class CrankPlanetaryResponse(JudgedResponse):
     )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
     warnings: Maybe[list[WarningOut]] = Field(
-        default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "
         "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`.",
+        "`eccentricity_assumed`."
     )
 
 

@@ -46,7 +46,6 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
     """With its bearing; without it no balance is answered."""
     bearings: Maybe[list[ShaftBearingFields]] = Field(
-        default=None,
         min_length=2,
         max_length=2,
         description="Both bearings, in the housing; ball bearings where not given.",

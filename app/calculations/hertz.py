@@ -221,8 +221,7 @@ class SafetyOut(ResponseModel):
     source: Maybe[str] = result("Where the limit comes from; absent where it was given.")
     source_code: Maybe[str] = result("The same by code.")
     life: Maybe[LifeOut] = Field(
-        default=None,
-        description="How the limit falls over the life; absent where speed or curve are not known.",
+        description="How the limit falls over the life; absent where speed or curve are not known."
     )
     safety_factor: float = Field(
         description="Limit over governing pressure, with the life factor where there is one. A "
@@ -289,19 +288,16 @@ class HertzResponse(AssumingResponse):
         equation="Dundurs 1969",
     )
     governing_pressure_MPa: Maybe[float] = Field(
-        default=None,
         description="The pressure that is judged: the conformal one where it applies, else "
-        "Hertz's; absent where neither theory holds.",
+        "Hertz's; absent where neither theory holds."
     )
     safety: Maybe[list[SafetyOut]] = Field(
-        default=None,
-        description="The bodies whose limit is known, each by its own; absent where none is.",
+        description="The bodies whose limit is known, each by its own; absent where none is."
     )
     safety_factor: Maybe[float] = Field(
-        default=None,
         description="The smaller of both bodies' safety factors; absent where one is not known. A "
         "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
-        "governs.",
+        "governs."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -93,9 +93,9 @@ class TargetFields(RequestModel):
         description="JSON pointer into the answer; a check by its code: "
         "`/checks/contact_pressure_hole/torque_reserve`.",
     )
-    at_least: Maybe[float] = Field(default=None, description="Least value.")
-    at_most: Maybe[float] = Field(default=None, description="Largest value.")
-    equals: Maybe[float] = Field(default=None, description="The value itself.")
+    at_least: Maybe[float] = Field(description="Least value.")
+    at_most: Maybe[float] = Field(description="Largest value.")
+    equals: Maybe[float] = Field(description="The value itself.")
 
     @property
     def wanted(self) -> tuple[Sense, float]:
@@ -320,7 +320,7 @@ class SolveResponse(ResponseModel):
     )
     value: Maybe[float] = result("The input that meets the target, as wanted.")
     sets: Maybe[dict[str, float]] = Field(
-        default=None, description="All that it sets, by JSON pointer into `input`."
+        description="All that it sets, by JSON pointer into `input`."
     )
     bracket: Maybe[tuple[float, float]] = result("The neighbours that the edge lies between.")
     intervals: list[tuple[float, float]] = result("Stretches that meet the target.")

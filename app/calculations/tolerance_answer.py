@@ -69,9 +69,7 @@ class QuantityOut(ResponseModel):
         "over the highest peaks, which come out too low; of the others against four times as many "
         "angles."
     )
-    kept: Maybe[YieldOut] = Field(
-        default=None, alias="yield", description="Yield, where a limit is given."
-    )
+    kept: Maybe[YieldOut] = Field(alias="yield", description="Yield, where a limit is given.")
     yield_of_fitting: Maybe[YieldOut] = result("The same of the pieces that fit.")
     histogram: Maybe[HistogramOut] = result("Histogram, where asked.")
     contributions: Maybe[list[ContributionOut]] = result(
