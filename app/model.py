@@ -441,6 +441,9 @@ class ResponseModel(BaseModel):
 
     model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
+    BESIDE: ClassVar[tuple[str, ...]] = ()
+    """Fields that are no attributes of the result: said beside it, else absent."""
+
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         _register(cls)
@@ -456,7 +459,7 @@ class ResponseModel(BaseModel):
         run_time_us : float, optional
             What the calculation cost, for `accuracy`.
         **given
-            Fields that are not read from the result; None for none.
+            Fields that are said here, not read from the result; absent where None.
         """
         values: Values = {}
         for name, value in given.items():
@@ -586,7 +589,7 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
         [
             (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings", "assumed", *given)
+            if name not in ("accuracy", "warnings", "assumed", *model.BESIDE, *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,

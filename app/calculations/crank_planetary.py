@@ -377,8 +377,7 @@ class LoadSharingOut(OverTurnOut):
     def values(cls, result: RealForces, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the forces over the turn; `judged_force_N` is given."""
         direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
-        own: Values = {"torque_direction": direction, "pressure_MPa": None}
-        return super().values(result.turn, run_time_us, **(own | given))
+        return super().values(result.turn, run_time_us, torque_direction=direction, **given)
 
 
 class DesignHertzOut(HertzResponse):

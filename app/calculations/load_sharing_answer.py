@@ -21,6 +21,8 @@ Direction = Literal["driving", "reverse"]
 class PositionOut(ResponseModel):
     """The mechanism at one crank angle under load."""
 
+    BESIDE = ("pressure_MPa",)
+
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     rotation_arcmin: float = result(
         "Lag of the output behind its ideal angle, clearance included; negative in reverse.",
@@ -65,6 +67,8 @@ class PositionOut(ResponseModel):
 
 class OverTurnOut(ResponseModel):
     """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
+
+    BESIDE = ("pressure_MPa",)
 
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
     peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")

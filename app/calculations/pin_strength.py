@@ -187,17 +187,14 @@ class SupportBoundOut(PinStrengthOut):
 class PinStrengthResponse(PinStrengthOut, AssumingResponse):
     """Bending, shear, static safety, fatigue and deflection of the pins."""
 
+    BESIDE = ("support_bounds",)
+
     forces: ForcesUsed = forces_used()
     locus: Maybe[MomentLocusOut] = None
     support_bounds: Maybe[list[SupportBoundOut]] = result(
         "Of pins held at both ends: free to tilt, then built in, whatever their support is; the "
         "truth of a cage lies between them, and the worse is on the safe side."
     )
-
-    @classmethod
-    def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of the strength; `support_bounds` are given."""
-        return super().values(result, run_time_us, **({"support_bounds": None} | given))
 
 
 def strength_figure(found: PinStrength, theme: Theme) -> Figure:
