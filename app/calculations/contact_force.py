@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.mechanism import MechanismFields
+from app.calculations.mechanism import MechanismFields, PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -231,13 +231,6 @@ class ContactForceRequest(MechanismFields, LoadFields):
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""
         return self.solve_for(self.mechanism())
-
-
-class PairOut(ResponseModel):
-    """A pair of hole and pin by number."""
-
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
 
 
 class ForceCurvesOut(ResponseModel):

@@ -22,7 +22,7 @@ from app.calculations.design import DesignFields, SatelliteBodyFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import FitOut, OverTurnOut
-from app.calculations.mechanism import MAX_PAIRS
+from app.calculations.mechanism import MAX_PAIRS, PairOut
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
@@ -292,11 +292,9 @@ class PointOut(ResponseModel):
     )
 
 
-class PairGeometryOut(ResponseModel):
+class PairGeometryOut(PairOut):
     """Hole, contact point and pressure angle of one pair."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
     hole_centre_mm: tuple[float, float] = result(
         "Centre of the hole, X and Y.", symbol="B_jn", equation="2021, before eq. 6"
     )

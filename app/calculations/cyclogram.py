@@ -2,7 +2,7 @@
 
 import math
 
-from app.calculations.mechanism import MechanismFields
+from app.calculations.mechanism import MechanismFields, PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -81,11 +81,9 @@ class CyclogramRequest(MechanismFields, RangeFields):
         return cyclogram(mechanism=mechanism, revolutions=self.revolutions), assembly
 
 
-class DrivingPairOut(ResponseModel):
+class DrivingPairOut(PairOut):
     """When one pair drives."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
     driving_deg: list[Range] = result(
         "Ranges of crank angle within a period in which it drives.",
         symbol="φ",

@@ -1,8 +1,9 @@
 """Answer of the load sharing with clearance and errors."""
 
+from functools import partial
 from typing import Any, Literal
 
-from app.calculations.contact_force import PairOut
+from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -16,6 +17,10 @@ from app.units import from_si
 from core.output.fit import Fit
 
 Direction = Literal["driving", "reverse"]
+
+worse_direction = partial(
+    result, "Where the torque alternates: the direction with the larger force, which is given."
+)
 
 
 class PositionOut(ResponseModel):
@@ -38,9 +43,7 @@ class PositionOut(ResponseModel):
         "Lag of the output behind each satellite, where these turn against each other.",
         symbol="θ_j",
     )
-    torque_direction: Maybe[Direction] = result(
-        "Where the torque alternates: the direction with the larger force, which is given."
-    )
+    torque_direction: Maybe[Direction] = worse_direction()
     loaded_pairs: int = result("Number of pairs with a force.")
     play_arcmin: Maybe[list[float]] = result(
         "From where to where the unloaded output can turn; absent where pairs press without load.",
@@ -120,9 +123,7 @@ class RealCurvesOut(ResponseModel):
 
     crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
     force_N: list[list[float]] = result("Forces, a list for each pair.", symbol="F_jn")
-    torque_direction: Maybe[Direction] = result(
-        "Where the torque alternates: the direction with the larger force, which is given."
-    )
+    torque_direction: Maybe[Direction] = worse_direction()
     pairs: list[PairOut] = result("The pairs, in the order of the forces.")
     rotation_arcmin: list[float] = result("Lag under the torque.", symbol="θ")
     reverse_rotation_arcmin: list[float] = result("Lag under the torque the other way.", symbol="θ")

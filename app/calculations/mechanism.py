@@ -5,7 +5,17 @@ from typing import ClassVar, Self
 
 from pydantic import model_validator
 
-from app.model import Angle, Forms, Maybe, RequestModel, Whole, field_error, quantity
+from app.model import (
+    Angle,
+    Forms,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Whole,
+    field_error,
+    quantity,
+    result,
+)
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
@@ -169,6 +179,13 @@ class MechanismFields(RequestModel, group="mechanism"):
             ratio=ratio,
             initial_crank_angle=to_si("initial_crank_angle_deg", start_deg),
         )
+
+
+class PairOut(ResponseModel):
+    """A pair of hole and pin by number."""
+
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    pin: int = result("Number of the pin, from 1.", symbol="n")
 
 
 @lru_cache(maxsize=1024)
