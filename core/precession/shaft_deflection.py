@@ -25,20 +25,11 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Deflection:
-    """Deflection of a place on the shaft."""
+    """Deflection of a place on the shaft, m, or its slope, rad, in the two planes."""
 
-    x: float  # m
-    y: float  # m
-    total: float  # sqrt(x^2 + y^2), m
-
-
-@dataclass(frozen=True, slots=True)
-class Slope:
-    """Slope of a place on the shaft."""
-
-    x: float  # rad
-    y: float  # rad
-    total: float  # sqrt(x^2 + y^2), rad
+    x: float  # in the plane xz
+    y: float  # in the plane yz
+    total: float  # sqrt(x^2 + y^2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +40,8 @@ class ShaftDeflection:
     reaction_C: Plane  # likewise
     deflection_B: Deflection  # in the direction of the satellite's forces on the shaft
     deflection_C: Deflection  # likewise
-    slope_B: Slope  # of the shaft at B
-    slope_C: Slope  # at C
+    slope_B: Deflection  # of the shaft at B
+    slope_C: Deflection  # at C
     # The same deflection with the smallest diameter everywhere; None for a shaft of one diameter.
     simplified_deflection_B: Deflection | None
     simplified_deflection_C: Deflection | None  # likewise
@@ -179,8 +170,8 @@ def shaft_deflection(
         reaction_C=reaction_c,
         deflection_B=at_b,
         deflection_C=at_c,
-        slope_B=Slope(turn_b.x, turn_b.y, turn_b.total),
-        slope_C=Slope(turn_c.x, turn_c.y, turn_c.total),
+        slope_B=turn_b,
+        slope_C=turn_c,
         simplified_deflection_B=simplified_b,
         simplified_deflection_C=simplified_c,
         simplification_error_B=_simplification_error(simplified_b, at_b),
