@@ -478,45 +478,23 @@ class ResponseModel(BaseModel):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
-    """A calculation as the service offers it; `app.registry` lists all of them.
+    """A calculation as the service offers it; `app.registry` lists all of them."""
 
-    Attributes
-    ----------
-    name : str
-        Its path below the API's prefix; its one name in batches, studies and examples too.
-    title : str
-        What it is, for people.
-    tag : str
-        Its chapter in the API's description.
-    request : type
-        Model of its request, or an annotated union of models.
-    answer : type of ResponseModel
-        Model that describes its answer.
-    solve : callable
-        A function of a module: the values of the answer to a request.
-    figure : callable, optional
-        A function of a module: the Plotly figure of a request and a theme.
-    sources : tuple of str
-        Where its formulas come from.
-    neglects : tuple of str
-        What its model leaves out with all of its sections given, keys of `NEGLECTED`.
-    batched : bool
-        Whether batches take it.
-    reporting : callable, optional
-        As `solve`, of what may take long: with a function that is told how much of it is done, from
-        0 to 1.
-    """
-
+    # Its path below the API's prefix; its one name in batches, studies and examples too.
     name: str
-    title: str
-    tag: str
-    request: Any
-    answer: type["ResponseModel"]
-    solve: Callable[[Any], Values]
+    title: str  # what it is, for people
+    tag: str  # its chapter in the API's description
+    request: Any  # model of its request, or an annotated union of models
+    answer: type["ResponseModel"]  # model that describes its answer
+    solve: Callable[[Any], Values]  # a function of a module: the values of the answer to a request
+    # A function of a module: the Plotly figure of a request and a theme.
     figure: Callable[[Any, Any], dict[str, Any]] | None = None
-    sources: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()  # where its formulas come from
+    # What its model leaves out with all of its sections given, keys of `NEGLECTED`.
     neglects: tuple[str, ...] = ()
-    batched: bool = True
+    batched: bool = True  # whether batches take it
+    # As `solve`, of what may take long: with a function that is told how much of it is done, from 0
+    # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
     def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:

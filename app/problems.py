@@ -187,30 +187,15 @@ def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
 
 @dataclass(slots=True)
 class Problem(Exception):
-    """A refusal, ready to be sent.
+    """A refusal, ready to be sent."""
 
-    Attributes
-    ----------
-    kind : str
-        Last part of the problem's type, a key of `KINDS`.
-    detail : str
-        This occurrence, for people.
-    errors : list of FieldProblem
-        The fields it is about.
-    more : int
-        How many fields besides are wrong.
-    where : dict
-        Position at which it happens, by API names.
-    headers : dict
-        Headers of the answer.
-    """
-
-    kind: str
-    detail: str
-    errors: list[FieldProblem] = field(default_factory=list)
-    more: int = 0
+    kind: str  # last part of the problem's type, a key of `KINDS`
+    detail: str  # this occurrence, for people
+    errors: list[FieldProblem] = field(default_factory=list)  # the fields it is about
+    more: int = 0  # how many fields besides are wrong
+    # Position at which it happens, by API names.
     where: dict[str, float] = field(default_factory=dict)
-    headers: dict[str, str] = field(default_factory=dict)
+    headers: dict[str, str] = field(default_factory=dict)  # of the answer
 
     @property
     def status(self) -> int:

@@ -315,19 +315,11 @@ class HertzResponse(AssumingResponse):
 
 @dataclass(frozen=True, slots=True)
 class PressureCurve:
-    """One pressure distribution to draw.
+    """One pressure distribution to draw."""
 
-    Attributes
-    ----------
-    name : str
-        Whose it is, an id of `app.theme.TEXTS`.
-    place_mm, pressure_MPa : array
-        Places along the arc of the pin and pressure there.
-    """
-
-    name: str
-    place_mm: FloatArray
-    pressure_MPa: FloatArray
+    name: str  # whose it is, an id of `app.theme.TEXTS`
+    place_mm: FloatArray  # along the arc of the pin
+    pressure_MPa: FloatArray  # there
 
 
 def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
