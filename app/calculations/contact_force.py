@@ -61,6 +61,8 @@ from core.worked.step import Step
 
 ForceSection = Literal["curves", "equal_sharing", "approximation"]
 
+RequestSection = Literal["curves", "equal_sharing", "approximation", "worked"]
+
 MAX_SAMPLES = 10_001
 
 FORCE_DIGITS = 12
@@ -243,7 +245,7 @@ class ContactForceRequest(MechanismFields, LoadFields):
         """The peak force of one satellite, where their number is assumed."""
         return force_of_one(self, self)
 
-    include: list[ForceSection | Literal["worked"]] = Field(  # type: ignore[assignment]
+    include: list[RequestSection] = Field(  # type: ignore[assignment]
         default=[], max_length=4, description="Optional results: what is not named is not computed."
     )
 

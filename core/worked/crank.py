@@ -141,7 +141,7 @@ def bearing_steps(*, given: Given, found: SatelliteBearings) -> list[Step]:
     _ring(sheet, given, found)
     j = worst_bearing(found)
     where = {"params": {"satellite": j + 1}}
-    sharing = sharing_steps(sheet, given)
+    sharing = sharing_steps(sheet, given=given)
     peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
     if sharing is None:
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
@@ -161,10 +161,10 @@ def bearing_steps(*, given: Given, found: SatelliteBearings) -> list[Step]:
     sheet.take("C_0", "static_rating", bearing.static_rating)
     static_step(
         sheet,
-        given,
-        "static_rating_safety",
-        "S_0",
-        None if found.static_safety_factor is None else float(found.static_safety_factor[j]),
+        given=given,
+        code="static_rating_safety",
+        symbol="S_0",
+        value=None if found.static_safety_factor is None else float(found.static_safety_factor[j]),
         limit="C_0",
         load="Q_max",
         share=given.static_torque / given.output_torque,
@@ -183,7 +183,7 @@ def _peak_load(sheet: Sheet, given: Given, sharing: Sharing, j: int, peak: float
         found: FloatArray = np.hypot(across, rho * across + pins)
         return found
 
-    turn, at = worst(sharing.turns, size)
+    turn, at = worst(sharing.turns, measure=size)
     said = {"note": "bearing_load", "params": {"satellite": j + 1}}
     if len(at.pin) > MOST_TERMS:
         sheet.state("peak_load", "Q_max", peak, "bearing_load", params=said["params"])
@@ -196,7 +196,7 @@ def _peak_load(sheet: Sheet, given: Given, sharing: Sharing, j: int, peak: float
 def _ring_force(sheet: Sheet, given: Given, sharing: Sharing, j: int, ring: float) -> None:
     """The largest force of the ring on the satellite."""
     loads = _Loads(given)
-    turn, at = worst(sharing.turns, lambda position: loads.of(position, j)[0])
+    turn, at = worst(sharing.turns, measure=lambda position: loads.of(position, j)[0])
     if len(at.pin) > MOST_TERMS:
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", params={"satellite": j + 1})
         return
@@ -227,7 +227,7 @@ def shaft_steps(*, given: Given, found: Crankshaft, radial_force_ratio: float) -
     sheet.take("rho", "radial_force_ratio", radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
-    sharing = sharing_steps(sheet, given)
+    sharing = sharing_steps(sheet, given=given)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
         if sharing is None or not _reaction(sheet, given, sharing, i, peak):
@@ -268,7 +268,7 @@ def _reaction(sheet: Sheet, given: Given, sharing: Sharing, i: int, peak: float)
     best: tuple[float, float, IdealTurn, Position] | None = None
     for way in WAYS[given.torque_direction]:
         size = measure(way)
-        turn, at = worst(sharing.turns, size)
+        turn, at = worst(sharing.turns, measure=size)
         value = float(size(at)[0])
         if best is None or value > best[0] * (1 + 1e-12):
             best = value, way, turn, at
@@ -306,7 +306,7 @@ def _balance(sheet: Sheet, given: Given, balance: Balance) -> None:
     many = len(cranks) > MOST_TERMS
 
     def vector(term: str) -> str:
-        along, across = (total(f"{term}{way}(alpha_#)", marks) for way in ("cos", "sin"))
+        along, across = (total(f"{term}{way}(alpha_#)", marks=marks) for way in ("cos", "sin"))
         return f"sqrt({along}^2+{across}^2)"
 
     turns = {"note": "turns_in_radians"}

@@ -83,8 +83,8 @@ def _factors(
 
 def finite_life(
     sheet: Sheet,
-    cycle: CycleFatigue,
     *,
+    cycle: CycleFatigue,
     input_speed: float,
     ratio: float,
     life: float,
@@ -132,8 +132,8 @@ def finite_life(
 
 def cycle_steps(
     sheet: Sheet,
-    cycle: CycleFatigue,
     *,
+    cycle: CycleFatigue,
     basis: FatigueBasis,
     diameter: float,
     tensile_strength: float,

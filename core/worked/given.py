@@ -32,16 +32,14 @@ class Given:
         Sizes of pin and hole, m; the second is the length over which a pin is loaded.
     pin_material, hole_material : ElasticMaterial or None
         Materials of the contact.
-    dynamic_factor, static_share : float
-        K_A, and the torque of static strength over the one with it.
+    dynamic_factor, static_share, static_torque : float
+        K_A, the torque of static strength over the one with it, and that torque, N*m.
     life : float
         Required life, s; infinite where none is asked.
     pin, fatigue, friction, gear, bearing, crankshaft : object or None
         Sections.
     real : bool
         Whether the forces are those of the mechanism as it is made.
-    static_torque : float
-        Torque of static strength, N*m.
     peak_force : float or None
         Largest ideal force, N.
     pair_stiffness : tuple of float or None

@@ -15,7 +15,7 @@ PERSSON = {"source": "persson"}
 MODULUS = "1/((1-nu_1^2)/E_1+(1-nu_2^2)/E_2)"
 
 
-def take_materials(sheet: Sheet, first: ElasticMaterial, second: ElasticMaterial) -> None:
+def take_materials(sheet: Sheet, *, first: ElasticMaterial, second: ElasticMaterial) -> None:
     """Let E_1, nu_1 and E_2, nu_2 be known.
 
     Parameters
@@ -77,7 +77,7 @@ def hertz_steps(
     sheet.take("r_out", "hole_radius", hole_radius)
     formula = "r_out*r_in/(r_out-r_in)"
     sheet.work("reduced_radius", "rho", found.reduced_radius, formula, **PAPER)
-    take_materials(sheet, pin_material, hole_material)
+    take_materials(sheet, first=pin_material, second=hole_material)
     sheet.work("effective_modulus", "E_star", found.effective_modulus, MODULUS, **PAPER)
     sheet.work("max_pressure", "p_0", found.max_pressure, "sqrt(w*E_star/(pi*rho))", **PAPER)
     sheet.take("k_m", "factor", math.pi / 4)

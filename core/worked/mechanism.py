@@ -206,7 +206,7 @@ def _peak(sheet: Sheet, mechanism: Mechanism, found: ContactForce, exponent: flo
     top, term = {0.0: ("", ""), 1.0: ("*cos(gamma_p)", "^2")}.get(
         exponent, ("*cos(gamma_p)^v", "^(1+v)")
     )
-    formula = f"F_0{top}/{total(f'cos(gamma_#){term}', marks)}"
+    formula = f"F_0{top}/{total(f'cos(gamma_#){term}', marks=marks)}"
     sheet.work("peak_force", "F", found.peak_force, formula, **said, note="driving", **params)
 
 
@@ -225,7 +225,7 @@ def _equal_sharing(sheet: Sheet, mechanism: Mechanism, peak: float) -> None:
     marks = [str(i + 1) for i in range(len(angles))]
     for mark, angle in zip(marks, angles, strict=True):
         sheet.take(f"gamma_{mark}", "pressure_angle", angle)
-    formula = f"F_0/{total('cos(gamma_#)', marks)}"
+    formula = f"F_0/{total('cos(gamma_#)', marks=marks)}"
     sheet.work("equal_sharing_peak", "F_e", peak, formula, **said, note="least_support")
 
 

@@ -13,11 +13,11 @@ from core.worked.turn import Position, worst
 
 def static_step(
     sheet: Sheet,
+    *,
     given: Given,
     code: str,
     symbol: str,
     value: float | None,
-    *,
     limit: str,
     load: str,
     share: float,
@@ -79,10 +79,10 @@ def strength_steps(*, given: Given, found: PinStrength) -> list[Step]:
     sheet.take("R_e", "yield_strength", pin.material.yield_strength)
     static_step(
         sheet,
-        given,
-        "static_safety_factor",
-        "S",
-        found.static_safety_factor,
+        given=given,
+        code="static_safety_factor",
+        symbol="S",
+        value=found.static_safety_factor,
         limit="R_e",
         load="sigma_v",
         share=given.static_share,
@@ -108,11 +108,13 @@ def _fatigue(sheet: Sheet, given: Given, found: PinStrength) -> None:
         if speed is not None:
             life = given.life if basis.life is None else basis.life
             cycles = speed * life / given.mechanism.crank_angle_per_wave
-            finite_life(sheet, cycle, input_speed=speed, ratio=ratio, life=life, cycles=cycles)
+            finite_life(
+                sheet, cycle=cycle, input_speed=speed, ratio=ratio, life=life, cycles=cycles
+            )
 
     cycle_steps(
         sheet,
-        cycle,
+        cycle=cycle,
         basis=basis,
         diameter=pin.diameter,
         tensile_strength=pin.tensile_strength,
@@ -134,12 +136,12 @@ def _deflection(sheet: Sheet, given: Given, found: PinDeflection) -> None:
         "deflection": ("w", found.satellite - 1, found.deflection),
         "slope": ("theta", found.slope_satellite - 1, found.slope),
     }
-    sharing = sharing_steps(sheet, given)
+    sharing = sharing_steps(sheet, given=given)
     if sharing is None:
         for code, (symbol, satellite, value) in parts.items():
             sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
         return
-    take_beam(sheet, given)
+    take_beam(sheet, given=given)
     sheet.take("K_A", "dynamic_factor", given.dynamic_factor)
     sheet.take("T", "output_torque", given.output_torque)
     sheet.take("R", "pin_circle_radius", given.pin_circle_radius)
@@ -169,14 +171,14 @@ def _bent(
             own[:, n] += parts[:, column]
         return np.abs(own)
 
-    turn, at = worst(sharing.turns, lambda position: on_pins(position).max(axis=1))
+    turn, at = worst(sharing.turns, measure=lambda position: on_pins(position).max(axis=1))
     n = int(on_pins(at)[0].argmax())
     shares = Shares(sheet, turn, at)
     pairs = [pair for pair in shares.pairs if pair[1] == n]
     letter = "c" if code == "deflection" else "s"
     units, forces = [], []
     for j, _, angle in pairs:
-        units.append(unit_steps(sheet, given, satellite, j)[0 if letter == "c" else 1])
+        units.append(unit_steps(sheet, given=given, at=satellite, by=j)[0 if letter == "c" else 1])
         forces.append(f"F_{j + 1}")
         column = shares.pairs.index((j, n, angle))
         force = given.dynamic_factor * given.output_torque / given.pin_circle_radius

@@ -61,7 +61,7 @@ def line_steps(*, gear: dict[str, float], found: ContactLines, by_angle: bool) -
     for mark, each in zip(marks, found.lines, strict=True):
         sheet.take(f"s_{mark}", "length", each.length)
     if 1 < len(marks) <= MOST_TERMS:
-        formula = total("s_#", marks)[1:-1]
+        formula = total("s_#", marks=marks)[1:-1]
         sheet.work("total_length", "S", found.total_length, formula, **eight, note="others")
     else:
         sheet.state("total_length", "S", found.total_length, "others", **eight)
@@ -311,7 +311,7 @@ def _strength(sheet: Sheet, shaft: _Shaft, found: ShaftStrength, judged: dict[st
     sheet.work("min_stress", "sigma_min", cycle.min_stress, "r_s*sigma_max")
     cycle_steps(
         sheet,
-        cycle,
+        cycle=cycle,
         basis=basis,
         diameter=shaft.diameter_at(found.cycle_position),
         tensile_strength=judged["tensile_strength"],
@@ -332,7 +332,7 @@ def _contact(
     sheet.take("q", "max_line_load", load.max_line_load)
     sheet.take("r_m", "mating_radius", mating_radius)
     sheet.take("rho", "roller_radius", roller_radius)
-    take_materials(sheet, *materials)
+    take_materials(sheet, first=materials[0], second=materials[1])
     formula = "r_m*rho/(r_m+rho)"
     sheet.work("reduced_radius", "rho_c", found.reduced_radius, formula, **JOHNSON)
     sheet.work("effective_modulus", "E_star", found.effective_modulus, MODULUS, **JOHNSON)

@@ -130,7 +130,7 @@ def _sharing(sheet: Sheet, found: RollerStrength, gaps: list[float] | None) -> N
     if loaded > MOST_TERMS:
         sheet.state("displacement", "Delta", found.displacement, "gaps", **said)
     else:
-        formula = f"(n*F_m/c+{total('g_#', marks)})/m"
+        formula = f"(n*F_m/c+{total('g_#', marks=marks)})/m"
         sheet.work("displacement", "Delta", found.displacement, formula, **said, note="gaps")
     delta, six = found.relative_position_error, {"source": SOURCE, "equation": "6"}
     if gaps is None:
@@ -148,7 +148,7 @@ def _sharing(sheet: Sheet, found: RollerStrength, gaps: list[float] | None) -> N
         sheet.state("relative_position_error", "delta", delta, "mean_gap", **six)
     else:
         over = "4*(n-1)" if n > 1 else "4"
-        formula = f"c*{total('(g_#-g_min)', all_marks)}/({over})/F_m"
+        formula = f"c*{total('(g_#-g_min)', marks=all_marks)}/({over})/F_m"
         sheet.work("relative_position_error", "delta", delta, formula, **six, note="mean_gap")
     five = {"source": SOURCE, "equation": "5"}
     sheet.work("max_force", "F_1", found.max_force, "c*(Delta-g_min)", **five)
@@ -180,7 +180,7 @@ def _fatigue(
         sheet.state("min_stress", "sigma_min", cycle.min_stress, "comes_and_goes")
     cycle_steps(
         sheet,
-        cycle,
+        cycle=cycle,
         basis=basis,
         diameter=diameter,
         tensile_strength=tensile_strength,

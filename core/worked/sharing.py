@@ -69,7 +69,7 @@ def beam_of(given: Given) -> PinBeam:
     )
 
 
-def take_beam(sheet: Sheet, given: Given) -> None:
+def take_beam(sheet: Sheet, *, given: Given) -> None:
     """Let the sizes and the material of the pin be known.
 
     Parameters
@@ -88,7 +88,7 @@ def take_beam(sheet: Sheet, given: Given) -> None:
     sheet.take("L", "span", None if pin.support == "cantilever" else pin.span)
 
 
-def unit_steps(sheet: Sheet, given: Given, at: int, by: int) -> tuple[str, str]:
+def unit_steps(sheet: Sheet, *, given: Given, at: int, by: int) -> tuple[str, str]:
     """Steps of deflection and slope at a satellite by a unit force at one.
 
     Parameters
@@ -159,7 +159,7 @@ class Sharing:
     turns: tuple[IdealTurn, ...]
 
 
-def sharing_steps(sheet: Sheet, given: Given) -> Sharing | None:
+def sharing_steps(sheet: Sheet, *, given: Given) -> Sharing | None:
     """Steps of the stiffness of the pairs, where satellites share by it.
 
     Parameters
@@ -182,9 +182,9 @@ def sharing_steps(sheet: Sheet, given: Given) -> Sharing | None:
     if given.pair_stiffness is None:
         return Sharing(mechanism, exponent, (alike,))
     _contact(sheet, given)
-    take_beam(sheet, given)
+    take_beam(sheet, given=given)
     for j, stiffness in enumerate(given.pair_stiffness):
-        deflection, _ = unit_steps(sheet, given, j, j)
+        deflection, _ = unit_steps(sheet, given=given, at=j, by=j)
         sheet.work("pair_stiffness", f"k_{j + 1}", stiffness, f"1/(c_c+{deflection})")
     weighed = IdealTurn(mechanism, exponent, given.pair_stiffness)
     return Sharing(mechanism, exponent, (alike, weighed))
@@ -212,7 +212,7 @@ def _contact(sheet: Sheet, given: Given) -> None:
     sheet.take("b", "contact_length", length)
     sheet.take("r_in", "pin_radius", radius)
     sheet.take("r_out", "hole_radius", hole)
-    take_materials(sheet, first, second)
+    take_materials(sheet, first=first, second=second)
     parts = [float((1 - each.poissons_ratio**2) / each.youngs_modulus) for each in (first, second)]
     reduced = hole * radius / (hole - radius)
     width = math.sqrt(4 * force / (math.pi * length) * reduced * sum(parts))
@@ -276,7 +276,7 @@ class Shares:
         for j, n, _ in pairs:
             term = (f"k_{j + 1}" if self.weighed else "1") + form.replace("#", f"{j + 1}_{n + 1}")
             parts.append(term.removeprefix("1*"))
-        return total("#", parts)
+        return total("#", marks=parts)
 
     @property
     def support(self) -> str:

@@ -157,7 +157,7 @@ class Sheet:
             self.steps.append(step)
 
 
-def total(term: str, marks: list[str]) -> str:
+def total(term: str, *, marks: list[str]) -> str:
     """A sum written out.
 
     Parameters
@@ -174,7 +174,7 @@ def total(term: str, marks: list[str]) -> str:
 
     Examples
     --------
-    >>> total("cos(gamma_#)^2", ["1", "2"])
+    >>> total("cos(gamma_#)^2", marks=["1", "2"])
     '(cos(gamma_1)^2+cos(gamma_2)^2)'
     """
     return "(" + "+".join(term.replace("#", mark) for mark in marks) + ")"

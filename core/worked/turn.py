@@ -144,7 +144,7 @@ class IdealTurn:
         return best
 
 
-def worst(turns: Sequence[IdealTurn], measure: Measure) -> tuple[IdealTurn, Position]:
+def worst(turns: Sequence[IdealTurn], *, measure: Measure) -> tuple[IdealTurn, Position]:
     """Of some turns the one in which a value is largest, and the position.
 
     Parameters
