@@ -25,7 +25,7 @@ QUANTITIES: dict[str, str] = {
     "N": "across_force approximate_peak balance_force centre_force dynamic_rating "
     "equal_sharing_peak equivalent equivalent_load force max_force mean_force min_load peak "
     "peak_force peak_load peak_ring_force peak_shear_force pin_force pins_force reaction_B "
-    "reaction_C reference_force static_rating",
+    "reaction_C reaction_part reference_force static_rating",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple input_torque moment "
     "output_torque peak_moment satellite_torque torque",
     "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "

@@ -243,6 +243,17 @@ def shaft_steps(*, given: Given, found: Crankshaft, radial_force_ratio: float) -
     return sheet.steps
 
 
+def _summed(
+    loads: _Loads, at: Position, arms: ComplexArray, rho: float, way: float
+) -> ComplexArray:
+    """Reaction along and across the first crank: what the satellites do, each by its arm."""
+    reaction = np.zeros(len(at.angle), dtype=complex)
+    for j, arm in enumerate(arms):
+        across, pins = loads.of(at, j)
+        reaction += arm * (rho * across + pins + 1j * way * across)
+    return reaction
+
+
 def _reaction(sheet: Sheet, given: Given, sharing: Sharing, i: int, peak: float) -> bool:
     """Reaction of a bearing by moments about the other; whether it is written out."""
     if peak == 0:
@@ -256,14 +267,7 @@ def _reaction(sheet: Sheet, given: Given, sharing: Sharing, i: int, peak: float)
     loads, rho = _Loads(given), sheet.known["rho"].value
 
     def measure(way: float) -> Measure:
-        def size(at: Position) -> FloatArray:
-            reaction = np.zeros(len(at.angle), dtype=complex)
-            for j in range(mechanism.satellites):
-                across, pins = loads.of(at, j)
-                reaction += carried[j] * cranks[j] * (rho * across + pins + 1j * way * across)
-            return np.abs(reaction)
-
-        return size
+        return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way))
 
     best: tuple[float, float, IdealTurn, Position] | None = None
     for way in WAYS[given.torque_direction]:
@@ -288,8 +292,10 @@ def _reaction(sheet: Sheet, given: Given, sharing: Sharing, i: int, peak: float)
         own, w, angle = f"(rho*W_{n}+S_{n})", f"W_{n}", f"alpha_{n}"
         along.append(f"{share}*({own}*cos({angle}){minus}{w}*sin({angle}))")
         across.append(f"{share}*({own}*sin({angle}){plus}{w}*cos({angle}))")
-    formula = f"sqrt(({'+'.join(along)})^2+({'+'.join(across)})^2)"
-    sheet.work("peak", f"R_{LETTERS[i]}", peak, formula, note="equilibrium")
+    letter, reaction = LETTERS[i], complex(_summed(loads, at, carried * cranks, rho, way)[0])
+    for axis, part, terms in (("X", reaction.real, along), ("Y", reaction.imag, across)):
+        sheet.work("reaction_part", f"{axis}_{letter}", part, "+".join(terms), note="equilibrium")
+    sheet.work("peak", f"R_{letter}", peak, f"sqrt(X_{letter}^2+Y_{letter}^2)")
     return True
 
 

@@ -47,8 +47,8 @@ def static_step(
     elif given.real or (given.pair_stiffness is not None):
         sheet.state(code, symbol, value, "under_peak", **said)
     else:
-        sheet.take("k_T", "torque_share", share)
-        sheet.work(code, symbol, value, f"{limit}/(k_T*{load})", note="peak_torque", **said)
+        sheet.take("k", "torque_share", share)
+        sheet.work(code, symbol, value, f"{limit}/(k*{load})", note="peak_torque", **said)
 
 
 def strength_steps(*, given: Given, found: PinStrength) -> list[Step]:

@@ -33,6 +33,7 @@ VALUES = {
     "decades_left": "Part of the decades left to a million cycles",
     "logarithm": "Natural logarithm",
     "shortening": "Shortening of the cycloid",
+    "reaction_part": "Part of the reaction",
 }
 """Values on the way to a result, by the code of their step."""
 
