@@ -210,15 +210,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Sections of the answer."""
         if self.include is not None:
             return [each for each in self.include if not self._unfit(each)]
-        return self._usual_sections()
+        return self.usual_sections()
 
-    @property
-    def worked_sections(self) -> list[Section]:
-        """Sections whose steps are asked: those of the answer, all usual ones where it has none."""
-        asked = [each for each in self.sections if each in WORKED]
-        return asked or [each for each in self._usual_sections() if each in WORKED]
-
-    def _usual_sections(self) -> list[Section]:
+    def usual_sections(self) -> list[Section]:
         """Sections where none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
@@ -303,14 +297,13 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def clearance_steps(self) -> list[Step]:
         """Worked steps of the clearance."""
-        geometry, _ = self.solve_geometry()
-        design = self.design
-        assert design.pin_radius is not None and design.hole_radius is not None
+        fit, design = self.solve_fit(), self.design
+        assert fit is not None and design.pin_radius is not None and design.hole_radius is not None
         return clearance_steps(
-            clearance=geometry.clearance,
+            clearance=fit.clearance,
             pin_radius=design.pin_radius,
             hole_radius=design.hole_radius,
-            eccentricity=design.known_eccentricity,
+            eccentricity=fit.eccentricity,
         )
 
     def strength_steps(self, section: Section) -> list[Step]:
@@ -604,9 +597,19 @@ def solve(body: CrankPlanetaryRequest) -> Values:
 
 
 def work(body: CrankPlanetaryRequest) -> list[Values]:
-    """Worked steps of the sections that are asked; of all usual ones where none is."""
-    asked, _ = run(body, lambda: body.worked_sections)
-    return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in asked})
+    """Worked steps of the sections that are named; where none is, of all usual ones that can be."""
+    sections, _ = run(body, lambda: body.sections)
+    named = [each for each in sections if each in WORKED]
+    if named:
+        return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in named})
+    usual, _ = run(body, body.usual_sections)
+    found = {}
+    for each in usual:
+        if each in WORKED:
+            steps, _ = run(body, partial(if_known, partial(WORKED[each], body)))
+            if steps is not None:
+                found[each] = steps
+    return worked(**found)
 
 
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:

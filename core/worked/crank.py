@@ -14,7 +14,7 @@ from core.worked.given import Given
 from core.worked.pins import static_step
 from core.worked.sharing import Shares, Sharing, sharing_steps
 from core.worked.step import MOST_TERMS, Sheet, Step, total
-from core.worked.turn import IdealTurn, Measure, Position, worst
+from core.worked.turn import IdealTurn, Measure, Position, is_at, worst
 
 ROUNDING = 1e-9
 
@@ -184,20 +184,25 @@ def _peak_load(sheet: Sheet, given: Given, sharing: Sharing, j: int, peak: float
         return found
 
     turn, at = worst(sharing.turns, measure=size)
-    said = {"note": "bearing_load", "params": {"satellite": j + 1}}
-    if len(at.pin) > MOST_TERMS:
-        sheet.state("peak_load", "Q_max", peak, "bearing_load", params=said["params"])
+    where = {"params": {"satellite": j + 1}}
+    if not is_at(at, measure=size, value=peak):
+        sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
         return
     loads.steps(sheet, Shares(sheet, turn, at), j, given.output_torque)
     w, s = f"W_{j + 1}", f"S_{j + 1}"
-    sheet.work("peak_load", "Q_max", peak, f"sqrt({w}^2+(rho*{w}+{s})^2)", **said)
+    sheet.work("peak_load", "Q_max", peak, f"sqrt({w}^2+(rho*{w}+{s})^2)",
+               note="bearing_load", **where)  # fmt: skip
 
 
 def _ring_force(sheet: Sheet, given: Given, sharing: Sharing, j: int, ring: float) -> None:
     """The largest force of the ring on the satellite."""
-    loads = _Loads(given)
-    turn, at = worst(sharing.turns, measure=lambda position: loads.of(position, j)[0])
-    if len(at.pin) > MOST_TERMS:
+    loads, rho = _Loads(given), sheet.known["rho"].value
+
+    def size(at: Position) -> FloatArray:
+        return loads.of(at, j)[0] * math.hypot(1, rho)
+
+    turn, at = worst(sharing.turns, measure=size)
+    if not is_at(at, measure=size, value=ring):
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", params={"satellite": j + 1})
         return
     shares = Shares(sheet, turn, at)
@@ -278,7 +283,8 @@ def _reaction(sheet: Sheet, given: Given, sharing: Sharing, i: int, peak: float)
             best = value, way, turn, at
     assert best is not None
     _, way, turn, at = best
-    if len(at.pin) > MOST_TERMS or mechanism.satellites > MOST_SATELLITES:
+    written = is_at(at, measure=measure(way), value=peak)
+    if not written or mechanism.satellites > MOST_SATELLITES:
         return False
     shares = Shares(sheet, turn, at)
     minus, plus = ("-", "+") if way > 0 else ("+", "-")

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.output.contact_force import ContactForce
 from core.output.cyclogram import Cyclogram
 from core.output.mechanism import Mechanism, assembly_angles
 from core.output.pin_forces import pressure_cosines
 from core.worked.step import MOST_TERMS, Sheet, Step, total
-from core.worked.turn import IdealTurn
+from core.worked.turn import IdealTurn, Position, is_at
 
 EQUATION_6 = {"source": "yanchevskiy2021", "equation": "6"}
 EQUATION_11 = {"source": "yanchevskiy2021", "equation": "11"}
@@ -19,6 +20,9 @@ MOST_SATELLITES = 6
 
 MOST_PAIRS = 500
 """Pairs up to which the position of least support is looked for."""
+
+LOST = 1e-14
+"""Part of a radius that rounding loses."""
 
 HALF, TURN = math.pi, 2 * math.pi
 
@@ -217,9 +221,15 @@ def _equal_sharing(sheet: Sheet, mechanism: Mechanism, peak: float) -> None:
         sheet.state("equal_sharing_peak", "F_e", peak, "least_support", **said)
         return
     turn = IdealTurn(mechanism, 0.0)
-    _, at = turn.largest(lambda position: position.force.max(axis=1))
+
+    def most(position: Position) -> FloatArray:
+        found: FloatArray = reference * position.force.max(axis=1)
+        return found
+
+    reference = sheet.known["F_0"].value
+    _, at = turn.largest(most)
     angles = [each for each in at.angle[0].tolist() if math.cos(each) > 1e-12]
-    if len(angles) > MOST_TERMS:
+    if not is_at(at, measure=most, value=peak):
         sheet.state("equal_sharing_peak", "F_e", peak, "least_support", **said)
         return
     marks = [str(i + 1) for i in range(len(angles))]
@@ -250,5 +260,8 @@ def clearance_steps(
     sheet.take("r_in", "pin_radius", pin_radius)
     sheet.take("e", "eccentricity", eccentricity)
     said = {"source": "yanchevskiy2021", "erratum": "intersection"}
-    sheet.work("clearance", "c", clearance, "r_out-r_in-e", **said)
+    if clearance == 0 and abs(hole_radius - pin_radius - eccentricity) > LOST * hole_radius:
+        sheet.state("clearance", "c", clearance, "felt", **said)
+    else:
+        sheet.work("clearance", "c", clearance, "r_out-r_in-e", **said)
     return sheet.steps

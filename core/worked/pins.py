@@ -8,7 +8,7 @@ from core.worked.fatigue import cycle_steps, finite_life
 from core.worked.given import Given
 from core.worked.sharing import Shares, Sharing, beam_of, sharing_steps, take_beam, unit_steps
 from core.worked.step import Sheet, Step
-from core.worked.turn import Position, worst
+from core.worked.turn import Position, is_at, worst
 
 
 def static_step(
@@ -171,7 +171,14 @@ def _bent(
             own[:, n] += parts[:, column]
         return np.abs(own)
 
-    turn, at = worst(sharing.turns, measure=lambda position: on_pins(position).max(axis=1))
+    def most(position: Position) -> FloatArray:
+        found: FloatArray = on_pins(position).max(axis=1)
+        return found
+
+    turn, at = worst(sharing.turns, measure=most)
+    if not is_at(at, measure=most, value=value):
+        sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
+        return
     n = int(on_pins(at)[0].argmax())
     shares = Shares(sheet, turn, at)
     pairs = [pair for pair in shares.pairs if pair[1] == n]

@@ -229,13 +229,15 @@ def _contact(sheet: Sheet, given: Given) -> None:
         ("l_2", 2 * hole / width, "logarithm_of_hole"),
     ):
         sheet.state("logarithm", symbol, math.log(ratio), code, source="johnson")
-    sheet.work(
-        "contact_compliance",
-        "c_c",
-        compliance,
-        "((1-nu_1^2)/E_1*(2*l_1-1)+(1-nu_2^2)/E_2*(2*l_2-nu_2/(1-nu_2)))/(pi*b)",
-        source="johnson",
-    )
+    said = {"source": "johnson"}
+    pin = parts[0] * (2 * math.log(4 * radius / width) - 1)
+    ratio = float(second.poissons_ratio / (1 - second.poissons_ratio))
+    by_law = (pin + parts[1] * (2 * math.log(2 * hole / width) - ratio)) / (math.pi * length)
+    if not math.isclose(by_law, compliance, rel_tol=1e-9):
+        sheet.state("contact_compliance", "c_c", compliance, "law_end", **said)
+        return
+    formula = "((1-nu_1^2)/E_1*(2*l_1-1)+(1-nu_2^2)/E_2*(2*l_2-nu_2/(1-nu_2)))/(pi*b)"
+    sheet.work("contact_compliance", "c_c", compliance, formula, **said)
 
 
 class Shares:

@@ -13,6 +13,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.output.mechanism import Mechanism
+from core.worked.step import MOST_TERMS
 
 SHORT = 1e-9
 """Segment that only rounding makes, rad."""
@@ -56,6 +57,29 @@ class Position:
 
 
 Measure = Callable[[Position], FloatArray]
+
+FOUND = 1e-10
+"""Relative difference from the largest value that core has found up to which a position is that of
+the value: peaks of large force exponents are narrower than what is looked at here."""
+
+
+def is_at(at: Position, *, measure: Measure, value: float) -> bool:
+    """Whether a largest value is that of a position, which few enough pairs drive at to be written.
+
+    Parameters
+    ----------
+    at : Position
+        Of one place.
+    measure : callable
+        Values of positions.
+    value : float
+        The largest value.
+
+    Returns
+    -------
+    bool
+    """
+    return len(at.pin) <= MOST_TERMS and math.isclose(float(measure(at)[0]), value, rel_tol=FOUND)
 
 
 class IdealTurn:

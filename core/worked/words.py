@@ -150,6 +150,8 @@ NOTES = {
     "solved": "Solved with clearance, deviations and elasticity as they are given.",
     "simulated": "Counted over random pieces.",
     "root": "Found by narrowing a range until the result is what is wanted.",
+    "felt": "Less than decimals lose: taken as none.",
+    "law_end": "Held where the law of line contact ends: beyond, the approach would fall.",
 }
 """What is to be known of a step, and how a number was got in the place of a formula."""
 

@@ -128,6 +128,37 @@ def test_nothing_is_worked_unless_asked(calculation: str) -> None:
                 assert "worked" not in asked.answered(request)
 
 
+def test_what_cannot_be_is_not_worked() -> None:
+    """A mechanism with a dead centre has its cyclogram and no force."""
+    body = {
+        "mechanism": {"pins": 1, "satellites": 2, "ratio": 61.0, "crank_spacing_deg": 90.0},
+        "load": {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 30.0},
+        "include": ["checks"],
+    }
+    assert {step["section"] for step in steps_of("crank-planetary", body)} == {"cyclogram"}
+
+
+def test_a_narrow_peak_is_not_written_with_the_angles_of_another() -> None:
+    """By a force exponent of 10,000 the largest slope lies where no step of the search does."""
+    _, body = REQUESTS["pins"]
+    narrow = body | {
+        "mechanism": {
+            "pins": 5,
+            "satellites": 3,
+            "ratio": 20.0,
+            "crank_angles_deg": [288.0, 324.0, 360.0],
+        },
+        "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "force_exponent": 1e4},
+        "pin": body["pin"] | {"satellite_positions_mm": [15.0, 37.0, 59.0], "diameter_mm": 15.0},
+        "fatigue": {"endurance_limit_MPa": 300.0},
+    }
+    narrow.pop("contact")
+    narrow["pin"]["contact_length_mm"] = 20.0
+    steps = steps_of("pin-strength", narrow)
+    check(steps)
+    assert any(step["code"] == "slope_mrad" for step in steps)
+
+
 def test_the_sum_of_many_pairs_is_not_written_out() -> None:
     body = {"pins": 5000, "satellites": 2, "ratio": 20.0, "output_torque_Nm": 1e3,
             "pin_circle_radius_mm": 1e3, "include": ["equal_sharing"]}  # fmt: skip
