@@ -6,6 +6,7 @@ from collections.abc import Callable
 from core.checks.sections import FatigueBasis
 from core.fatigue import (
     ENDURING,
+    KPSI,
     LOW_CYCLES,
     NOTCH_STRENGTHS,
     SURFACES,
@@ -16,9 +17,6 @@ from core.fatigue import (
 from core.worked.step import Sheet
 
 SHIGLEY = {"source": "shigley"}
-
-KPSI = 6.894757293168361e6
-"""1000 pounds a square inch, Pa."""
 
 
 def _surface(sheet: Sheet, basis: FatigueBasis, factor: float) -> None:

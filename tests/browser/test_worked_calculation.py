@@ -28,10 +28,13 @@ def last_number(one: Locator) -> float:
 
 @pytest.mark.parametrize("calculator", CALCULATORS)
 def test_steps_are_folded_and_built_when_opened(page: Page, service: str, calculator: str) -> None:
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.post_data or ""))
     show(page, service, calculator)
     groups = page.locator(".worked details")
     assert groups.count() == page.locator(".results .result[data-section]").count()
     expect(page.locator(".worked math")).to_have_count(0)
+    assert not any('"worked"' in each for each in asked)
     for summary in groups.locator("summary").all():
         summary.click()
     for group in groups.all():
