@@ -295,6 +295,21 @@ class Solved:
         return values
 
 
+BOUNDS = frozenset(
+    f"{name}_error{unit}"
+    for name, unit in (
+        ("angle", "_arcmin"),
+        ("force", "_N"),
+        ("pair", ""),
+        ("play", "_arcmin"),
+        ("ripple", "_Nm"),
+        ("rotation", "_arcmin"),
+        ("stiffness", ""),
+    )
+)
+"""Errors of results, which have no worked step."""
+
+
 def solve(body: LoadSharingRequest) -> Values:
     """Forces, lag, play and stiffness of the output mechanism with clearance, deviations and
     elasticity, at crank angles and over the turn.
@@ -302,9 +317,9 @@ def solve(body: LoadSharingRequest) -> Values:
     solved, run_time_us = run(body, body.solve_all)
     values = solved.answer(run_time_us)
     if "worked" in body.include:
-        steps = stated("over_turn", values.get("over_turn", {}), "solved")
+        steps = stated("over_turn", values.get("over_turn", {}), "solved", BOUNDS)
         for position in values.get("positions", ()):
-            steps += stated("positions", position, "solved")
+            steps += stated("positions", position, "solved", BOUNDS)
         values["worked"] = steps
     return values
 

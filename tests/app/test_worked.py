@@ -208,3 +208,57 @@ def test_every_code_has_words() -> None:
             if "erratum" in step:
                 assert step["erratum"] in titles["worked_errata"]
     assert all(api_name(code) in titles["worked_values"] for code in words.VALUES)
+
+
+PLAY = {
+    "mechanism": {"pins": 3, "satellites": 1, "ratio": 20.0},
+    "load": {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 30.0},
+    "contact": {
+        "contact_length_mm": 10.0,
+        "pin_radius_mm": 5.0,
+        "hole_radius_mm": 7.02,
+        "eccentricity_mm": 2.0,
+    },
+}
+SOLVED: dict[str, tuple[dict[str, Any], str, str]] = {
+    "load-sharing": (PLAY, "rotation_arcmin", "solved"),
+    "tolerance-study": (
+        PLAY
+        | {
+            "tolerances": {"pin_position_mm": 0.01},
+            "quantities": ["peak_force_N"],
+            "samples": 20,
+            "crank_angles": 12,
+        },
+        "peak_force_N",
+        "simulated",
+    ),
+    "solve": (
+        {
+            "calculation": "hertz",
+            "input": REQUESTS["hertz"][1],
+            "variable": {"pointer": "/pin_radius_mm", "from": 5.0, "to": 9.0},
+            "target": {"pointer": "/max_pressure_MPa", "at_most": 600.0},
+        },
+        "pin_radius_mm",
+        "root",
+    ),
+}
+
+
+@pytest.mark.parametrize("calculation", SOLVED)
+def test_what_is_solved_says_how(calculation: str) -> None:
+    body, code, method = SOLVED[calculation]
+    steps = steps_of(calculation, body)
+    check(steps)
+    assert {step["method"] for step in steps} == {method}
+    assert code in {step["code"] for step in steps}
+    assert method in words.NOTES
+
+
+def test_every_calculation_is_worked() -> None:
+    """But the studies of methods, which are about the numbers of the others."""
+    for name, calculation in CALCULATIONS.items():
+        fields = getattr(calculation.request, "model_fields", {})
+        assert ("worked" in str(fields.get("include"))) == (name != "work-precision"), name
+        assert ("worked" in calculation.answer.model_fields) == (name != "work-precision"), name
