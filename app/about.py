@@ -24,6 +24,7 @@ from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
+from app.worked import api_name
 from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
 from core.checks.kinds import GROUPS as CHECK_GROUPS
 from core.contact_life import LifeCurve
@@ -42,6 +43,7 @@ from core.notices import NOTICES
 from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
 from core.work_precision.study import SETTINGS
+from core.worked import words as worked_words
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
 CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
@@ -282,6 +284,12 @@ class Words(ResponseModel):
     verified: dict[str, str] = Field(description="How the source of a limit was seen.")
     not_considered: dict[str, str] = Field(description="What a verdict does not look at.")
     methods: dict[str, str] = Field(description="How numbers were got, `method_code`.")
+    worked_values: dict[str, str] = Field(
+        description="Values on the way of worked steps, `code` of `worked`."
+    )
+    worked_notes: dict[str, str] = Field(description="`note` and `method` of worked steps.")
+    worked_errata: dict[str, str] = Field(description="`erratum` of worked steps.")
+    worked_sources: dict[str, str] = Field(description="`source` of worked steps.")
     settings: dict[str, str] = Field(description="Settings of methods, `setting_code`.")
     figures: dict[str, str] = Field(
         description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
@@ -401,6 +409,10 @@ def _words() -> Packed:
         "verified": VERIFIED,
         "not_considered": NOT_CONSIDERED,
         "methods": METHODS,
+        "worked_values": {api_name(code): text for code, text in worked_words.VALUES.items()},
+        "worked_notes": worked_words.NOTES,
+        "worked_errata": worked_words.ERRATA,
+        "worked_sources": worked_words.SOURCES,
         "settings": SETTINGS,
         "figures": theme.TEXTS,
     }

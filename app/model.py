@@ -5,7 +5,18 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
-from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args, get_origin
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NamedTuple,
+    Self,
+    TypeVar,
+    cast,
+    get_args,
+    get_origin,
+)
 
 from pydantic import (
     BaseModel,
@@ -387,6 +398,20 @@ def result(meaning: str, *, symbol: str = "", equation: str = "") -> Any:
     return Field(description=meaning, json_schema_extra=cast(Any, extra))
 
 
+class WorkedFields(RequestModel):
+    """A request that can ask how its answer follows."""
+
+    include: list[Literal["worked"]] = Field(
+        default=[], max_length=1, description="Optional results: what is not named is not computed."
+    )
+
+    def to_core(self) -> dict[str, Any]:
+        """The given fields as the core's arguments, without what is asked."""
+        own = super().to_core()
+        own.pop("include", None)
+        return own
+
+
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
     """Refusal by a model's validator that belongs to one field, or ``model/field``; see
     `app.problems.TEXTS`.
@@ -493,6 +518,8 @@ class Calculation:
     # What its model leaves out with all of its sections given, keys of `NEGLECTED`.
     neglects: tuple[str, ...] = ()
     batched: bool = True  # whether batches take it
+    # A function of a module: the worked steps of a request, as `app.worked` makes them.
+    worked: Callable[[Any], list[Values]] | None = None
     # As `solve`, of what may take long: with a function that is told how much of it is done, from 0
     # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
@@ -517,6 +544,8 @@ class Calculation:
             for path, value in body.assumed()
         ]:
             values["assumed"] = assumed
+        if self.worked is not None and "worked" in (body.include or ()):
+            values["worked"] = self.worked(body)
         if notices := body.notices():
             values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
         return values
@@ -567,7 +596,7 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
         [
             (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings", "assumed", *model.BESIDE, *given)
+            if name not in ("accuracy", "warnings", "assumed", "worked", *model.BESIDE, *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,
@@ -621,7 +650,58 @@ class AssumedOut(BaseModel):
     )
 
 
-class AssumingResponse(ResponseModel):
+class StepOut(BaseModel):
+    """How one number of an answer follows from others."""
+
+    model_config = ConfigDict(json_schema_extra=_complete_schema)
+
+    section: str = Field(description="What of the answer it belongs to.")
+    code: str = Field(
+        description="What is worked out: a field of the section, or a value on the way to one; its "
+        "name ends in its unit."
+    )
+    symbol: str = Field(description="How it is called in the formulas of later steps.")
+    formula: Maybe[str] = Field(
+        default=None,
+        description="Infix over `names`: + - * / ^ ( ), sqrt sin cos tan asin acos atan abs min "
+        "max, pi. It holds in SI units, angles in rad.",
+    )
+    method: Maybe[str] = Field(
+        default=None,
+        description="How it was got in the place of a formula, by code: what is searched, solved, "
+        "counted or given.",
+    )
+    names: dict[str, str] = Field(
+        description="What each name of the formula is, with its unit at its end."
+    )
+    values: dict[str, float] = Field(description="Its value, in that unit.")
+    result: float = Field(description="The result, in `unit`.")
+    unit: str = Field(description="Unit of the result as shown; empty for plain numbers.")
+    source: Maybe[str] = Field(default=None, description="Where the formula stands, by code.")
+    equation: Maybe[str] = Field(default=None, description="Number of its equation there.")
+    erratum: Maybe[str] = Field(default=None, description="What the print has wrong, by code.")
+    note: Maybe[str] = Field(default=None, description="What is to be known of it, by code.")
+    params: Maybe[dict[str, Any]] = Field(
+        default=None, description="What the text of `note` or `method` names."
+    )
+
+
+def worked_steps() -> Any:
+    """The field of an answer that has its worked steps."""
+    return Field(
+        default=None,
+        description="How its numbers follow from each other, where asked; words by code are in "
+        "`GET /words`.",
+    )
+
+
+class WorkedResponse(ResponseModel):
+    """An answer that can be worked step by step."""
+
+    worked: Maybe[list[StepOut]] = worked_steps()
+
+
+class AssumingResponse(WorkedResponse):
     """An answer that says what it assumes."""
 
     assumed: Maybe[list[AssumedOut]] = Field(

@@ -37,5 +37,6 @@ crank               bearings of the satellites, reactions and balance of the cra
 exploration         an input solved for a result
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check
+worked              how each number follows from others, formula by formula
 work_precision      error against run time of the methods above
 """

@@ -41,7 +41,7 @@ LOW_CYCLES = 1e3
 ENDURING = 1e6
 """Cycles at which it ends, at the endurance limit."""
 
-_KPSI = 6.894757293168361e6
+KPSI = 6.894757293168361e6
 """1000 pounds a square inch, Pa."""
 
 NOTCH_STRENGTHS = 340.0, 1700.0
@@ -50,7 +50,7 @@ NOTCH_STRENGTHS = 340.0, 1700.0
 SIZES = 2.79, 254.0
 """Diameters that the factor of the size is stated for, mm."""
 
-LINE_STRENGTHS = 70 * _KPSI / 1e6, 200 * _KPSI / 1e6
+LINE_STRENGTHS = 70 * KPSI / 1e6, 200 * KPSI / 1e6
 """Tensile strengths that the fit of the line of finite life is made for, MPa."""
 
 
@@ -328,7 +328,7 @@ def strength_fraction(*, tensile_strength: float) -> float:
     >>> round(strength_fraction(tensile_strength=120*6.894757e6), 3)
     0.823
     """
-    strength = min(max(tensile_strength / _KPSI, 70.0), 200.0)
+    strength = min(max(tensile_strength / KPSI, 70.0), 200.0)
     return 1.06 - 2.8e-3 * strength + 6.9e-6 * strength**2
 
 

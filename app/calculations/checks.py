@@ -77,8 +77,8 @@ class JudgedFields(RequestModel):
     """What a request may ask beside the result itself."""
 
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
-    include: list[Literal["checks", "fixes"]] = Field(
-        default=[], max_length=2, description="Optional results: what is not named is not computed."
+    include: list[Literal["checks", "fixes", "worked"]] = Field(
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."

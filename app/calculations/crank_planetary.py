@@ -17,7 +17,7 @@ from app.calculations.checks import (
 )
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
-from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
+from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
 from app.calculations.design import DesignFields, SatelliteBodyFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
@@ -57,6 +57,7 @@ from app.sources import (
 )
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.crank_design import MOST_BEARING_PAIRS
 from core.checks.crank_planetary import crank_checks
@@ -74,6 +75,13 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.sampled_turn import WAYS
+from core.worked.crank import bearing_steps, shaft_steps
+from core.worked.given import given_of, pressed_of
+from core.worked.hertz import hertz_steps
+from core.worked.losses import loss_steps
+from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
+from core.worked.pins import strength_steps
+from core.worked.step import Step
 
 Section = Literal[
     "cyclogram",
@@ -87,6 +95,7 @@ Section = Literal[
     "geometry",
     "checks",
     "fixes",
+    "worked",
 ]
 
 SECTIONS: tuple[Section, ...] = get_args(Section)
@@ -106,6 +115,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "geometry": _TOUCHING,
     "checks": (),
     "fixes": (),
+    "worked": (),
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
@@ -134,7 +144,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     The forces that are judged are those of `DesignFields`.
     """
 
-    mechanism: CyclogramRequest
+    mechanism: CyclogramFields
     fatigue: Maybe[PinFatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
@@ -199,6 +209,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Sections of the answer."""
         if self.include is not None:
             return [each for each in self.include if not self._unfit(each)]
+        return self.usual_sections()
+
+    def usual_sections(self) -> list[Section]:
+        """Sections where none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
         allowed = [
@@ -262,6 +276,47 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         )
         return {name: value for name, value in values.items() if value is not None}
 
+    def cyclogram_steps(self) -> list[Step]:
+        """Worked steps of the cyclogram."""
+        found, _ = self.mechanism.solve()
+        return cyclogram_steps(found=found, **self.mechanism.cyclogram_given())
+
+    def force_steps(self) -> list[Step]:
+        """Worked steps of the ideal force."""
+        assert self.load is not None
+        return force_steps(
+            mechanism=self.design.driven,
+            found=self.solve_force(),
+            **self.load.force_given(self.built),
+        )
+
+    def hertz_steps(self) -> list[Step]:
+        """Worked steps of the contact that is judged."""
+        return hertz_steps(**pressed_of(self.design))
+
+    def clearance_steps(self) -> list[Step]:
+        """Worked steps of the clearance."""
+        fit, design = self.solve_fit(), self.design
+        assert fit is not None and design.pin_radius is not None and design.hole_radius is not None
+        return clearance_steps(
+            clearance=fit.clearance,
+            pin_radius=design.pin_radius,
+            hole_radius=design.hole_radius,
+            eccentricity=fit.eccentricity,
+        )
+
+    def strength_steps(self, section: Section) -> list[Step]:
+        """Worked steps of a section of strength and life."""
+        given, found = given_of(self.design), self.solve_strength(section)
+        if section == "pin_strength":
+            return strength_steps(given=given, found=found)
+        if section == "output_efficiency":
+            return loss_steps(given=given, found=found)
+        if section == "satellite_bearing":
+            return bearing_steps(given=given, found=found)
+        ratio = float(self.design.mesh.radial_force_ratio)
+        return shaft_steps(given=given, found=found, radial_force_ratio=ratio)
+
     def solve_strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
         return getattr(self.design, STRENGTH[section])
@@ -281,6 +336,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
             forces = np.array(found.force)
         return geometry, forces
+
+
+WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
+    "cyclogram": CrankPlanetaryRequest.cyclogram_steps,
+    "contact_force": CrankPlanetaryRequest.force_steps,
+    "hertz": CrankPlanetaryRequest.hertz_steps,
+    "geometry": CrankPlanetaryRequest.clearance_steps,
+    **{each: partial(CrankPlanetaryRequest.strength_steps, section=each) for each in STRENGTH},
+}
+"""What works the sections of the answer; the others are solved over the turn."""
 
 
 class PointOut(ResponseModel):
@@ -516,6 +581,22 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     return judged | sections
 
 
+def work(body: CrankPlanetaryRequest) -> list[Values]:
+    """Worked steps of the sections that are named; where none is, of all usual ones that can be."""
+    sections, _ = run(body, lambda: body.sections)
+    named = [each for each in sections if each in WORKED]
+    if named:
+        return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in named})
+    usual, _ = run(body, body.usual_sections)
+    found = {}
+    for each in usual:
+        if each in WORKED:
+            steps, _ = run(body, partial(if_known, partial(WORKED[each], body)))
+            if steps is not None:
+                found[each] = steps
+    return worked(**found)
+
+
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)
@@ -541,6 +622,7 @@ CALCULATION = Calculation(
     request=CrankPlanetaryRequest,
     answer=CrankPlanetaryResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(
         YANCHEVSKIY_2021,

@@ -26,8 +26,12 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
+from app.worked import worked
 from core.checks.sections import RollingBearing, Shaft
 from core.crank.crankshaft import Crankshaft, ReactionCurves
+from core.worked.crank import shaft_steps
+from core.worked.given import given_of
+from core.worked.step import Step
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
 
@@ -77,6 +81,14 @@ class CrankshaftRequest(CrankedRequest):
     def solve(self) -> Crankshaft:
         """Reactions and balance."""
         return self.with_fit(self.design.shaft)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of reactions, lives and balance."""
+        return shaft_steps(
+            given=given_of(self.design),
+            found=self.solve(),
+            radial_force_ratio=float(self.design.mesh.radial_force_ratio),
+        )
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """The same, and curves over the turn."""
@@ -189,6 +201,12 @@ def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
     return reaction_figure(curves, theme)
 
 
+def work(body: CrankshaftRequest) -> list[Values]:
+    """Worked steps of the crankshaft."""
+    steps, _ = run(body, body.steps)
+    return worked(crankshaft=steps)
+
+
 CALCULATION = Calculation(
     name="crankshaft",
     title="Crankshaft",
@@ -196,6 +214,7 @@ CALCULATION = Calculation(
     request=CrankshaftRequest,
     answer=CrankshaftResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
 
@@ -17,6 +17,7 @@ from app.model import (
     Size,
     Values,
     WarningOut,
+    WorkedFields,
     no_dust,
     quantity,
     result,
@@ -26,6 +27,7 @@ from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
 from core.hertz import (
@@ -37,6 +39,8 @@ from core.hertz import (
 )
 from core.materials import LIMIT_SOURCES, MATERIALS, ContactLimit, Criterion, ElasticMaterial
 from core.results import Notice
+from core.worked.hertz import hertz_steps
+from core.worked.step import Step
 
 if TYPE_CHECKING:
     MaterialName = str
@@ -150,7 +154,7 @@ MAX_FORCE_N = 1e50
 some 1e12 times that are refused as dead centres."""
 
 
-class HertzRequest(ContactFields, group="contact"):
+class HertzRequest(ContactFields, WorkedFields, group="contact"):
     """Pin, hole and the force between them."""
 
     force_N: float = quantity("Contact force", "F", step=100, ge=0, le=MAX_FORCE_N)
@@ -162,18 +166,27 @@ class HertzRequest(ContactFields, group="contact"):
         """Next to nothing: formulas of one contact."""
         return 0.0
 
+    @property
+    def pressed(self) -> dict[str, Any]:
+        """The contact as the core's arguments."""
+        return {
+            "force": self.force_N,
+            "contact_length": to_si("contact_length_mm", self.contact_length_mm),
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "hole_radius": to_si("hole_radius_mm", self.hole_radius_mm),
+            "pin_material": material_of(self.pin_material),
+            "hole_material": material_of(self.hole_material),
+            "dynamic_factor": self.dynamic_factor,
+            "distribution_factor": self.distribution_factor,
+        }
+
     def solve(self) -> HertzContact:
         """Contact under the force."""
-        return hertz(
-            force=self.force_N,
-            contact_length=to_si("contact_length_mm", self.contact_length_mm),
-            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
-            hole_radius=to_si("hole_radius_mm", self.hole_radius_mm),
-            pin_material=material_of(self.pin_material),
-            hole_material=material_of(self.hole_material),
-            dynamic_factor=self.dynamic_factor,
-            distribution_factor=self.distribution_factor,
-        )
+        return hertz(**self.pressed)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the contact."""
+        return hertz_steps(found=self.solve(), **self.pressed)
 
     def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
@@ -398,6 +411,12 @@ def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     )
 
 
+def work(body: HertzRequest) -> list[Values]:
+    """Worked steps of the contact."""
+    steps, _ = run(body, body.steps)
+    return worked(hertz=steps)
+
+
 CALCULATION = Calculation(
     name="hertz",
     title="Hertz contact of pin and hole",
@@ -405,6 +424,7 @@ CALCULATION = Calculation(
     request=HertzRequest,
     answer=HertzResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKY_2018, PERSSON_1964, JOHNSON_1985),
     neglects=("edge_pressure", "friction", "misalignment"),

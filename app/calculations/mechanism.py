@@ -1,7 +1,7 @@
 """The parallel-crank mechanism as a request gives it."""
 
 from functools import lru_cache
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
@@ -109,6 +109,17 @@ class MechanismFields(RequestModel, group="mechanism"):
         of_each = max(PAIR_POINTS * max(1.0, exponent), samples) * max(1.0, revolutions)
         teeth = (self.ring_teeth or 1) / (self.satellite_teeth or 1)
         return of_each * self.pins * self.satellites**2 * teeth
+
+    def cyclogram_given(self) -> dict[str, Any]:
+        """The mechanism as the worked steps of the cyclogram take it."""
+        teeth = None
+        if self.satellite_teeth is not None and self.ring_teeth is not None:
+            teeth = self.satellite_teeth, self.ring_teeth
+        return {
+            "mechanism": self.mechanism(),
+            "teeth": teeth,
+            "satellite_teeth": self.satellite_teeth,
+        }
 
     def most_pins(self, pairs: int) -> dict[str, int]:
         """Most pins that so many pairs allow, for a refusal."""

@@ -45,9 +45,13 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.sections import Friction
 from core.output.losses import LossCurves, PinLosses
+from core.worked.given import given_of
+from core.worked.losses import loss_steps
+from core.worked.step import Step
 
 
 class SlidingContactFields(PinContactFields, group="contact"):
@@ -86,8 +90,8 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     contact: SlidingContactFields
     friction: WornFields
     pin: Maybe[SleevedPinFields] = None
-    include: list[Literal["curves"]] = Field(
-        default=[], max_length=1, description="Optional results: what is not named is not computed."
+    include: list[Literal["curves", "worked"]] = Field(
+        default=[], max_length=2, description="Optional results: what is not named is not computed."
     )
 
     def cost(self) -> float:
@@ -102,6 +106,10 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
         return self.with_fit(self.design.losses)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of friction and wear."""
+        return loss_steps(given=given_of(self.design), found=self.solve())
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, and their curves over a turn where they are asked."""
@@ -282,6 +290,12 @@ def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
     return loss_figure(losses, curves, from_si("switching_deg", switching), theme)
 
 
+def work(body: OutputEfficiencyRequest) -> list[Values]:
+    """Worked steps of friction and wear."""
+    steps, _ = run(body, body.steps)
+    return worked(output_efficiency=steps)
+
+
 CALCULATION = Calculation(
     name="output-efficiency",
     title="Efficiency of the output mechanism",
@@ -289,6 +303,7 @@ CALCULATION = Calculation(
     request=OutputEfficiencyRequest,
     answer=OutputEfficiencyResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, WANG_2016, ARCHARD_1953),
     neglects=(

@@ -32,8 +32,12 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
+from app.worked import worked
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
+from core.worked.given import given_of
+from core.worked.pins import strength_steps
+from core.worked.step import Step
 
 ALONE = ("diameter_mm", "contact_length_mm", "material")
 """What a pin has to say where there is no contact that does."""
@@ -53,8 +57,8 @@ class PinStrengthRequest(DesignFields):
     load: DesignLoadFields
     pin: DesignPinFields
     fatigue: Maybe[PinFatigueFields] = None
-    include: list[Literal["deflection", "locus", "support_bounds"]] = Field(
-        default=[], max_length=3, description="Optional results: what is not named is not computed."
+    include: list[Literal["deflection", "locus", "support_bounds", "worked"]] = Field(
+        default=[], max_length=4, description="Optional results: what is not named is not computed."
     )
 
     @model_validator(mode="after")
@@ -83,6 +87,10 @@ class PinStrengthRequest(DesignFields):
         """Strength of the pin."""
         found = self.design.judged_pins(locus=locus or "locus" in self.include)
         return self._asked(self.with_fit(found))
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the strength."""
+        return strength_steps(given=given_of(self.design), found=self.solve())
 
     def _asked(self, strength: PinStrength) -> PinStrength:
         return strength if "deflection" in self.include else replace(strength, deflection=None)
@@ -268,6 +276,12 @@ def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     return strength_figure(found, theme)
 
 
+def work(body: PinStrengthRequest) -> list[Values]:
+    """Worked steps of the strength of the pins."""
+    steps, _ = run(body, body.steps)
+    return worked(pin_strength=steps)
+
+
 CALCULATION = Calculation(
     name="pin-strength",
     title="Strength of the pins",
@@ -275,6 +289,7 @@ CALCULATION = Calculation(
     request=PinStrengthRequest,
     answer=PinStrengthResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, SHIGLEY),
     neglects=(

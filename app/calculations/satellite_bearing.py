@@ -24,6 +24,7 @@ from app.model import (
     Size,
     Values,
     WarningOut,
+    WorkedFields,
     quantity,
     result,
 )
@@ -31,9 +32,13 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.sections import RollingBearing
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
+from core.worked.crank import bearing_steps
+from core.worked.given import given_of
+from core.worked.step import Step
 
 OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
 """Sections that say something of pins and holes."""
@@ -63,7 +68,7 @@ class BearingFields(ShaftBearingFields, group="bearing"):
     """Slope of the distribution of lives, for the life of all bearings together."""
 
 
-class CrankedRequest(DesignFields):
+class CrankedRequest(DesignFields, WorkedFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
     load: DrivenLoadFields
@@ -94,6 +99,10 @@ class SatelliteBearingRequest(CrankedRequest):
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
         return self.with_fit(self.design.bearings)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the bearing that is loaded most."""
+        return bearing_steps(given=given_of(self.design), found=self.solve())
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """The same, curves over the turn, and the switching angles, rad."""
@@ -250,6 +259,12 @@ def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
     return load_figure(found, curves, from_si("switching_deg", switching), theme)
 
 
+def work(body: SatelliteBearingRequest) -> list[Values]:
+    """Worked steps of the bearing that is loaded most."""
+    steps, _ = run(body, body.steps)
+    return worked(satellite_bearing=steps)
+
+
 CALCULATION = Calculation(
     name="satellite-bearing",
     title="Bearings of the satellites",
@@ -257,6 +272,7 @@ CALCULATION = Calculation(
     request=SatelliteBearingRequest,
     answer=SatelliteBearingResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

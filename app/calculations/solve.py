@@ -24,12 +24,15 @@ from app.model import (
     RequestModel,
     ResponseModel,
     Values,
+    WorkedFields,
+    WorkedResponse,
     accuracy_values,
     result,
 )
 from app.problems import Problem, invalid_input, refusal, wrong_fields
 from app.running import named, run
 from app.settings import Settings
+from app.worked import stated
 from core.errors import CalculationError, InvalidInput
 from core.exploration.solve import (
     MOST_WHOLE,
@@ -108,7 +111,7 @@ class TargetFields(RequestModel):
         return "equals", self.equals
 
 
-class SolveRequest(RequestModel):
+class SolveRequest(WorkedFields):
     """A calculation with its input, the field that may change, and the result that is wanted."""
 
     calculation: Literal[
@@ -311,7 +314,7 @@ class BestOut(ResponseModel):
     target: float = result("Its result.")
 
 
-class SolveResponse(ResponseModel):
+class SolveResponse(WorkedResponse):
     """Where the target is met."""
 
     status: SolveStatus = Field(
@@ -340,7 +343,7 @@ def solve(body: SolveRequest) -> Values:
     """The smallest or largest value of an input with which a result is what is wanted."""
     (found, sets, linked), run_time_us = run(body, body.solve)
     accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
-    values = {
+    values: Values = {
         "status": found.status,
         "value": found.value,
         "sets": sets or None,
@@ -352,6 +355,9 @@ def solve(body: SolveRequest) -> Values:
         "linked": linked,
         "accuracy": accuracy_values(accuracy, run_time_us),
     }
+    if "worked" in body.include:
+        name = body.variable.pointer.rpartition("/")[2]
+        values["worked"] = stated("solve", {name: found.value}, "root")
     return {name: value for name, value in values.items() if value is not None}
 
 
