@@ -27,7 +27,7 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
-from core.notices import NOTICES
+from core.codes import WARNINGS, WAS
 from core.results import METHODS, Accuracy, Notice
 
 SMALLEST = 1e-12
@@ -651,16 +651,23 @@ class AssumingResponse(ResponseModel):
     )
 
 
+WAS_CALLED = "What the code was called before; for one release."
+
+
 class WarningOut(BaseModel):
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*NOTICES]})
+    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
+    was: Maybe[str] = Field(default=None, description=WAS_CALLED)
 
 
 def warning(notice: Notice) -> Values:
     """Warning of a core notice; the API's names stand in for the core's."""
     params = api_params(notice.params)
-    detail = NOTICES[notice.code].text.format(**params)
-    return {"code": notice.code, "params": params, "detail": detail}
+    values = {"code": notice.code, "params": params}
+    values["detail"] = WARNINGS[notice.code].text.format(**params)
+    if was := WAS["warnings"].get(notice.code):
+        values["was"] = was
+    return values

@@ -2,7 +2,7 @@
 import { message } from "../messages/index.js";
 import { quantityParts, shownDigits } from "./format.js";
 
-const IMPOSSIBLE = ["interference", "holes_overlap", "pins_overlap"];
+const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
 
 /**
  * A cell, `{ label, value, unit, note, level }`; of a section without answer the label alone.

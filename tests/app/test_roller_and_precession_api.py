@@ -259,7 +259,7 @@ async def test_fatigue_of_rollers_where_asked(api):
     assert cycle["amplitude_MPa"] == pytest.approx(half / 2, rel=1e-7)
     smooth = ROLLERS | TIRED | {"stress_concentration": 1, "include": ["checks"]}
     unknown = (await api.post("roller-strength", json=smooth)).json()
-    assert unknown["warnings"][0]["code"] == "fatigue_no_notch" and "fatigue" not in unknown
+    assert unknown["warnings"][0]["code"] == "notch_unknown" and "fatigue" not in unknown
     notched = smooth | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
     cycle = (await api.post("roller-strength", json=notched)).json()["fatigue"]
     assert cycle["safety_factor"] == pytest.approx(1 / (half / endurance + half / 1800), rel=1e-7)
@@ -286,7 +286,7 @@ async def test_strength_of_the_shaft_where_asked(api):
     assert "fatigue" not in found
     tired = body | TIRED | {"include": ["checks"]}
     unknown = (await api.post(path, json=tired)).json()
-    assert unknown["warnings"][0]["code"] == "fatigue_no_notch"
+    assert unknown["warnings"][0]["code"] == "notch_unknown"
     tired["fatigue"] = TIRED["fatigue"] | {"fatigue_notch_factor": 1.5}
     answer = (await api.post(path, json=tired)).json()
     endurance = 3.04 * 900**-0.217 * 1.24 * 20**-0.107 * 300

@@ -11,7 +11,7 @@ from copy import deepcopy
 import pytest
 
 from app.examples import EXAMPLES, REQUESTS
-from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, REASONS
+from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS
 from core.materials import LIMIT_SOURCES
 
 pytestmark = pytest.mark.anyio
@@ -610,7 +610,7 @@ async def test_a_pin_beyond_the_sizes_of_its_strengths_is_told_once(api, include
         body = design(**sizes, pin__material="steel_s355", load__pin_circle_radius_mm=90.0)
         answer, _ = await asked(api, "crank-planetary", body | {"include": include})
         warnings = answer.get("warnings", []) + answer.get("pin_strength", {}).get("warnings", [])
-        limits = [w["params"] for w in warnings if w["code"] == "strength_beyond_size"]
+        limits = [w["params"] for w in warnings if w["code"] == "beyond_size"]
         assert limits == ([{"limit": 40.0}] if thicker else [])
 
 
@@ -795,4 +795,3 @@ def test_every_check_has_all_its_words():
         assert kind.title and kind.why.endswith(".") and kind.formula, code
         assert kind.group in GROUPS and kind.source in CHECK_SOURCES and kind.inputs, code
     assert not set(LIMIT_SOURCES) & set(CHECK_SOURCES)
-    assert all(REASONS.values())

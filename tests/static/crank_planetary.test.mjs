@@ -88,10 +88,10 @@ test("a small clearance and an interference are said at the hole", () => {
 
 test("a notice that stands at the answer and at its section is one, and the file of results has it", () => {
   const twice = { code: "clearance", detail: "The hole" };
-  const answer = { geometry: { warnings: [twice] }, warnings: [twice, { code: "pins_overlap", detail: "Pins" }] };
-  assert.deepEqual(warningsOf(answer).map(({ code }) => code), ["clearance", "pins_overlap"]);
+  const answer = { geometry: { warnings: [twice] }, warnings: [twice, { code: "pins_apart", detail: "Pins" }] };
+  assert.deepEqual(warningsOf(answer).map(({ code }) => code), ["clearance", "pins_apart"]);
   assert.deepEqual(flatValues({}, answer).map(({ section, name, value }) => [section, name, value]), [
-    ["warnings", "clearance", "The hole"], ["warnings", "pins_overlap", "Pins"],
+    ["warnings", "clearance", "The hole"], ["warnings", "pins_apart", "Pins"],
   ]);
 });
 
