@@ -475,6 +475,16 @@ class ResponseModel(BaseModel):
         return values
 
 
+def _leave_to_checks(values: Values, checks: list[Values]) -> None:
+    """Leave out of an answer and its sections the warnings that its checks say."""
+    said = {each["code"] for each in checks}
+    said |= {each["reason"]["code"] for each in checks if "reason" in each}
+    for part in (values, *values.values()):
+        if isinstance(part, dict) and "warnings" in part:
+            kept = [each for each in part.pop("warnings") if each["code"] not in said]
+            part |= {"warnings": kept} if kept else {}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
     """A calculation as the service offers it; `app.registry` lists all of them.
@@ -540,6 +550,8 @@ class Calculation:
             values["assumed"] = assumed
         if notices := body.notices():
             values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+        if checks := values.get("checks"):
+            _leave_to_checks(values, checks)
         return values
 
 

@@ -435,8 +435,8 @@ class CrankPlanetaryResponse(JudgedResponse):
     warnings: Maybe[list[WarningOut]] = Field(
         default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "
-        "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`.",
+        "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
+        "`eccentricity_assumed`; not what `checks` say.",
     )
 
 

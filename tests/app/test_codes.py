@@ -1,6 +1,7 @@
 """One code for a fact: in one place, said somewhere, with the name that it had before."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -98,3 +99,28 @@ def test_a_reason_says_what_it_was_called(code: str, was: str) -> None:
 
 def test_what_has_no_other_name_says_none() -> None:
     assert "was" not in warning(Notice("short_pin"))
+
+
+def answer_with(*codes, checks=()):
+    """An answer with a warning of each code, in a section too."""
+    warnings = [{"code": code} for code in codes]
+    answer = {"checks": [*checks], "hertz": {"warnings": [*warnings], "force": 1.0}}
+    return answer | {"warnings": [*warnings]}
+
+
+def test_no_warning_repeats_a_check() -> None:
+    calculation = CALCULATIONS["hertz"]
+    checks = ({"code": "wall_holes"}, {"code": "pin_fatigue", "reason": {"code": "notch_unknown"}})
+    for told, left in (
+        (("wall_holes", "short_pin"), ["short_pin"]),
+        (("notch_unknown", "wall_holes"), None),
+        (("pins_apart",), ["pins_apart"]),
+    ):
+        judged = replace(calculation, solve=lambda _, c=told: answer_with(*c, checks=checks))
+        answer = judged.answered(calculation.request(**REQUESTS["hertz"]))
+        for part in (answer, answer["hertz"]):
+            assert [each["code"] for each in part.get("warnings", ())] == (left or [])
+            assert ("warnings" in part) == (left is not None)
+        unjudged = replace(calculation, solve=lambda _, c=told: answer_with(*c))
+        answer = unjudged.answered(calculation.request(**REQUESTS["hertz"]))
+        assert [each["code"] for each in answer["warnings"]] == [*told]
