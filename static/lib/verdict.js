@@ -23,6 +23,12 @@ export function warningsOf(answer) {
   return [...new Map(all.map((warning) => [`${warning.code} ${warning.detail}`, warning])).values()];
 }
 
+/** Codes that an answer warns of, and those by which its checks could not be made or cannot be kept. */
+export function codesOf(answer, checks = []) {
+  const said = checks.flatMap(({ code, impossible, reason }) => reason?.code ?? (impossible ? code : []));
+  return [...new Set([...warningsOf(answer).map(({ code }) => code), ...said])];
+}
+
 /** How bad it is: "bad" for what cannot be built, else "warning". */
 export function levelOf(code) {
   return IMPOSSIBLE.includes(code) ? "bad" : "warning";

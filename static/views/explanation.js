@@ -1,6 +1,7 @@
-/** The verdict in plain words, and of every warning what it tests, why it matters, how to mend it. */
+/** The verdict in plain words, and of every warning, or what a check says in its place, what it tests, why it matters, how to mend it. */
+import { judgedOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
-import { levelOf, warningsOf } from "../lib/verdict.js";
+import { codesOf, levelOf } from "../lib/verdict.js";
 import { message } from "../messages/index.js";
 import { explained } from "../service_texts.js";
 import { following } from "../store.js";
@@ -23,7 +24,7 @@ export function createExplanation({ calculator, materialOf }) {
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
       const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
-      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))].filter(explained); // not of a newer service
+      const codes = codesOf(shown.answer, judgedOf(calculator, shown.answer)?.checks).filter(explained); // not of a newer service
       fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
         ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
     }),
