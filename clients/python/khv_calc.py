@@ -163,6 +163,11 @@ class Client:
         answer.raise_for_status()
 
 
+def is_called(said: Mapping[str, Any], code: str) -> bool:
+    """Whether a warning or the reason of a check has a code, its own or the one it had before."""
+    return code in (said["code"], said.get("was"))
+
+
 def _cut(requests: Iterable[str], at_once: int, most_bytes: int) -> Iterator[list[str]]:
     """Requests in batches of so many, and of so many bytes with commas, but of one at least."""
     some: list[str] = []
