@@ -300,8 +300,8 @@ class Words(ResponseModel):
         description="Why a check stands as it does, `reason.code`, where nothing else says that."
     )
     was: dict[str, dict[str, str]] = Field(
-        description="What codes of `warnings` and of `reasons` of checks were called before, by "
-        "the code of today; for one release."
+        description="The code that a code of `errors`, of `warnings` and of `reasons` of checks "
+        "replaces; for one release."
     )
     sources: dict[str, str] = Field(
         description="Where a check or a limit comes from, `source_code`."

@@ -663,7 +663,7 @@ class AssumingResponse(ResponseModel):
     )
 
 
-WAS_CALLED = "What the code was called before; for one release."
+REPLACED = "The code that this one replaces; for one release."
 
 
 class WarningOut(BaseModel):
@@ -672,7 +672,7 @@ class WarningOut(BaseModel):
     code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
-    was: Maybe[str] = Field(default=None, description=WAS_CALLED)
+    was: Maybe[str] = Field(default=None, description=REPLACED)
 
 
 def warning(notice: Notice) -> Values:

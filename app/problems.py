@@ -13,10 +13,10 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import UNION_TAGS, api_params
+from app.model import REPLACED, UNION_TAGS, Maybe, api_params
 from app.record import root_path
 from app.units import api_value
-from core.codes import CODES, REFUSALS
+from core.codes import CODES, REFUSALS, WAS
 from core.errors import ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
@@ -54,7 +54,6 @@ OF_REQUESTS = {
     "not_there": "names no number in {field}",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
-    "only_one": "excludes {field}: give one of them",
     "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
     "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
     "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
@@ -174,11 +173,18 @@ class FieldProblem:
     detail: Annotated[
         str, Field(description="The same in English: a sentence that starts with the field.")
     ]
+    was: Annotated[Maybe[str], Field(description=REPLACED)] = None
+
+    def body(self) -> dict[str, Any]:
+        """The same as JSON."""
+        said = {each.name: getattr(self, each.name) for each in fields(self)}
+        return {name: value for name, value in said.items() if value is not None}
 
 
 def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
     """What is wrong with the field at a pointer: a key of `TEXTS`, and what its text names."""
-    return FieldProblem(pointer, code, params, TEXTS[code].format(**params))
+    detail = TEXTS[code].format(**params)
+    return FieldProblem(pointer, code, params, detail, WAS["errors"].get(code))
 
 
 def sentence(code: str, params: dict[str, Any]) -> str:
@@ -234,7 +240,7 @@ class Problem(Exception):
             "title": self.title,
             "status": self.status,
             "detail": self.detail,
-            "errors": self.errors,
+            "errors": [each.body() for each in self.errors],
         }
         if self.more:
             body["more"] = self.more

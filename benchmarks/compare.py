@@ -104,7 +104,7 @@ class Difference:
     Parameters
     ----------
     was : dict of str to str, optional
-        What codes of warnings were called before.
+        Which code of warnings a code replaces.
 
     Attributes
     ----------

@@ -49,7 +49,6 @@ _INVALID = {
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
     "not {given_length:g} m",
-    "exclusive": "and {field} exclude each other",
     "finite_number": "must be a finite number",
     "first_order_only": "must be of first order beside {field}: what satellites give is not known "
     "in exact geometry",
@@ -74,6 +73,7 @@ _INVALID = {
     "not_in_table": "must be one of {values}",
     "not_single": "must be one number, not an array",
     "not_zero": "must not be 0",
+    "only_one": "excludes {field}: give one of them",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",
     "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
@@ -599,6 +599,9 @@ REFUSALS = {
 """And what refusals say."""
 
 WAS = {
+    "errors": {
+        "only_one": "exclusive",
+    },
     "warnings": {
         "beyond_size": "strength_beyond_size",
         "contact_conformity": "hertz_half_width",
@@ -621,4 +624,4 @@ WAS = {
         "too_many_pairs": "too_large",
     },
 }
-"""What codes of warnings and of reasons of checks were called before; for one release."""
+"""Which code of refusals, of warnings and of reasons of checks a code replaces; for one release."""

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from app.model import (
-    WAS_CALLED,
+    REPLACED,
     AssumingResponse,
     Maybe,
     RequestModel,
@@ -105,7 +105,7 @@ class ReasonOut(ResponseModel):
         default=None, description="JSON pointer to the field that it is about, where it is one."
     )
     params: Maybe[dict[str, Any]] = Field(default=None, description="What the text names.")
-    was: Maybe[str] = Field(default=None, description=WAS_CALLED)
+    was: Maybe[str] = Field(default=None, description=REPLACED)
 
 
 class PlaceOut(ResponseModel):

@@ -873,7 +873,6 @@ export default {
       at_most: "должно быть не больше, чем {field}, {limit}",
       different_length: "нужно значений: {expected}, задано: {actual}",
       different_sum: "сумма длин должна равняться сумме: {field} и {other}, {needed_length_mm}, а не {given_length_mm}",
-      exclusive: "не задаётся вместе с полем {field}",
       finite_number: "должно быть конечным числом",
       greater_than: "должно быть больше {limit}",
       greater_than_equal: "должно быть не меньше {limit}",

@@ -873,7 +873,6 @@ export default {
       at_most: "має бути не більше ніж {field}, {limit}",
       different_length: "потрібно значень: {expected}, задано: {actual}",
       different_sum: "сума довжин має дорівнювати сумі: {field} та {other}, {needed_length_mm}, а не {given_length_mm}",
-      exclusive: "не задається разом із полем {field}",
       finite_number: "має бути скінченним числом",
       greater_than: "має бути більше ніж {limit}",
       greater_than_equal: "має бути не менше ніж {limit}",

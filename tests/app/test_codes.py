@@ -9,7 +9,7 @@ import pytest
 from app.calculations.checks import check_values
 from app.examples import REQUESTS
 from app.model import warning
-from app.problems import IN_MILLIMETRES, OF_REQUESTS, TEXTS
+from app.problems import IN_MILLIMETRES, OF_REQUESTS, TEXTS, refusal
 from app.registry import CALCULATIONS
 from core import codes
 from core.checks.check import Check
@@ -97,7 +97,15 @@ def test_a_reason_says_what_it_was_called(code: str, was: str) -> None:
     assert "{" not in reason["detail"]
 
 
+@pytest.mark.parametrize(("code", "was"), WAS["errors"].items())
+def test_a_refusal_says_what_it_was_called(code: str, was: str) -> None:
+    (error,) = refusal("/gaps_mm", code, **named(TEXTS[code])).body()["errors"]
+    assert (error["code"], error["was"]) == (code, was)
+
+
 def test_what_has_no_other_name_says_none() -> None:
+    (error,) = refusal("/pins", "not_valid").body()["errors"]
+    assert {*error} == {"pointer", "code", "params", "detail"}
     assert "was" not in warning(Notice("short_pin"))
 
 

@@ -75,7 +75,7 @@ together, is too much, or too little to be meant."""
 UNDESCRIBED = re.compile("/input/|/requests/")
 """Of another calculation, which the body names."""
 
-BETWEEN_FIELDS = {"exclusive", "first_order_only", "needed_for"}
+BETWEEN_FIELDS = {"first_order_only", "needed_for"}
 """Codes of rules between fields, which stand in their validators only."""
 
 NEEDED = {"needed", "needed_beside", "only_one"}
@@ -87,6 +87,8 @@ OF_OTHER_FIELDS = (
     "/contact/eccentricity_mm",
     "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
+    "/fatigue/fatigue_notch_factor",
+    "/fatigue/notch",
     "/gear/teeth_difference",
     "/load/application_factor",
     "/pin",
