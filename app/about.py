@@ -25,8 +25,9 @@ from app.registry import CALCULATIONS
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
 from app.worked import api_name
-from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
+from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED
 from core.checks.kinds import GROUPS as CHECK_GROUPS
+from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import PLACES
 from core.materials import (
@@ -39,7 +40,6 @@ from core.materials import (
     TableMaterial,
     Verified,
 )
-from core.notices import NOTICES
 from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
 from core.work_precision.study import SETTINGS
@@ -244,13 +244,6 @@ class ClassList(ResponseModel):
     tolerances: list[ClassOut]
 
 
-class CheckWords(ResponseModel):
-    """What a check says."""
-
-    title: str = Field(description="What it is.")
-    why: str = Field(description="What is wrong where it does not hold.")
-
-
 class NoticeWords(ResponseModel):
     """What a warning says, and what is to be known of it."""
 
@@ -260,9 +253,38 @@ class NoticeWords(ResponseModel):
     why: str = Field(description="Why it matters.")
     mend: str = Field(description="What to do about it.")
 
+    @classmethod
+    def of(cls, code: Code) -> "NoticeWords":
+        """Words of a code."""
+        words = asdict(code)
+        del words["kind"]
+        return cls(**words)
+
+
+class CheckWords(ResponseModel):
+    """What a check says."""
+
+    title: str = Field(description="What it is.")
+    why: str = Field(description="What is wrong where it does not hold.")
+    warning: Maybe[NoticeWords] = Field(
+        default=None, description="What answers without checks say by its code."
+    )
+    refusal: Maybe[str] = Field(default=None, description="What a refusal says by its code.")
+
+    @classmethod
+    def of(cls, code: str) -> "CheckWords":
+        """Words of a check."""
+        said: dict[str, Any] = {}
+        if code in WARNINGS:
+            said["warning"] = NoticeWords.of(WARNINGS[code])
+        elif code in REFUSALS:
+            said["refusal"] = REFUSALS[code].text
+        return cls(title=CHECKS[code].title, why=CHECKS[code].why, **said)
+
 
 class Words(ResponseModel):
-    """What the service says by code, in English, a table for each kind of code.
+    """What the service says by code, in English, a table for each kind of code; a code of a
+    refusal, a warning, a check or a reason is in one of theirs, whichever of them says it.
 
     A name in braces is that of a parameter of the refusal, the warning or the figure, whose value
     is put there; with its unit, where the name ends in one.
@@ -276,7 +298,13 @@ class Words(ResponseModel):
     notices: dict[str, NoticeWords] = Field(description="Warnings, `code` of `warnings`.")
     checks: dict[str, CheckWords] = Field(description="Checks, by `code`.")
     check_groups: dict[str, str] = Field(description="What a check is about, `group`.")
-    reasons: dict[str, str] = Field(description="Why a check stands as it does, `reason.code`.")
+    reasons: dict[str, str] = Field(
+        description="Why a check stands as it does, `reason.code`, where nothing else says that."
+    )
+    was: dict[str, dict[str, str]] = Field(
+        description="The code that a code of `errors`, of `warnings` and of `reasons` of checks "
+        "replaces; for one release."
+    )
     sources: dict[str, str] = Field(
         description="Where a check or a limit comes from, `source_code`."
     )
@@ -397,26 +425,27 @@ async def examples() -> ExampleList:
 
 @cache
 def _words() -> Packed:
-    words = {
-        "refusals": TEXTS,
-        "places": {api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
-        "notices": {code: asdict(kind) for code, kind in NOTICES.items()},
-        "checks": {code: {"title": kind.title, "why": kind.why} for code, kind in CHECKS.items()},
-        "check_groups": CHECK_GROUPS,
-        "reasons": REASONS,
-        "sources": CHECK_SOURCES | LIMIT_SOURCES,
-        "criteria": CRITERIA,
-        "verified": VERIFIED,
-        "not_considered": NOT_CONSIDERED,
-        "methods": METHODS,
-        "worked_values": {api_name(code): text for code, text in worked_words.VALUES.items()},
-        "worked_notes": worked_words.NOTES,
-        "worked_errata": worked_words.ERRATA,
-        "worked_sources": worked_words.SOURCES,
-        "settings": SETTINGS,
-        "figures": theme.TEXTS,
-    }
-    return Packed(orjson.dumps(Words.model_validate(_named(words)).model_dump()), JSON)
+    words = Words(
+        refusals={code: text for code, text in TEXTS.items() if code not in CHECKS},
+        places={api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
+        notices={c: NoticeWords.of(each) for c, each in WARNINGS.items() if c not in CHECKS},
+        checks={code: CheckWords.of(code) for code in CHECKS},
+        check_groups=CHECK_GROUPS,
+        reasons={code: each.text for code, each in CODES.items() if each.kind == "unknown"},
+        was=WAS,
+        sources=CHECK_SOURCES | LIMIT_SOURCES,
+        criteria=CRITERIA,
+        verified=VERIFIED,
+        not_considered=NOT_CONSIDERED,
+        methods=METHODS,
+        worked_values={api_name(code): text for code, text in worked_words.VALUES.items()},
+        worked_notes=worked_words.NOTES,
+        worked_errata=worked_words.ERRATA,
+        worked_sources=worked_words.SOURCES,
+        settings=SETTINGS,
+        figures=theme.TEXTS,
+    )
+    return Packed(orjson.dumps(_named(words.model_dump(exclude_none=True))), JSON)
 
 
 @router.get("/words", operation_id="words", response_model=Words)

@@ -38,7 +38,7 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
-from core.notices import NOTICES
+from core.codes import WARNINGS, WAS
 from core.results import METHODS, Accuracy, Notice
 
 SMALLEST = 1e-12
@@ -501,6 +501,16 @@ class ResponseModel(BaseModel):
         return values
 
 
+def _leave_to_checks(values: Values, checks: list[Values]) -> None:
+    """Leave out of an answer and its sections the warnings that its checks say."""
+    said = {each["code"] for each in checks}
+    said |= {each["reason"]["code"] for each in checks if "reason" in each}
+    for part in (values, *values.values()):
+        if isinstance(part, dict) and "warnings" in part:
+            kept = [each for each in part.pop("warnings") if each["code"] not in said]
+            part |= {"warnings": kept} if kept else {}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
     """A calculation as the service offers it; `app.registry` lists all of them."""
@@ -548,6 +558,8 @@ class Calculation:
             values["worked"] = self.worked(body)
         if notices := body.notices():
             values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+        if checks := values.get("checks"):
+            _leave_to_checks(values, checks)
         return values
 
 
@@ -709,16 +721,23 @@ class AssumingResponse(WorkedResponse):
     )
 
 
+REPLACED = "The code that this one replaces; for one release."
+
+
 class WarningOut(BaseModel):
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*NOTICES]})
+    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
+    was: Maybe[str] = Field(default=None, description=REPLACED)
 
 
 def warning(notice: Notice) -> Values:
     """Warning of a core notice; the API's names stand in for the core's."""
     params = api_params(notice.params)
-    detail = NOTICES[notice.code].text.format(**params)
-    return {"code": notice.code, "params": params, "detail": detail}
+    values = {"code": notice.code, "params": params}
+    values["detail"] = WARNINGS[notice.code].text.format(**params)
+    if was := WAS["warnings"].get(notice.code):
+        values["was"] = was
+    return values

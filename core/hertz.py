@@ -102,7 +102,7 @@ class HertzContact(NamedTuple):
         if ratio <= HALF_WIDTH_RATIO_LIMIT:
             return unknown
         possible = self.conformal_pressure is not None or ratio <= 1
-        code = "hertz_half_width" if possible else "hertz_impossible"
+        code = "contact_conformity" if possible else "hertz_impossible"
         return (Notice(code, {"ratio": float(ratio)}), *unknown)
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from core.arrays import Number
-from core.notices import NOTICES
+from core.codes import CODES
 
 ROUNDING = 2.0**-52
 """Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
@@ -82,14 +82,14 @@ class Accuracy(NamedTuple):
 class Notice:
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str  # of the limit, a key of `core.notices.NOTICES`
+    code: str  # of the limit, a key of `core.codes.CODES`
     # What its text names: dimensionless numbers, and names of core parameters.
     params: dict[str, Any] = field(default_factory=dict)
 
     @property
     def detail(self) -> str:
         """What is strained and what it means, in English, with the core's names."""
-        return NOTICES[self.code].text.format(**self.params)
+        return CODES[self.code].text.format(**self.params)
 
 
 HARDLY_KNOWN = 1e-2

@@ -485,8 +485,8 @@ class CrankPlanetaryResponse(JudgedResponse):
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
     warnings: Maybe[list[WarningOut]] = Field(
         description="How pins and holes fit, whichever sections are asked: `interference`, "
-        "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`."
+        "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
+        "`eccentricity_assumed`; not what `checks` say.",
     )
 
 

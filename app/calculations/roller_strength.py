@@ -151,7 +151,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         if asked is not None and self.stress_concentration > 1:
             for name in NOTCHES:
                 if getattr(asked, name) is not None:
-                    raise field_error(f"fatigue/{name}", "exclusive", field="stress_concentration")
+                    raise field_error(f"fatigue/{name}", "only_one", field="stress_concentration")
         return self
 
     def cost(self) -> float:

@@ -208,7 +208,7 @@ def within_roots(*, design: CrankDesign, code: str, least: float | None = None) 
         return shallow
     cycloid = design.gear is not None and design.gear.kind == "cycloid"
     if cycloid and design.eccentricity is None:
-        raise NotKnown("eccentricity_missing", "eccentricity")
+        raise NotKnown("eccentricity_assumed", "eccentricity")
     name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(
         code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)

@@ -1,4 +1,4 @@
-"""What is checked, why and by which formula; reasons, sources and what is left out, by code."""
+"""What is checked, why and by which formula; sources and what is left out, by code."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -87,72 +87,6 @@ CHECK_SOURCES = {
     "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2",
 }
 """Where the formulas of checks come from, in English, by code."""
-
-REASONS = {
-    "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of "
-    "its size",
-    "cannot_assemble": "The parts cannot be put together at any crank angle: pins and holes press "
-    "by more than they stand",
-    "clearance_like_eccentricity": "The clearance is nearly as large as the eccentricity: what "
-    "moves so is hardly meant",
-    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
-    "one",
-    "cranks_deviate": "The balance is known of cranks without deviations only",
-    "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
-    "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
-    "drawing of its own",
-    "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "
-    "holes of one are turned against those of another",
-    "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
-    "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
-    "strength where it is a steel",
-    "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the "
-    "bearings on the cranks lets the satellites move",
-    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
-    "against its crank",
-    "jams": "The parts go together, but jam in a part of the turn",
-    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
-    "which are meant for teeth",
-    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
-    "limit_unknown": "No limit of the pressure is known for this material: enter one",
-    "mass_unknown": "No mass of a satellite is given",
-    "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
-    "soft for the load, or the clearance is too large",
-    "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
-    "no_involute": "It is one of involute teeth",
-    "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
-    "out",
-    "no_limit": "No limit was asked",
-    "no_pressure": "The contact is wider than the pin: no pressure is known",
-    "no_teeth": "No teeth or pins of the ring are given",
-    "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
-    "one_only": "There is one only",
-    "plastic_first": "The first turns yield below the surface; the contact settles after that",
-    "pressed_without_load": "With these deviations pins and holes press without load",
-    "pressure_error": "The limit lies within the error of the value",
-    "rating_unknown": "No load rating of the bearing is given",
-    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
-    "one of the ring's pins",
-    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
-    "conformal pressure: the pressure is a rough guide",
-    "section_missing": "A part of the design that it needs is not given",
-    "size_missing": "A size that it needs is not given",
-    "speed_missing": "No input speed is given",
-    "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
-    "steady_load": "The load turns with the shaft and bends it one way all the time",
-    "tested_limit": "The tested limit of this material counts, not its yield strength",
-    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
-    "to the axis",
-    "too_large": "There are more pairs of pin and hole than it is calculated for",
-    "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
-    "unbalanced": "The satellites need a counterweight",
-    "uneven": "Not every roller carries",
-    "unloaded": "The loads cancel: nothing presses the bearings",
-    "value_unknown": "Nothing is known of the value: its error is as large as it is, or has no end",
-    "wear_unknown": "No wear coefficient is given",
-    "yield_unknown": "No yield strength is known: enter one",
-}
-"""Why a status is what it is, where numbers do not say it, in English, by code."""
 
 NOT_CONSIDERED = {
     "bearing": "bearings of the satellites",

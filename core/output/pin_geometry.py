@@ -96,7 +96,7 @@ def pin_fit(
     >>> fit = pin_fit(pins=12, pin_radius=0.008, hole_radius=0.010, eccentricity=0.0025,
     ...               pin_circle_radius=0.010)
     >>> [notice.code for notice in fit.notices]
-    ['interference', 'holes_overlap', 'pins_overlap']
+    ['interference', 'wall_holes', 'pins_apart']
     """
     check_single(
         pin_radius=pin_radius,
@@ -125,8 +125,8 @@ def pin_fit(
         "eccentricity_assumed": assumed,
         "clearance": clearance > 0,
         "interference": clearance < 0,
-        "holes_overlap": between_holes <= tolerance,
-        "pins_overlap": between_pins <= tolerance,
+        "wall_holes": between_holes <= tolerance,
+        "pins_apart": between_pins <= tolerance,
     }
     needed = {"limit": 1e3 * (pin_radius + eccentricity)}
     notices = tuple(

@@ -119,7 +119,7 @@ def shaft_stretches(
             raise InvalidInput("shaft_diameter", shaft_diameter, "greater_than", limit=0)
         return [ShaftSection(length, shaft_diameter)]
     if shaft_diameter is not None:
-        raise InvalidInput("shaft_sections", shaft_sections, "exclusive", field="shaft_diameter")
+        raise InvalidInput("shaft_sections", shaft_sections, "only_one", field="shaft_diameter")
     for index, section in enumerate(shaft_sections):
         for name, value in (("length", section.length), ("diameter", section.diameter)):
             if not value > 0:

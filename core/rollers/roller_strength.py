@@ -372,7 +372,7 @@ def modulus_ratio(
         check_poissons_ratio(poissons_ratio)
         return 2 * (1 + poissons_ratio)
     if poissons_ratio is not None or shear_modulus is None:
-        raise InvalidInput("shear_modulus", shear_modulus, "exclusive", field="poissons_ratio")
+        raise InvalidInput("shear_modulus", shear_modulus, "only_one", field="poissons_ratio")
     check_positive(shear_modulus=shear_modulus)
     return youngs_modulus / shear_modulus
 
@@ -408,7 +408,7 @@ def roller_gaps(
     """
     if gaps is not None:
         if position_tolerance is not None:
-            raise InvalidInput("gaps", gaps, "exclusive", field="position_tolerance")
+            raise InvalidInput("gaps", gaps, "only_one", field="position_tolerance")
         if len(gaps) != rollers:
             raise InvalidInput("gaps", gaps, "different_length", expected=rollers, actual=len(gaps))
         return gaps

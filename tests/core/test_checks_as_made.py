@@ -233,16 +233,16 @@ def test_play_without_clearance() -> None:
     for code, limit in (("backlash", 1e-6), ("lost_motion", 1e-3)):
         unknown = CRANK[code](replace(asked, eccentricity=None))
         says(
-            unknown, status="not_checked", value=None, limit=limit, reason="eccentricity_missing",
+            unknown, status="not_checked", value=None, limit=limit, reason="eccentricity_assumed",
             missing=("eccentricity",),
         )  # fmt: skip
 
 
 UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
     "too many pairs": ({"pins": MOST_REAL_PAIRS + 1}, "too_many_pairs"),
-    "too soft": ({"law": LinearLaw(stiffness=1e3)}, "no_balance"),
-    "too wide": ({"law": None, "output_torque": 1e5}, "no_pressure"),
-    "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "no_balance"),
+    "too soft": ({"law": LinearLaw(stiffness=1e3)}, "not_stable"),
+    "too wide": ({"law": None, "output_torque": 1e5}, "beyond_hertz"),
+    "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "smaller_than"),
 }
 
 

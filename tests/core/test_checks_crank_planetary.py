@@ -45,7 +45,7 @@ def test_fit(clearance: float) -> None:
 
 @pytest.mark.parametrize("code", ["interference", "clearance"])
 def test_no_fit_without_the_eccentricity(code: str) -> None:
-    unknown = {"status": "not_checked", "value": None, "reason": "eccentricity_missing"}
+    unknown = {"status": "not_checked", "value": None, "reason": "eccentricity_assumed"}
     found = CRANK[code](replace(REF, eccentricity=None))
     says(found, missing=("eccentricity",), **unknown)
     assert CRANK["contact_pressure_pin"](replace(REF, eccentricity=None)).status == "pass"

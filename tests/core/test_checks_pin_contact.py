@@ -196,7 +196,7 @@ def test_width_of_the_contact() -> None:
     none = replace(soft, output_torque=1e7)
     for code in ("contact_pressure_pin", "contact_shakedown_hole"):
         unknown = CRANK[code](none)
-        assert (unknown.status, unknown.reason) == ("not_checked", "no_pressure")
+        assert (unknown.status, unknown.reason) == ("not_checked", "hertz_impossible")
         assert unknown.limit is not None and unknown.value is None
     # the pressure of Hertz, up to a limit within his reach
     for limit in (60e6, 20e6):

@@ -54,7 +54,7 @@ class DesignForces(GivenDesign):
         if not (self.loaded and self.touching):
             raise NotKnown("section_missing", "contact" if self.loaded else "load")
         if self.pairs > self.most_real_pairs:
-            raise self.too_many(self.most_real_pairs, "too_many_pairs")
+            raise self.too_many(self.most_real_pairs)
         assert self.pin_circle_radius is not None and self.contact_length is not None
         assert self.pin_radius is not None and self.hole_radius is not None
         eccentricity = self.eccentricity
@@ -63,7 +63,7 @@ class DesignForces(GivenDesign):
         if eccentricity >= self.pin_circle_radius:  # holes around the centre
             than = {"field": "pin_circle_radius", "limit": self.pin_circle_radius}
             refusal = InvalidInput("eccentricity", None, "smaller_than", **than)
-            raise NotKnown("no_balance", refusal=refusal)
+            raise NotKnown(refusal.code, refusal=refusal)
         return RealMechanism(
             mechanism=self.mechanism,
             pin_circle_radius=self.pin_circle_radius,

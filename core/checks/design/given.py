@@ -243,7 +243,7 @@ class GivenDesign:
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
         if self.eccentricity is None:
-            raise NotKnown("eccentricity_missing", "eccentricity")
+            raise NotKnown("eccentricity_assumed", "eccentricity")
         return self.eccentricity
 
     @property
@@ -253,22 +253,21 @@ class GivenDesign:
             raise NotKnown("speed_missing", "input_speed")
         return self.input_speed
 
-    def too_many(self, most: int, code: str = "too_large") -> NotKnown:
+    def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.
 
         Parameters
         ----------
         most : int
             Most pairs of which it is.
-        code : str
-            The reason.
 
         Returns
         -------
         NotKnown
         """
         limit = {"limit": most // self.satellites, "satellites": self.satellites}
-        return NotKnown(code, refusal=InvalidInput("pins", self.pins, "too_many_pairs", **limit))
+        code = "too_many_pairs"
+        return NotKnown(code, refusal=InvalidInput("pins", self.pins, code, **limit))
 
     @property
     def loaded(self) -> bool:
@@ -322,7 +321,7 @@ class GivenDesign:
     def known_clearance(self) -> float:
         """The same, which needs the eccentricity, m."""
         if self.clearance is None:
-            raise NotKnown("eccentricity_missing", "eccentricity")
+            raise NotKnown("eccentricity_assumed", "eccentricity")
         return self.clearance
 
     @cached_property

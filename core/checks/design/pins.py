@@ -146,7 +146,7 @@ class DesignPins(DesignForces):
             return None
         pin, basis = self.pin, self.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-            return Notice("fatigue_no_basis")
+            return Notice("endurance_unknown")
         found = named(section="fatigue", calculation=lambda: basis.strength(pin))
         if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
             return found
@@ -262,4 +262,4 @@ class DesignPins(DesignForces):
         valid = None if self.pin is None else self.pin.valid_diameter
         if self.pin is None or valid is None or self.pin.diameter <= valid:
             return ()
-        return (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return (Notice("beyond_size", {"limit": valid * 1e3}),)
