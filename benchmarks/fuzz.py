@@ -1,6 +1,6 @@
 """Try to break the service: 100,000 designs, hostile numbers and broken bodies.
 
-Every answer is checked (tests/oracles/fuzz.py). Run by `make fuzz`; the number of requests and the
+Every answer is checked (tests/inputs/fuzz.py). Run by `make fuzz`; the number of requests and the
 seed may be given: `python -m benchmarks.fuzz 5000 7`.
 """
 
@@ -12,7 +12,7 @@ from concurrent.futures import ProcessPoolExecutor
 from itertools import repeat
 
 from benchmarks.options import options
-from tests.oracles.fuzz import SLOW_S, Fuzz, Report
+from tests.inputs.fuzz import SLOW_S, Fuzz, Report
 
 REQUESTS = 100_000
 PROCESSES = 2

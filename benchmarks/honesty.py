@@ -19,9 +19,9 @@ from functools import partial
 from pathlib import Path
 
 from benchmarks.options import options
+from tests.inputs.outcome import NOTHING_KNOWN, Outcome, outcome
 from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import GIVEN, Calculation, pattern
-from tests.oracles.answers.outcome import NOTHING_KNOWN, Outcome, outcome
 
 CASES = 10_000
 JUDGED_FROM = 10

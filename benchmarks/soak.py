@@ -1,7 +1,7 @@
 """Twenty minutes of mixed traffic on the running service: what of its memory and processes stays.
 
 Clients of four kinds ask at once, each as fast as it is answered: extreme and hostile bodies
-(tests/oracles/fuzz_requests.py), figures, batches by lines, and requests that are given up within
+(tests/inputs/fuzz_requests.py), figures, batches by lines, and requests that are given up within
 0.3 s. Two workers answer. Every second the processes of the service, their memory and their
 descriptors are counted; at the end drawn in docs/soak.svg, with tables on the output. Ends with 1
 where the last third has more processes, or more than 10 % more memory or descriptors, than the
@@ -24,7 +24,7 @@ import httpx
 from app.examples import EXAMPLES, REQUESTS
 from benchmarks.load import service
 from benchmarks.options import options
-from tests.oracles.fuzz_requests import Draw, random_request
+from tests.inputs.fuzz_requests import Draw, random_request
 
 MINUTES = 20
 DRAWN = Path(__file__).parent.parent / "docs" / "soak.svg"

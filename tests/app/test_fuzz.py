@@ -2,8 +2,8 @@
 
 import pytest
 
-from tests.oracles.fuzz import Fuzz
-from tests.oracles.fuzz_requests import Request
+from tests.inputs.fuzz import Fuzz
+from tests.inputs.fuzz_requests import Request
 
 pytestmark = pytest.mark.anyio
 

@@ -19,7 +19,7 @@ from core.output.turn import Turn
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, Study
 from core.tolerance.tolerances import Tolerances, deviations
-from tests.oracles.real_mechanisms import LAWS, STEEL, design
+from tests.inputs.real_mechanisms import LAWS, STEEL, design
 
 
 @pytest.fixture(autouse=True)

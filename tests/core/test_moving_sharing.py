@@ -17,7 +17,7 @@ from core.derived import if_known
 from core.output.mechanism import Mechanism
 from core.output.moving_sharing import MovingSharing, SharedPinTurn, torque_factors
 from core.output.pin_turn import PinTurn, SatelliteTurn
-from tests.oracles.checks import WHOLE
+from tests.inputs.checks import WHOLE
 from tests.oracles.seeds import seeds
 
 CLOSE = 1e-6

@@ -17,7 +17,7 @@ from core.output.pin_geometry import slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.room import Rooms
 from core.output.satellite_support import CrankSupport
-from tests.oracles.misfits import drawn
+from tests.inputs.misfits import drawn
 from tests.oracles.room import highest, room
 
 MM, ARCMIN = 1e-3, math.pi / 10_800
