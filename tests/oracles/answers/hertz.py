@@ -25,6 +25,8 @@ MATERIALS = {
         ("plastic_pom", 2.8, 0.35),  # TECAFORM AH
     )
 }
+MATERIALS["steel_bearing"]["allowable_pressure_MPa"] = 1500.0  # ISO 281
+MATERIALS["steel_through_hardened"]["allowable_pressure_MPa"] = 1.313 * 300 + 188  # ISO 6336-5, ML
 """As their sources print them."""
 
 
