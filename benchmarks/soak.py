@@ -111,10 +111,10 @@ async def run(service_pid: int, url: str, minutes: float) -> tuple[list[Sample],
     async with asyncio.TaskGroup() as group:
         for seed, kind in enumerate(kinds):
             group.create_task(traffic(url, kind, seed, end, answers))
-        while time.monotonic() < end:
+        while time.monotonic() < end or len(samples) < 3:
             minute = (time.monotonic() - start) / 60
             samples.append(await asyncio.to_thread(sample, service_pid, minute))
-            await asyncio.sleep(1)
+            await asyncio.sleep(min(1, 12 * minutes))
     return samples, answers
 
 
@@ -176,4 +176,4 @@ def main(minutes: float, write: bool) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, minutes=MINUTES)
-    sys.exit(main(0.2, False) if asked.smallest else main(asked.minutes, True))
+    sys.exit(main(0.05, False) if asked.smallest else main(asked.minutes, True))
