@@ -38,7 +38,8 @@ WIDE = Tolerances(
     crank_phase=Spread(-3e-4, 3e-4),
     disc_phase=Spread(-3e-4, 3e-4),
 )
-SUPPORTS = [None, "cantilever", "supported", "fixed"]
+SUPPORTS = [None, "fixed"]
+"""How a pin is held is nothing but a number to the loops."""
 
 
 def pair_of_discs(**changes: object) -> RealMechanism:

@@ -11,7 +11,7 @@ from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import Calculation, Number, pattern, typed
 from tests.oracles.seeds import seeds
 
-SLOW = {"pin-strength": 3}  # whose oracle takes seconds
+SLOW = {"pin-strength": 2}  # whose oracle takes seconds
 CASES = [(each, seed) for each in CALCULATIONS for seed in seeds(SLOW.get(each.path, 8))]
 
 
