@@ -65,7 +65,8 @@ compiled: .venv/test
 	@$(BIN)/python -m app.compiled
 
 fast: compiled
-	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal $(QUICK) -m "not slow and not browser"
+	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal -p no:schemathesis $(QUICK) \
+		-m "not slow and not browser"
 
 node: .venv/test
 	@tests/tools.sh node nodejs
