@@ -4,9 +4,9 @@
 revision at a time, and runs the tests that reach it, the quickest first, until the first fails.
 A change that is drawn once is drawn again in a later revision where its function still has it.
 
-Tests that ask another process, a server or a page are left out: what they reach is not seen. What
-is stopped can be started again; it goes on where it was, in ``build/mutations``. This file is also
-the plugin by which pytest notes what each test reaches.
+Tests of a server and of a page are left out, as what they reach is not seen. What is stopped can
+be started again; it goes on where it was, in ``build/mutations``. This file is also the plugin by
+which pytest notes what each test reaches.
 """
 
 import argparse
@@ -36,6 +36,9 @@ COUNT, SEED, FIRST = 60, 33, 40
 
 BESIDE_CORE = ("app/model.py", "app/units.py")
 ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
+ASKS_OTHERS = "tests/app/"
+"""Tests of what no test reaches in its own process: another one may, for it."""
+
 COMPILED, ITS_DOOR = "sharing_kernel.py", "return _at_hand"
 """What is compiled notes nothing: its tests are those that fetch it by this line."""
 
@@ -252,7 +255,9 @@ def main(base: str, seed: int, smallest: bool) -> None:
     found: dict[str, str | None] = json.loads(record.read_text()) if record.exists() else {}
     for index, each in enumerate(chosen):
         if each.rank not in found:
-            tests = {test: seconds for test, (seconds, seen) in reached.items() if index in seen}
+            asked = [test for test, (_, seen) in reached.items() if index in seen]
+            asked = asked or [test for test in reached if test.startswith(ASKS_OTHERS)]
+            tests = {test: reached[test][0] for test in asked}
             found[each.rank] = trial.killed_by(each, tests)
             record.write_text(json.dumps(found))
         by = found[each.rank]
