@@ -17,7 +17,7 @@ from core.checks.kinds import CHECKS
 from core.checks.sections import FatigueBasis, Ring, RollingBearing
 from core.errors import CalculationError
 from core.materials import MATERIALS
-from tests.oracles.checks import WHOLE
+from tests.inputs.checks import WHOLE
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material

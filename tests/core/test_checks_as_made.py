@@ -26,7 +26,8 @@ from core.output.contact_law import LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import HOLE, MODULUS, PIN, REF, says
+from tests.inputs.checks import HOLE, PIN, REF, says
+from tests.oracles.checks import MODULUS
 
 A = CrankDesign(
     pins=8,

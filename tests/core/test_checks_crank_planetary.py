@@ -20,7 +20,7 @@ from core.checks.sections import Ring
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import REF, WHOLE, says
+from tests.inputs.checks import REF, WHOLE, says
 
 
 @pytest.mark.parametrize("clearance", [-3e-5, -2e-11, -5e-12, 0.0, 5e-12, 2e-11, 3e-5])

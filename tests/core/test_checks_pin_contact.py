@@ -11,7 +11,8 @@ from core.checks.crank_planetary import CRANK, crank_checks
 from core.fixes.changes import vary
 from core.fixes.crank import crank_fixes
 from core.materials import ContactLimit, ElasticMaterial
-from tests.oracles.checks import HOLE, PIN, PRESSURE, RATIO, REF, says
+from tests.inputs.checks import HOLE, PIN, REF, says
+from tests.oracles.checks import PRESSURE, RATIO
 
 SOFT = ElasticMaterial(3e9, 0.35, ContactLimit("given", 60e6), yield_strength=60e6)
 

@@ -11,7 +11,7 @@ from core.checks.rollers import roller_checks
 from core.fatigue import CycleFatigue, FatigueStrength
 from core.results import Notice
 from core.rollers.roller_strength import roller_fatigue, roller_strength
-from tests.oracles.checks import says
+from tests.inputs.checks import says
 
 DESIGN: dict[str, Any] = {
     "output_torque": 210.0,

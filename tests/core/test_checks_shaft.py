@@ -10,7 +10,7 @@ from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
 from core.fatigue import FatigueStrength, judge_cycle
 from core.results import Notice
-from tests.oracles.checks import says
+from tests.inputs.checks import says
 
 
 def shaft(

@@ -21,7 +21,8 @@ from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_law import LinearLaw
 from core.output.losses import PinLosses
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import REF, WHOLE, compliance, says
+from tests.inputs.checks import REF, WHOLE, says
+from tests.oracles.checks import compliance
 
 PEAK = 1e4 / 3
 MODULUS = math.pi * 0.016**3 / 32

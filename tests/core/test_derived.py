@@ -8,7 +8,7 @@ from core.checks.crank_planetary import crank_checks
 from core.derived import derived, if_known
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.real_mechanism import RealMechanism
-from tests.oracles.checks import REF
+from tests.inputs.checks import REF
 
 
 @dataclass(frozen=True)
